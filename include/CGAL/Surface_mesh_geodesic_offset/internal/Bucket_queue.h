@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order of the wavefront: buckets of equal width in distance. Within a bucket, halfedges come before vertices, so
+// that a vertex becomes a pseudo-source once its distance is settled, and faces come first, as they are finished when
+// the front enters the bucket.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BUCKET_QUEUE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BUCKET_QUEUE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Bucket_queue
+{
+public:
+  struct Bucket
+  {
+    std::vector<Index> faces, halfedges, vertices;
+    bool empty() const { return faces.empty() && halfedges.empty() && vertices.empty(); }
+  };
+
+  explicit Bucket_queue(double width) : m_width(width) {}
+
+  template <class FT>
+  std::size_t bucket_of(const FT& distance) const
+  {
+    const double b = CGAL::to_double(distance) / m_width;
+    return b < 9e15 ? (b > 0 ? std::size_t(b) : 0) : std::size_t(9e15);
+  }
+
+  std::size_t current() const { return m_current; }
+  double front() const { return double(m_current) * m_width; }
+  double width() const { return m_width; }
+
+  void push_halfedge(std::size_t bucket, Index h)
+  {
+    at(bucket).halfedges.push_back(h);
+    ++m_events;
+  }
+  void push_vertex(std::size_t bucket, Index v)
+  {
+    at(bucket).vertices.push_back(v);
+    ++m_events;
+  }
+  void push_face(std::size_t bucket, Index f) { at(bucket).faces.push_back(f); }
+
+  // Moves on to the next bucket that is not empty; false when there is nothing left that can move the front.
+  bool advance()
+  {
+    if (m_events == 0) return false;
+    while (!m_buckets.empty() && m_buckets.front().empty())
+    {
+      m_buckets.pop_front();
+      ++m_current;
+    }
+    return !m_buckets.empty();
+  }
+
+  bool pop_face(Index& f) { return pop(&Bucket::faces, f); }
+  bool pop_halfedge(Index& h) { return pop_event(&Bucket::halfedges, h); }
+  bool pop_vertex(Index& v) { return pop_event(&Bucket::vertices, v); }
+
+private:
+  bool pop(std::vector<Index> Bucket::*items, Index& item)
+  {
+    if (m_buckets.empty()) return false;
+    std::vector<Index>& v = m_buckets.front().*items;
+    if (v.empty()) return false;
+    item = v.back();
+    v.pop_back();
+    return true;
+  }
+
+  bool pop_event(std::vector<Index> Bucket::*items, Index& item)
+  {
+    if (!pop(items, item)) return false;
+    --m_events;
+    return true;
+  }
+
+  Bucket& at(std::size_t bucket)
+  {
+    const std::size_t i = bucket > m_current ? bucket - m_current : 0;
+    if (i >= m_buckets.size()) m_buckets.resize(i + 1);
+    return m_buckets[i];
+  }
+
+  double m_width;
+  std::size_t m_current = 0;
+  std::size_t m_events = 0; // halfedges and vertices waiting
+  std::deque<Bucket> m_buckets;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

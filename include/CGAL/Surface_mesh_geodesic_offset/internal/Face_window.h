@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A bundle of rays inside a face, in the face's frame: what a window becomes when it has entered, what starts at a
+// source inside the face, and what spreads from a corner.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FACE_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FACE_WINDOW_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+enum Face_window_origin : unsigned char
+{
+  ENTERS_HALFEDGE_0 = 0, // a window of the list of the face's halfedge 0, 1, 2
+  ENTERS_HALFEDGE_1 = 1,
+  ENTERS_HALFEDGE_2 = 2,
+  STARTS_IN_FACE = 3,    // a source primitive in the face
+  STARTS_AT_CORNER = 4   // the function d(v) + |p - v| of a corner
+};
+
+// The cone lies between the rays through `left` and `right`, seen along the rays; less than a half turn wide (for
+// w = 0: a strip).
+template <class FT>
+struct Face_window
+{
+  typedef Point_in_face<FT> Point;
+
+  FT x, y, sigma;
+  Point left, right; // the chord
+  Root root;
+  Index bits; // as in Window
+  Face_window_origin origin;
+  unsigned char edge; // STARTS_IN_FACE: the halfedge that its chord lies on, 3 if the chord is the source itself;
+                      // STARTS_AT_CORNER: the corner
+
+  bool is_parallel() const { return bits & 1u; }
+  Point image() const { return {x, y}; }
+
+  // Direction of the ray through the point p, not normalised.
+  Point ray_direction(const Point& p) const { return is_parallel() ? Point{-x, -y} : Point{p.x - x, p.y - y}; }
+
+  FT distance_at(const Point& p) const
+  {
+    if (is_parallel()) return sigma - (x * p.x + y * p.y);
+    const FT u = p.x - x, v = p.y - y;
+    return sigma + square_root<FT>(u * u + v * v);
+  }
+
+  // Cross products of a bounding ray's direction and the vector to p: at most 0 for the left and at least 0 for the
+  // right ray if p is in the cone.
+  FT left_side(const Point& p) const { return cross(ray_direction(left), p - left); }
+  FT right_side(const Point& p) const { return cross(ray_direction(right), p - right); }
+
+  // For strips that start inside the face: p is not behind the source.
+  bool is_in_front(const Point& p) const
+  {
+    return !(is_parallel() && origin == STARTS_IN_FACE) || !CGAL::is_negative(distance_at(p));
+  }
+
+  bool contains(const Point& p) const
+  {
+    return !CGAL::is_positive(left_side(p)) && !CGAL::is_negative(right_side(p)) && is_in_front(p);
+  }
+
+  // The length of a path through the window to p: straight if p is in the cone, else round the nearer end of the
+  // chord. An upper bound of the distance of p in any case, and continuous.
+  FT path_length(const Point& p) const
+  {
+    if (!is_in_front(p)) return Number_policy<FT>::infinity();
+    const bool off_left = CGAL::is_positive(left_side(p)), off_right = CGAL::is_negative(right_side(p));
+    if (!off_left && !off_right) return distance_at(p);
+    const FT l = distance_at(left) + length(p - left), r = distance_at(right) + length(p - right);
+    if (off_left && off_right) return (std::min)(l, r);
+    return off_left ? l : r;
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

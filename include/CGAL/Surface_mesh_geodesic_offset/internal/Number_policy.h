@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the pipeline needs to know of a number type beyond its arithmetic.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBER_POLICY_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBER_POLICY_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+typedef std::uint32_t Index;
+constexpr Index no_index = 0xffffffffu;
+
+// Relative tolerances are zero for exact number types: there, equal means equal.
+template <class FT>
+struct Number_policy
+{
+  static constexpr bool is_inexact = std::is_floating_point<FT>::value;
+
+  // Larger than every distance on a mesh.
+  static FT infinity()
+  {
+    if constexpr (is_inexact) return std::numeric_limits<FT>::infinity();
+    else return FT(1e300);
+  }
+
+  static bool is_finite(const FT& x) { return x < infinity(); }
+
+  // A relative rounding allowance of `factor` units of the last place.
+  static FT rounding(double factor)
+  {
+    if constexpr (is_inexact) return FT(factor * std::numeric_limits<FT>::epsilon());
+    else return FT(0);
+  }
+};
+
+template <class FT>
+inline FT square_root(const FT& x)
+{
+  return CGAL::is_positive(x) ? FT(CGAL::sqrt(x)) : FT(0);
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A point of the surface, classified: at a vertex, inside an edge, or inside a face.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_POINT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_POINT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+struct Surface_point
+{
+  enum Kind : unsigned char { VERTEX, EDGE, FACE };
+
+  Kind kind = FACE;
+  Index element = no_index; // a vertex, a halfedge, or a face
+  FT x = FT(0), y = FT(0);  // EDGE: x along the halfedge; FACE: in the face's frame
+
+  static Surface_point at_vertex(Index v)
+  {
+    Surface_point p;
+    p.kind = VERTEX;
+    p.element = v;
+    return p;
+  }
+};
+
+// Barycentric coordinates below this part of the largest are round-off of zero: the point is on the edge, or at the
+// vertex.
+inline double snapping_tolerance() { return 1e-13; }
+
+template <class FT>
+Surface_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array<FT, 3> w)
+{
+  const FT sum = w[0] + w[1] + w[2];
+  const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+  const FT slack = Number_policy<FT>::is_inexact ? FT(1e-9) : FT(0);
+  int zeros = 0, zero = -1, other = -1;
+  bool valid = face < mesh.number_of_faces() && mesh.source(3 * face) != no_index && sum > FT(0) &&
+               Number_policy<FT>::is_finite(sum);
+  for (int k = 0; valid && k < 3; ++k)
+  {
+    w[k] /= sum;
+    valid = w[k] >= -slack && w[k] <= FT(1) + slack;
+    if (w[k] <= eps)
+    {
+      w[k] = FT(0);
+      ++zeros;
+      zero = k;
+    }
+    else
+      other = k;
+  }
+  if (!valid)
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(face) +
+                                " does not lie in the face, or the face is not of this mesh");
+  Surface_point<FT> p;
+  if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
+  if (zeros == 1)
+  {
+    const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
+    p.kind = Surface_point<FT>::EDGE;
+    p.element = 3 * face + k;
+    p.x = mesh[p.element].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3]));
+    return p;
+  }
+  const Point_in_face<FT> q = Face_frame<FT>(mesh, face).point(w);
+  p.element = face;
+  p.x = q.x;
+  p.y = q.y;
+  return p;
+}
+
+// The faces around a surface point.
+template <class FT>
+std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p)
+{
+  std::vector<Index> result;
+  if (p.kind == Surface_point<FT>::FACE)
+    result.push_back(p.element);
+  else if (p.kind == Surface_point<FT>::EDGE)
+  {
+    result.push_back(mesh.face(p.element));
+    if (mesh.twin(p.element) != no_index) result.push_back(mesh.face(mesh.twin(p.element)));
+  }
+  else
+    mesh.for_each_fan(p.element, [&](Index first) {
+      Index c = first;
+      do
+      {
+        result.push_back(mesh.face(c));
+        c = mesh.corner_ccw(c);
+      } while (c != no_index && c != first);
+    });
+  return result;
+}
+
+// Position of p in the frame of the face; returns false if p does not lie in this (closed) face.
+// `edges` receives a bit for each halfedge of the face on which p lies.
+template <class FT>
+bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face,
+                      Point_in_face<FT>& position, unsigned& edges)
+{
+  edges = 0;
+  if (p.kind == Surface_point<FT>::FACE)
+  {
+    position = {p.x, p.y};
+    return p.element == face;
+  }
+  const Face_frame<FT> frame(mesh, face);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index h = 3 * face + k;
+    if (p.kind == Surface_point<FT>::VERTEX && mesh.source(h) == p.element)
+    {
+      position = frame.corner(k);
+      edges = 1u << k | 1u << (k + 2) % 3;
+      return true;
+    }
+    if (p.kind == Surface_point<FT>::EDGE && (p.element == h || mesh.twin(p.element) == h))
+    {
+      position = frame.on_edge(k, p.element == h ? p.x : FT(mesh[h].length - p.x));
+      edges = 1u << k;
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Directions around a vertex: turning by quarter turns, and the sector between two directions. All by walking from
+// corner to corner with unfolded vectors and side tests; no angle is ever computed.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VERTEX_SECTOR_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VERTEX_SECTOR_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+inline FT cross(const FT& ax, const FT& ay, const FT& bx, const FT& by)
+{
+  return ax * by - ay * bx;
+}
+
+template <class FT>
+class Vertex_sector
+{
+public:
+  typedef Ray_at_vertex<FT> Ray;
+
+  explicit Vertex_sector(const Unfolded_mesh<FT>& mesh) : m_mesh(&mesh) {}
+
+  // The direction reached from `ray` by one or two quarter turns counterclockwise; no corner if the border is met
+  // before.
+  Ray turn_ccw(const Ray& ray, int quarter_turns) const
+  {
+    Ray r = ray;
+    r.x = quarter_turns == 1 ? FT(-ray.y) : FT(-ray.x);
+    r.y = quarter_turns == 1 ? ray.x : FT(-ray.y);
+    // The corner is less than a half turn wide, so a half turn always leaves the first corner.
+    bool may_be_inside = quarter_turns == 1;
+    const Index limit = Index(m_mesh->number_of_halfedges());
+    for (Index guard = 0; guard <= limit; ++guard)
+    {
+      const auto& h = (*m_mesh)[r.corner];
+      if (may_be_inside && !CGAL::is_positive(cross(h.apex_x, h.apex_y, r.x, r.y))) return r;
+      may_be_inside = true;
+      FT c, s;
+      m_mesh->corner_direction(r.corner, c, s);
+      const FT t = c * r.x + s * r.y;
+      r.y = c * r.y - s * r.x;
+      r.x = t;
+      r.corner = m_mesh->corner_ccw(r.corner);
+      if (r.corner == no_index) return r;
+    }
+    return Ray();
+  }
+
+  Ray turn_cw(const Ray& ray, int quarter_turns) const
+  {
+    Ray r = ray;
+    r.x = quarter_turns == 1 ? ray.y : FT(-ray.x);
+    r.y = quarter_turns == 1 ? FT(-ray.x) : FT(-ray.y);
+    bool may_be_inside = quarter_turns == 1;
+    const Index limit = Index(m_mesh->number_of_halfedges());
+    for (Index guard = 0; guard <= limit; ++guard)
+    {
+      if (may_be_inside && !CGAL::is_negative(r.y)) return r;
+      may_be_inside = true;
+      r.corner = m_mesh->corner_cw(r.corner);
+      if (r.corner == no_index) return r;
+      FT c, s;
+      m_mesh->corner_direction(r.corner, c, s);
+      const FT t = c * r.x - s * r.y;
+      r.y = s * r.x + c * r.y;
+      r.x = t;
+    }
+    return Ray();
+  }
+
+  // Whether the border lies between a and b, going counterclockwise from a.
+  bool passes_border(const Ray& a, const Ray& b) const
+  {
+    if (same_corner_in_order(a, b)) return false;
+    for (Index c = m_mesh->corner_ccw(a.corner); c != no_index; c = m_mesh->corner_ccw(c))
+    {
+      if (c == b.corner) return false;
+      if (c == a.corner) return false;
+    }
+    return true;
+  }
+
+  // Whether the angle from a counterclockwise to b (a full turn if they are equal) is at least pi. The border must not
+  // lie between.
+  bool is_reflex(const Ray& a, const Ray& b) const
+  {
+    if (same_corner_in_order(a, b)) return false;
+    const Ray half = turn_ccw(a, 2);
+    if (half.corner == no_index) return false;
+    for (Index c = m_mesh->corner_ccw(a.corner); c != no_index; c = m_mesh->corner_ccw(c))
+    {
+      if (c == half.corner) return c != b.corner || !CGAL::is_negative(cross(half.x, half.y, b.x, b.y));
+      if (c == b.corner || c == a.corner) return false;
+    }
+    return false;
+  }
+
+  // Calls f(corner, from, to) for each corner of the sector that reaches from `from` counterclockwise to `to`; the
+  // rays are null where the sector covers the corner up to its edge. Without a corner, `from` stands for the border at
+  // `first`, and `to` for the border at the other end.
+  template <class Function>
+  void for_each_corner(const Ray& from, const Ray& to, Index first, const Function& f) const
+  {
+    Index c = from.corner != no_index ? from.corner : first;
+    const Index start = c;
+    if (from.corner != no_index && from.corner == to.corner)
+    {
+      // either a narrow sector inside one corner, or nothing: the sector never closes on itself
+      if (CGAL::is_positive(cross(from.x, from.y, to.x, to.y))) f(c, &from, &to);
+      return;
+    }
+    const Ray* lower = from.corner != no_index ? &from : nullptr;
+    do
+    {
+      const bool last = c == to.corner;
+      f(c, lower, last ? &to : nullptr);
+      lower = nullptr;
+      if (last) return;
+      c = m_mesh->corner_ccw(c);
+    } while (c != no_index && c != start);
+  }
+
+private:
+  bool same_corner_in_order(const Ray& a, const Ray& b) const
+  {
+    return a.corner == b.corner && CGAL::is_positive(cross(a.x, a.y, b.x, b.y));
+  }
+
+  const Unfolded_mesh<FT>* m_mesh;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

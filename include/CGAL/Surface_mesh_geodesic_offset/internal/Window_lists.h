@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The list of windows of each halfedge that the front has reached, in an arena with reuse.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_LISTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_LISTS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Blocks of 4, 8, 16, ... windows. A freed block is used again for the next list of its size.
+template <class FT>
+class Window_arena
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window* allocate(Index size_class)
+  {
+    std::vector<Window*>& free_blocks = m_free[size_class];
+    if (!free_blocks.empty())
+    {
+      Window* block = free_blocks.back();
+      free_blocks.pop_back();
+      return block;
+    }
+    const std::size_t n = capacity(size_class);
+    if (m_left < n)
+    {
+      const std::size_t page = (std::max)(n, std::size_t(page_size));
+      m_pages.emplace_back(new Window[page]);
+      m_top = m_pages.back().get();
+      m_left = page;
+    }
+    Window* block = m_top;
+    m_top += n;
+    m_left -= n;
+    return block;
+  }
+
+  void release(Window* block, Index size_class) { m_free[size_class].push_back(block); }
+
+  static std::size_t capacity(Index size_class) { return std::size_t(4) << size_class; }
+
+private:
+  enum { page_size = 8192 };
+  std::vector<std::unique_ptr<Window[]>> m_pages;
+  Window* m_top = nullptr;
+  std::size_t m_left = 0;
+  std::array<std::vector<Window*>, 28> m_free;
+};
+
+// The first `taken` windows are sorted, disjoint and already propagated; the others wait.
+template <class FT>
+struct Window_list
+{
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  static constexpr std::size_t not_queued = ~std::size_t(0);
+
+  Window* data = nullptr;
+  Index size = 0;
+  Index taken = 0;
+  Index size_class = 0;
+  std::size_t bucket = not_queued;
+  FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": the best distance given to the
+  FT split_entry = FT(0);                            // apex through this halfedge, and where its ray enters
+
+  const Window* begin() const { return data; }
+  const Window* end() const { return data + size; }
+};
+
+template <class FT>
+class Window_lists
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Window_list<FT> List;
+
+  Window_lists() = default;
+  explicit Window_lists(std::size_t number_of_halfedges) : m_list_of(number_of_halfedges, no_index) {}
+
+  bool has(Index h) const { return m_list_of[h] != no_index; }
+  const List& get(Index h) const
+  {
+    static const List empty;
+    return has(h) ? m_lists[m_list_of[h]] : empty;
+  }
+  List& get(Index h) { return m_lists[m_list_of[h]]; }
+
+  List& get_or_create(Index h)
+  {
+    if (m_list_of[h] == no_index)
+    {
+      if (m_free_lists.empty())
+      {
+        m_list_of[h] = Index(m_lists.size());
+        m_lists.emplace_back();
+      }
+      else
+      {
+        m_list_of[h] = m_free_lists.back();
+        m_free_lists.pop_back();
+        m_lists[m_list_of[h]] = List();
+      }
+    }
+    return m_lists[m_list_of[h]];
+  }
+
+  void append(List& list, const Window& w)
+  {
+    reserve(list, list.size + 1);
+    list.data[list.size++] = w;
+    count(1);
+  }
+
+  // Replaces all windows of a list.
+  void assign(List& list, const std::vector<Window>& windows)
+  {
+    count(std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size));
+    list.size = 0;
+    reserve(list, windows.size());
+    std::copy(windows.begin(), windows.end(), list.data);
+    list.size = Index(windows.size());
+  }
+
+  void release(Index h)
+  {
+    if (!has(h)) return;
+    List& list = get(h);
+    count(-std::ptrdiff_t(list.size));
+    if (list.data) m_arena.release(list.data, list.size_class);
+    m_free_lists.push_back(m_list_of[h]);
+    m_list_of[h] = no_index;
+  }
+
+  std::size_t number_of_windows() const { return m_live; }
+  std::size_t peak() const { return m_peak; }
+
+private:
+  void reserve(List& list, std::size_t n)
+  {
+    if (list.data && n <= Window_arena<FT>::capacity(list.size_class)) return;
+    Index c = list.size_class;
+    while (Window_arena<FT>::capacity(c) < n) ++c;
+    Window* data = m_arena.allocate(c);
+    std::copy(list.data, list.data + list.size, data);
+    if (list.data) m_arena.release(list.data, list.size_class);
+    list.data = data;
+    list.size_class = c;
+  }
+
+  void count(std::ptrdiff_t change)
+  {
+    m_live += change;
+    if (m_live > m_peak) m_peak = m_live;
+  }
+
+  std::vector<Index> m_list_of; // per halfedge
+  std::vector<List> m_lists;
+  std::vector<Index> m_free_lists;
+  Window_arena<FT> m_arena;
+  std::size_t m_live = 0, m_peak = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unfolding a window across a face: its children on the two other edges.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_PROPAGATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The face of a halfedge p -> q with apex r, in the frame of the halfedge, and the frames of its exits p -> r and
+// r -> q in the faces beyond.
+//
+// A ray through (b, 0) has direction (bW - X, -Y). With the exit's direction (c, s) and, for the right exit, everything
+// mirrored (b counted from q), it meets the left exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y, after the
+// part  s b / D  of its length so far (of the unit for W = 0).
+template <class FT>
+class Window_propagation
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window_propagation(const Unfolded_mesh<FT>& mesh, Index h)
+  {
+    const auto& e = mesh[h];
+    length = e.length;
+    apex_x = e.apex_x;
+    apex_y = e.apex_y;
+    left_length = mesh[mesh.previous(h)].length;
+    right_length = mesh[mesh.next(h)].length;
+    cl = apex_x / left_length;
+    sl = apex_y / left_length;
+    cr = (length - apex_x) / right_length;
+    sr = apex_y / right_length;
+  }
+
+  // Distance at the apex, which must be in the window's cone.
+  FT distance_at_apex(const Window& w) const { return w.distance_at(apex_x, apex_y); }
+
+  // Where the ray to the apex enters.
+  FT entry_of_apex(const Window& w) const
+  {
+    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y);
+    const FT t = (w.x * apex_y - w.y * apex_x) / slope;
+    return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
+  }
+
+  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex, where the distance is apex_distance,
+  // if to_apex. False if nothing is left.
+  bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
+                  Window& child) const
+  {
+    child = w;
+    change_frame<FT>(child, FT(0), FT(0), cl, sl);
+    if (!CGAL::is_negative(child.y)) return false;
+    if (!exit(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0)) return false;
+    if (to_apex)
+    {
+      child.b1 = left_length;
+      child.d1 = apex_distance;
+    }
+    else if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1))
+      return false;
+    return child.b0 < child.b1;
+  }
+
+  // The child on r -> q of the rays that enter from `begin` to b1.
+  bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex, const FT& apex_distance,
+                   Window& child) const
+  {
+    child = w;
+    change_frame<FT>(child, apex_x, apex_y, cr, -sr);
+    if (!CGAL::is_negative(child.y)) return false;
+    const FT mirrored = w.is_parallel() ? FT(-w.x) : FT(length - w.x);
+    FT t;
+    if (!exit(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1)) return false;
+    child.b1 = right_length - t;
+    if (from_apex)
+    {
+      child.b0 = FT(0);
+      child.d0 = apex_distance;
+    }
+    else
+    {
+      if (!exit(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0)) return false;
+      child.b0 = right_length - t;
+    }
+    return child.b0 < child.b1;
+  }
+
+  FT length, apex_x, apex_y, left_length, right_length;
+  FT cl, sl; // direction of p -> r
+  FT cr, sr; // direction of q -> r, mirrored
+
+private:
+  static bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s, const FT& length,
+                   FT& t, FT& distance)
+  {
+    const FT den = w.is_parallel() ? FT(s * x - c * w.y) : FT(s * (x - b) - c * w.y);
+    if (!CGAL::is_positive(den)) return false;
+    const FT inverse = FT(1) / den;
+    t = -(b * w.y) * inverse;
+    if (t > length) t = length;
+    const FT part = s * b * inverse;
+    distance = w.is_parallel() ? FT(d + part) : FT(d + (d - w.sigma) * part);
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where two windows on one halfedge give equal distances.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_TIES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_TIES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The ties of two windows within [lo, hi], a common part of their intervals.
+//
+// The difference g of the two distances is monotone along the halfedge except at the point collinear with both
+// images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
+// signs at lo, there, and at hi tell which.
+template <class FT>
+class Window_ties
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window_ties(const Window& a, const Window& b, const FT& lo, const FT& hi) : m_a(a), m_b(b)
+  {
+    const FT g_lo = a.distance_at(lo) - (lo == b.b0 ? b.d0 : b.distance_at(lo));
+    const FT g_hi = (hi == a.b1 ? a.d1 : a.distance_at(hi)) - (hi == b.b1 ? b.d1 : b.distance_at(hi));
+    m_allowance = Number_policy<FT>::rounding(4) * (a.d1 + b.d0);
+    const int s_lo = sign(g_lo), s_hi = sign(g_hi);
+    int previous = s_lo;
+    FT from = lo, g_from = g_lo;
+    m_first_sign = s_lo;
+    FT c;
+    if (collinear_point(c) && lo < c && c < hi)
+    {
+      const FT g_c = difference(c);
+      const int s_c = sign(g_c);
+      step(from, g_from, previous, c, g_c, s_c);
+    }
+    step(from, g_from, previous, hi, g_hi, s_hi);
+  }
+
+  bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
+  int number() const { return m_number; }
+  const FT& operator[](int i) const { return m_ties[i]; }
+
+private:
+  int sign(const FT& g) const { return g > m_allowance ? 1 : g < -m_allowance ? -1 : 0; }
+
+  FT difference(const FT& t) const { return m_a.distance_at(t) - m_b.distance_at(t); }
+
+  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
+  {
+    if (s != 0)
+    {
+      if (m_first_sign == 0) m_first_sign = s;
+      if (previous * s < 0) m_ties[m_number++] = root(from, g_from, to, g_to);
+      previous = s;
+      from = to;
+      g_from = g_to;
+    }
+    else if (previous == 0)
+    {
+      from = to;
+      g_from = g_to;
+    }
+  }
+
+  bool collinear_point(FT& c) const
+  {
+    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
+    if (pa && pb) return false;
+    const FT den = (pa ? FT(0) : m_b.y) - (pb ? FT(0) : m_a.y);
+    if (CGAL::is_zero(den)) return false;
+    c = (m_a.x * m_b.y - m_b.x * m_a.y) / den;
+    return true;
+  }
+
+  // The root of g between u and v, where it has opposite signs: the closed form first, then, for rounded numbers,
+  // a bracketed iteration where the closed form lost digits.
+  FT root(FT u, FT gu, FT v, FT gv) const
+  {
+    FT t;
+    if (closed_form(u, v, t))
+    {
+      if constexpr (!Number_policy<FT>::is_inexact) return t;
+      const FT g = difference(t);
+      if (sign(g) == 0) return t;
+      if ((g > 0) == (gu > 0)) { u = t; gu = g; }
+      else { v = t; gv = g; }
+    }
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      for (int i = 0; i < 80; ++i)
+      {
+        t = i % 3 == 2 ? FT(0.5) * (u + v) : u + (v - u) * (gu / (gu - gv));
+        if (!(t > u && t < v)) t = FT(0.5) * (u + v);
+        if (!(t > u && t < v)) break;
+        const FT g = difference(t);
+        if (sign(g) == 0) break;
+        if ((g > 0) == (gu > 0)) { u = t; gu = g; }
+        else { v = t; gv = g; }
+      }
+    }
+    return t;
+  }
+
+  // point / point, with k = sigma_b - sigma_a:   |t - A| - |t - B| = k
+  //   k = 0: linear.  Otherwise (m t + n)^2 = 4 k^2 |t - B|^2 with m t + n = |t - A|^2 - |t - B|^2 - k^2.
+  // point / parallel:    (c - u t)^2 = |t - A|^2     parallel / parallel: linear
+  bool closed_form(const FT& u, const FT& v, FT& t) const
+  {
+    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
+    FT qa, qb, qc; // qa t^2 + 2 qb t + qc = 0
+    if (pa && pb)
+    {
+      qa = FT(0);
+      qb = (m_b.x - m_a.x) / 2;
+      qc = m_a.sigma - m_b.sigma;
+    }
+    else if (pa || pb)
+    {
+      const Window& l = pa ? m_a : m_b;
+      const Window& p = pa ? m_b : m_a;
+      const FT c = l.sigma - p.sigma;
+      qa = 1 - l.x * l.x;
+      qb = c * l.x - p.x;
+      qc = p.x * p.x + p.y * p.y - c * c;
+    }
+    else
+    {
+      const FT k = m_b.sigma - m_a.sigma;
+      const FT m = -2 * (m_a.x - m_b.x);
+      const FT n0 = (m_a.x - m_b.x) * (m_a.x + m_b.x) + (m_a.y - m_b.y) * (m_a.y + m_b.y);
+      if (CGAL::is_zero(k))
+      {
+        qa = FT(0);
+        qb = m / 2;
+        qc = n0;
+      }
+      else
+      {
+        const FT n = n0 - k * k, k4 = 4 * k * k;
+        qa = m * m - k4;
+        qb = m * n + k4 * m_b.x;
+        qc = n * n - k4 * (m_b.x * m_b.x + m_b.y * m_b.y);
+      }
+    }
+    if (CGAL::is_zero(qa))
+    {
+      if (CGAL::is_zero(qb)) return false;
+      t = -qc / (2 * qb);
+      return u < t && t < v;
+    }
+    const FT disc = qb * qb - qa * qc;
+    if (CGAL::is_negative(disc)) return false;
+    const FT q = CGAL::is_negative(qb) ? FT(-qb + square_root<FT>(disc)) : FT(-qb - square_root<FT>(disc));
+    if (CGAL::is_zero(q)) return false;
+    const FT t1 = q / qa, t2 = qc / q;
+    const bool in1 = u < t1 && t1 < v, in2 = u < t2 && t2 < v;
+    if (in1 && in2)
+      t = CGAL::abs(difference(t1)) <= CGAL::abs(difference(t2)) ? t1 : t2;
+    else if (in1)
+      t = t1;
+    else if (in2)
+      t = t2;
+    else
+      return false;
+    return true;
+  }
+
+  const Window& m_a;
+  const Window& m_b;
+  FT m_allowance;
+  int m_first_sign = 0;
+  int m_number = 0;
+  FT m_ties[2];
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
