@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <ostream>
-#include <vector>
 
 namespace CGAL {
 namespace IO {

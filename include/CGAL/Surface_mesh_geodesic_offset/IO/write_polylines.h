@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 
 #include <ostream>
-#include <vector>
 
 namespace CGAL {
 namespace IO {

@@ -28,7 +28,7 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT
   const internal::Full_precision precision(os);
 
   // the number of all points stands before the first of them
-  std::vector<decltype(internal::discretized(*curves.begin(), chord_tolerance))> lines;
+  std::vector<std::vector<internal::Coordinates>> lines;
   std::size_t number_of_points = 0, number_of_indices = 0;
   for(const auto& curve : curves)
   {

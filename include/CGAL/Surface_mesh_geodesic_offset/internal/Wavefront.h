@@ -32,6 +32,8 @@ struct Geodesic_field
   std::vector<Ray_at_vertex<FT>> back;   // per vertex, the direction back to the source
   std::vector<Root> root;                // per vertex
   Window_lists<FT> lists;                // per halfedge
+
+  void release_lists() { lists = Window_lists<FT>(); }
 };
 
 struct Wavefront_counts

@@ -8,7 +8,10 @@
 
 #include <CGAL/number_utils.h>
 
-#include <iterator>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <array>
+#include <ios>
 #include <limits>
 #include <ostream>
 #include <vector>
@@ -39,19 +42,22 @@ public:
   Full_precision& operator=(const Full_precision&) = delete;
 };
 
-// A closed curve repeats its first point.
+using Coordinates = std::array<double, 3>;
+
+// The points of a curve, whatever their type. A closed curve repeats its first point.
 template <class Curve, class FT>
-auto discretized(const Curve& curve, const FT& chord_tolerance)
+std::vector<Coordinates> discretized(const Curve& curve, const FT& chord_tolerance)
 {
-  std::vector<typename Curve::Point_3> points;
-  curve.points(chord_tolerance, std::back_inserter(points));
+  std::vector<Coordinates> points;
+  curve.points(chord_tolerance, boost::make_function_output_iterator([&](const auto& p) {
+                 points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+               }));
   return points;
 }
 
-template <class Point>
-void write_coordinates(std::ostream& os, const Point& p)
+inline void write_coordinates(std::ostream& os, const Coordinates& p)
 {
-  os << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z());
+  os << p[0] << ' ' << p[1] << ' ' << p[2];
 }
 
 } // namespace Surface_mesh_geodesic_offset_internal

@@ -1,0 +1,417 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief computes exact geodesic distances and exact geodesic offset curves on a triangle mesh, from any number of points,
+polylines and edges, by the extended Xin-Wang algorithm \cgalCite{cgal:xyh-ecgot-11}.
+
+The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
+Sources are added, then `build()` propagates the distances, then the const member functions answer. They may be called
+from several threads at once. Points that no path reaches are at infinity.
+
+Adding or removing sources leaves the result of the last `build()` as it is until `build()` is called again.
+
+The mesh is not copied and not modified; it must outlive the object and must not change meanwhile. Lengths and distances
+are in the units of the mesh's points.
+
+\tparam Traits a model of `SurfaceMeshGeodesicOffsetTraits`
+\tparam VertexIndexMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and an unsigned integer type as
+        value: indices from 0. %Default: the mesh's internal map, or one made for it.
+\tparam FaceIndexMap the same for faces
+\tparam VertexPointMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a 3D point as value.
+        %Default: the mesh's `vertex_point`.
+*/
+template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
+class Surface_mesh_geodesic_offset
+{
+public:
+  typedef typename Traits::Triangle_mesh Triangle_mesh;
+  typedef boost::graph_traits<Triangle_mesh> Graph_traits;
+
+  /// \name Types
+  /// @{
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+
+  /// as `Polygon_mesh_processing::Barycentric_coordinates`
+  typedef std::array<FT, 3> Barycentric_coordinates;
+  /// as `Polygon_mesh_processing::Face_location`: a face and coordinates with respect to the source of the face's
+  /// halfedge, its target, and the third vertex
+  typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
+
+  typedef typename Default::Get<VertexIndexMap, typename GetInitializedVertexIndexMap<Triangle_mesh>::const_type>::type
+    Vertex_index_map;
+  typedef typename Default::Get<FaceIndexMap, typename GetInitializedFaceIndexMap<Triangle_mesh>::const_type>::type
+    Face_index_map;
+  typedef typename Default::Get<
+    VertexPointMap, typename boost::property_map<Triangle_mesh, boost::vertex_point_t>::const_type>::type
+    Vertex_point_map;
+
+private:
+  typedef Geodesic_offset::internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>
+    Surface;
+  typedef Geodesic_offset::internal::Surface_point<FT> Surface_point;
+  typedef Geodesic_offset::internal::Point_in_face<FT> Point_in_face;
+  typedef Geodesic_offset::internal::Number_policy<FT> Policy;
+  typedef Geodesic_offset::internal::Source_set<FT> Source_set;
+  typedef Geodesic_offset::internal::Geodesic_field<FT> Geodesic_field;
+  typedef Geodesic_offset::internal::Initial_windows<FT> Initial_windows;
+  typedef Geodesic_offset::internal::Offset_extraction<FT> Offset_extraction;
+  typedef Geodesic_offset::internal::Path_tracing<FT> Path_tracing;
+  typedef Geodesic_offset::internal::Index Index;
+
+public:
+  /// an offset curve
+  typedef Geodesic_offset_curve<Surface> Offset_curve;
+
+  /// counts of the last `build()` or `build_with_offset_curves()`
+  struct Statistics
+  {
+    std::size_t windows_created = 0;    ///< windows put into the list of a halfedge
+    std::size_t windows_propagated = 0; ///< windows unfolded across a face
+    std::size_t windows_peak = 0;       ///< largest number of windows held at one time
+    std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
+    std::size_t pieces = 0;             ///< pieces of offset curves, before neighbours across edges are told apart
+    double propagation_seconds = 0;
+    double offset_seconds = 0;
+  };
+  /// @}
+
+  /// \name Construction
+  /// Takes time linear in the size of the mesh, and some 250 bytes a vertex.
+  /// @{
+
+  /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.
+  /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite.
+  explicit Surface_mesh_geodesic_offset(const Triangle_mesh& tm, const Traits& traits = Traits())
+    : Surface_mesh_geodesic_offset(tm, get_initialized_vertex_index_map(tm), get_initialized_face_index_map(tm),
+                                   get(boost::vertex_point, tm), traits)
+  {
+  }
+
+  /// the same with property maps.
+  Surface_mesh_geodesic_offset(const Triangle_mesh& tm, Vertex_index_map vertex_index_map,
+                               Face_index_map face_index_map, Vertex_point_map vertex_point_map,
+                               const Traits& traits = Traits())
+    : m_traits(traits),
+      m_surface(std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map))
+  {
+  }
+  /// @}
+
+  /// \name Sources
+  /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again.
+  /// @{
+
+  /// adds a vertex.
+  std::size_t add_source_point(vertex_descriptor v)
+  {
+    return m_sources.add(unfolded(), {Surface_point::at_vertex(m_surface->index_of(v))}, Source_set::POINT);
+  }
+
+  /// adds a point anywhere on the surface. Coordinates that are zero up to round-off (1e-13) put it on the edge, or at
+  /// the vertex.
+  /// \throws std::invalid_argument if the coordinates are not finite or outside of the face.
+  std::size_t add_source_point(const Face_location& location)
+  {
+    return m_sources.add(unfolded(), {classified(location)}, Source_set::POINT);
+  }
+
+  /// adds a polyline whose vertices lie anywhere on the surface, and whose segments are straight in a face, or along an
+  /// edge. It may cross itself and other sources. Repeated points are allowed; a polyline of one point is a point.
+  ///
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  /// \param closed whether the last point is joined to the first one
+  /// \throws std::invalid_argument if the range is empty, or if two consecutive points have no face in common.
+  template <class FaceLocationRange>
+  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false)
+  {
+    std::vector<Surface_point> points;
+    for (const Face_location& l : locations) points.push_back(classified(l));
+    return m_sources.add(unfolded(), std::move(points), closed ? Source_set::CLOSED_POLYLINE : Source_set::OPEN_POLYLINE);
+  }
+
+  /// adds a set of edges.
+  /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
+  /// \throws std::invalid_argument if the range is empty.
+  template <class EdgeRange>
+  std::size_t add_source_edges(const EdgeRange& edges)
+  {
+    std::vector<Index> halfedges;
+    for (const edge_descriptor e : edges)
+    {
+      halfedge_descriptor h = halfedge(e, m_surface->tm);
+      if (is_border(h, m_surface->tm)) h = opposite(h, m_surface->tm);
+      halfedges.push_back(Geodesic_offset::internal::index_of_halfedge(h, m_surface->tm, m_surface->fim));
+    }
+    return m_sources.add_edges(unfolded(), std::move(halfedges));
+  }
+
+  /// removes a source.
+  /// \throws std::invalid_argument if there is no source with this id.
+  void remove_source(std::size_t id) { m_sources.remove(id); }
+
+  void clear_sources() { m_sources.clear(); }
+
+  std::size_t number_of_sources() const { return m_sources.size(); }
+  /// @}
+
+  /// \name Building
+  /// @{
+
+  /// propagates the distances from the sources over the surface. Without any source, all points are at infinity.
+  ///
+  /// In the worst case O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Memory is that of the
+  /// front, unless windows are kept.
+  ///
+  /// \param np optional named parameters: `parameters::maximum_distance(d)`, `parameters::keep_windows(b)`, or both as
+  ///        `parameters::geodesic(d, b)`
+  /// \throws std::invalid_argument if the maximum distance is negative or not a number.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  void build(const NamedParameters& np = parameters::default_values())
+  {
+    auto fresh = std::make_shared<Built>(unfolded(), m_sources, np);
+    const auto nothing = [](Index) {};
+    propagate(*fresh, nothing);
+    m_built = fresh;
+  }
+
+  /// does the same and at once cuts the offset curves at the given levels, in one propagation.
+  ///
+  /// Without `maximum_distance`, distances beyond the largest level are computed, too. Levels beyond the maximum distance
+  /// give no curves.
+  /// \param levels a range of distances, or an `Offset_levels` object
+  /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
+  /// \throws std::invalid_argument if a distance is not a positive finite number.
+  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
+                                          const NamedParameters& np = parameters::default_values())
+  {
+    const Offset_levels<FT> wanted(as_levels(levels));
+    auto fresh = std::make_shared<Built>(unfolded(), m_sources, np);
+    out = propagate_and_cut(*fresh, wanted, out);
+    m_built = fresh;
+    return out;
+  }
+
+  /// whether distances have been computed.
+  bool is_built() const { return m_built != nullptr; }
+
+  /// counts of the last `build()` or `build_with_offset_curves()`.
+  /// \throws std::logic_error if `!is_built()`, like all queries.
+  const Statistics& statistics() const { return built().statistics; }
+  /// @}
+
+  /// \name Queries
+  /// @{
+
+  /// the distance of a vertex from the nearest source; infinity if it is unreachable or beyond the maximum distance.
+  /// Takes constant time.
+  FT distance_to_sources(vertex_descriptor v) const { return built().field.distance[m_surface->index_of(v)]; }
+
+  /// the distance of any point of the surface. Takes time linear in the number of windows of its face.
+  /// \throws std::logic_error if the windows were not kept
+  /// \throws std::invalid_argument if the location is not valid
+  FT distance_to_sources(const Face_location& location) const
+  {
+    const Built& b = built_with_windows();
+    const FT d = Path_tracing(unfolded(), b.initial, b.field).distance(classified(location));
+    return d > b.maximum ? Policy::infinity() : d;
+  }
+
+  /// puts the distances of all vertices into a map.
+  /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `FT` as value
+  template <class VertexDistanceMap>
+  void vertex_distances(VertexDistanceMap map) const
+  {
+    const Built& b = built();
+    for (vertex_descriptor v : vertices(m_surface->tm)) put(map, v, b.field.distance[m_surface->index_of(v)]);
+  }
+
+  /// the offset curves at one distance.
+  /// \sa `offset_curves(const Levels&, OutputIterator) const`
+  template <class OutputIterator>
+  OutputIterator offset_curves(const FT& distance, OutputIterator out) const
+  {
+    return offset_curves(std::vector<FT>(1, distance), out);
+  }
+
+  /// the offset curves at several distances. From kept windows, if there are any; else distances are propagated once more,
+  /// up to the largest level and once for all levels.
+  ///
+  /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
+  /// points that are strictly nearer. Levels beyond the largest distance of the surface, or beyond the maximum distance of
+  /// the build, give no curves.
+  /// \param levels a range of distances, or an `Offset_levels` object
+  /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
+  /// \throws std::invalid_argument if a distance is not a positive finite number.
+  template <class Levels, class OutputIterator>
+  OutputIterator offset_curves(const Levels& levels, OutputIterator out) const
+  {
+    const Offset_levels<FT> wanted(as_levels(levels));
+    const Built& b = built();
+    if (b.kept)
+    {
+      Offset_extraction extraction(unfolded(), b.initial, b.field, wanted);
+      for (Index f = 0; f < unfolded().number_of_faces(); ++f)
+        if (unfolded().source(3 * f) != Geodesic_offset::internal::no_index) extraction(f);
+      return output(extraction, wanted, out);
+    }
+    Built again(b);
+    again.field = Geodesic_field();
+    if (!wanted.is_unlimited() && wanted.size() > 0)
+      again.maximum = (std::min)(again.maximum, wanted[wanted.size() - 1]);
+    return propagate_and_cut(again, wanted, out);
+  }
+
+  /// a shortest path from a point to its nearest source, as `Face_location`s: the point itself, a point on each edge that
+  /// is crossed and at each vertex that is passed, and the source point. Nothing if the point is unreachable.
+  /// \throws std::logic_error if the windows were not kept
+  /// \throws std::invalid_argument if the location is not valid
+  template <class OutputIterator>
+  OutputIterator shortest_path_to_sources(const Face_location& location, OutputIterator out) const
+  {
+    const Built& b = built_with_windows();
+    const Path_tracing trace(unfolded(), b.initial, b.field);
+    trace(classified(location), [&](Index f, const Point_in_face& p) { *out++ = m_surface->location(f, p); });
+    return out;
+  }
+  /// @}
+
+private:
+  // The result of a propagation, with what it started from.
+  struct Built
+  {
+    template <class NamedParameters>
+    Built(const Geodesic_offset::internal::Unfolded_mesh<FT>& mesh, const Source_set& sources,
+          const NamedParameters& np)
+      : initial(sources.initial_windows(mesh)),
+        maximum(parameters::choose_parameter(
+          parameters::get_parameter(np, internal_np::geodesic_maximum_distance), Policy::infinity())),
+        kept(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_keep_windows), false))
+    {
+      if (!(maximum >= FT(0)))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: the maximum distance is negative or not a number");
+    }
+
+    Built(const Built& other) : initial(other.initial), maximum(other.maximum), kept(other.kept) {}
+
+    Initial_windows initial;
+    FT maximum;
+    bool kept;
+    Geodesic_field field;
+    Statistics statistics;
+  };
+
+  typedef std::chrono::steady_clock Clock;
+  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  const Geodesic_offset::internal::Unfolded_mesh<FT>& unfolded() const { return m_surface->unfolded; }
+
+  Surface_point classified(const Face_location& l) const
+  {
+    return Geodesic_offset::internal::classify<FT>(unfolded(), m_surface->index_of(l.first), l.second);
+  }
+
+  static const Offset_levels<FT>& as_levels(const Offset_levels<FT>& levels) { return levels; }
+  template <class Range>
+  static Offset_levels<FT> as_levels(const Range& distances)
+  {
+    return Offset_levels<FT>(distances);
+  }
+
+  const Built& built() const
+  {
+    if (!m_built) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
+    return *m_built;
+  }
+
+  const Built& built_with_windows() const
+  {
+    if (!built().kept)
+      throw std::logic_error("Surface_mesh_geodesic_offset: this query needs build(parameters::keep_windows(true))");
+    return *m_built;
+  }
+
+  template <class Consumer>
+  void propagate(Built& b, Consumer& consumer) const
+  {
+    const Clock::time_point start = Clock::now();
+    Geodesic_offset::internal::Wavefront<Traits> front(unfolded(), b.initial, m_traits, b.maximum, b.kept, b.field);
+    front.run(consumer);
+    b.statistics.windows_created = front.counts().windows_created;
+    b.statistics.windows_propagated = front.counts().windows_propagated;
+    b.statistics.windows_peak = b.field.lists.peak();
+    b.statistics.propagation_seconds = seconds_since(start);
+    if (!b.kept) b.field.release_lists();
+  }
+
+  template <class OutputIterator>
+  OutputIterator propagate_and_cut(Built& b, const Offset_levels<FT>& levels, OutputIterator out) const
+  {
+    Offset_extraction extraction(unfolded(), b.initial, b.field, levels);
+    double seconds = 0;
+    const auto cut = [&](Index f) {
+      const Clock::time_point start = Clock::now();
+      extraction(f);
+      seconds += seconds_since(start);
+    };
+    propagate(b, cut);
+    const Clock::time_point start = Clock::now();
+    out = output(extraction, levels, out);
+    b.statistics.propagation_seconds -= seconds;
+    b.statistics.offset_seconds = seconds + seconds_since(start);
+    b.statistics.pieces = extraction.number_of_pieces();
+    b.statistics.forced_joints = extraction.number_of_forced_joints();
+    return out;
+  }
+
+  template <class OutputIterator>
+  OutputIterator output(Offset_extraction& extraction, const Offset_levels<FT>& levels, OutputIterator out) const
+  {
+    extraction.for_each_curve([&](std::size_t level, bool closed, auto&& pieces) {
+      *out++ = Offset_curve(m_surface, levels[level], closed, std::move(pieces));
+    });
+    return out;
+  }
+
+  Traits m_traits;
+  std::shared_ptr<const Surface> m_surface;
+  Source_set m_sources;
+  std::shared_ptr<const Built> m_built;
+};
+
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Step 4 of the pipeline: the distance inside one face, as the minimum over the windows that enter it, the sources that
+// lie in it, and the functions d(v) + |p - v| of its corners.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FACE_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FACE_FIELD_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The windows that start inside a face.
+template <class FT>
+inline auto local_windows(const Initial_windows<FT>& initial, Index face)
+{
+  typedef typename Initial_windows<FT>::Local_window Local_window;
+  struct By_face
+  {
+    bool operator()(const Local_window& a, Index f) const { return a.face < f; }
+    bool operator()(Index f, const Local_window& a) const { return f < a.face; }
+  };
+  return std::equal_range(initial.local.begin(), initial.local.end(), face, By_face());
+}
+
+template <class FT>
+class Face_field
+{
+public:
+  typedef Point_in_face<FT> Point;
+  typedef Face_window<FT> Window_in_face;
+
+  Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+             Index face)
+    : m_face(face), m_frame(mesh, face)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto& list = field.lists.get(3 * face + k);
+      for (Index i = 0; i < list.taken; ++i) add_window(list.data[i], k);
+    }
+    const auto range = local_windows(initial, face);
+    for (auto it = range.first; it != range.second; ++it) add(it->window, it->window.sigma);
+    m_has_local_sources = range.first != range.second;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index v = mesh.source(3 * face + k);
+      const FT& d = field.distance[v];
+      if (!Number_policy<FT>::is_finite(d)) continue;
+      const Point& c = m_frame.corner(k);
+      add(Window_in_face{c.x, c.y, d, m_frame.corner((k + 2) % 3), m_frame.corner((k + 1) % 3), field.root[v],
+                         Window<FT>::make_bits(false, CGAL::is_zero(d) ? no_index : v), STARTS_AT_CORNER,
+                         (unsigned char)(k)},
+          d);
+      m_corner_bends[k] = CGAL::is_zero(d) || mesh.can_be_pseudo_source(v);
+    }
+  }
+
+  Index face() const { return m_face; }
+  const Face_frame<FT>& frame() const { return m_frame; }
+  const std::vector<Window_in_face>& windows() const { return m_windows; }
+  const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
+  bool has_local_sources() const { return m_has_local_sources; }
+  bool corner_bends(int k) const { return m_corner_bends[k]; }
+
+  FT lower_bound() const
+  {
+    FT low = Number_policy<FT>::infinity();
+    for (const FT& l : m_lowest) low = (std::min)(low, l);
+    return low;
+  }
+
+  // Every path round a chord is valid, so a point that rounding leaves between two cones is no exception.
+  FT distance(const Point& p, std::size_t& nearest) const
+  {
+    FT best = Number_policy<FT>::infinity();
+    nearest = m_windows.size();
+    for (std::size_t i = 0; i < m_windows.size(); ++i)
+    {
+      if (!(m_lowest[i] < best)) continue;
+      const FT d = m_windows[i].path_length(p);
+      if (d < best)
+      {
+        best = d;
+        nearest = i;
+      }
+    }
+    return best;
+  }
+
+private:
+  void add(const Window_in_face& w, const FT& lowest)
+  {
+    m_windows.push_back(w);
+    m_lowest.push_back(lowest);
+  }
+
+  void add_window(const Window<FT>& w, int k)
+  {
+    Window_in_face f;
+    const Point s = w.is_parallel() ? m_frame.vector_from_halfedge(k, {w.x, w.y}) : m_frame.from_halfedge(k, {w.x, w.y});
+    f.x = s.x;
+    f.y = s.y;
+    f.sigma = w.is_parallel() ? FT(w.sigma + dot(s, m_frame.corner(k))) : w.sigma;
+    f.left = m_frame.on_edge(k, w.b0);
+    f.right = m_frame.on_edge(k, w.b1);
+    f.root = w.root;
+    f.bits = w.bits & ~2u;
+    f.origin = Face_window_origin(k);
+    f.edge = (unsigned char)(k);
+    add(f, w.minimum());
+  }
+
+  Index m_face;
+  Face_frame<FT> m_frame;
+  std::vector<Window_in_face> m_windows;
+  std::vector<FT> m_lowest;
+  bool m_has_local_sources = false;
+  bool m_corner_bends[3] = {false, false, false};
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The user's mesh together with its unfolded form, and the way between the two. Immutable, shared by the main class and
+// the offset curves that come out of it.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_SURFACE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_SURFACE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
+struct Geodesic_surface
+{
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  typedef typename Traits::Triangle_mesh Triangle_mesh;
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
+  typedef std::array<FT, 3> Barycentric_coordinates;
+  typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
+
+  Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                   const VertexPointMap& vpm)
+    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm)
+  {
+    face_of.resize(unfolded.number_of_faces());
+    for (face_descriptor f : faces(tm)) face_of[get(fim, f)] = f;
+  }
+
+  Index index_of(vertex_descriptor v) const { return Index(get(vim, v)); }
+  Index index_of(face_descriptor f) const { return Index(get(fim, f)); }
+
+  Face_location location(Index face, const Point_in_face<FT>& p) const
+  {
+    return Face_location(face_of[face], Face_frame<FT>(unfolded, face).barycentric(p));
+  }
+
+  Point_3 point(const Face_location& l) const
+  {
+    FT x(0), y(0), z(0);
+    halfedge_descriptor h = halfedge(l.first, tm);
+    for (int k = 0; k < 3; ++k, h = next(h, tm))
+    {
+      const auto& p = get(vpm, source(h, tm));
+      const FT& w = l.second[k];
+      x += w * FT(p.x());
+      y += w * FT(p.y());
+      z += w * FT(p.z());
+    }
+    return Point_3(x, y, z);
+  }
+
+  const Triangle_mesh& tm;
+  VertexIndexMap vim;
+  FaceIndexMap fim;
+  VertexPointMap vpm;
+  Unfolded_mesh<FT> unfolded;
+  std::vector<face_descriptor> face_of; // by index
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

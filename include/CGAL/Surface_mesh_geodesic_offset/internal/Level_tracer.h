@@ -1,0 +1,375 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One level inside one face: walks along the boundary of { D < level } from arc to arc.
+//
+// The walk follows an arc until its cone ends, until another window is nearer, or until it leaves the face at one of the
+// crossings found on the edges. There, of all windows that give the level at this point, the one whose arc remains the
+// nearest for longest goes on. A window takes over only once it is nearer by more than a rounding allowance, so windows
+// that tie along a whole arc do not alternate.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_LEVEL_TRACER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_LEVEL_TRACER_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_arc.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A part of an offset curve in one face, in the face's frame: an arc round `center`, counterclockwise, or a segment.
+template <class FT>
+struct Level_piece
+{
+  Index face;
+  bool is_straight;
+  Point_in_face<FT> center; // of a segment: unit direction from the source
+  FT radius;                // of a segment: distance of its line from the frame's origin along that direction
+  Point_in_face<FT> start, end;
+  Root root;
+  Index pseudo_source; // no_index if none
+};
+
+// A crossing of the level with an edge of the face. The level's curve starts in this face where, counterclockwise along
+// the face's boundary, the distance rises above the level.
+template <class FT>
+struct Level_gate
+{
+  Point_in_face<FT> point;
+  bool is_start;
+  Index id;
+};
+
+template <class FT>
+class Level_tracer
+{
+public:
+  typedef Point_in_face<FT> Point;
+  typedef Level_piece<FT> Piece;
+  typedef Level_gate<FT> Gate;
+
+  struct Chain
+  {
+    Index start, end; // gates; no_index for a loop
+    std::vector<Piece> pieces;
+  };
+
+  // Chains of pieces that connect all gates, and all loops. Appends to `chains`.
+  void operator()(const Face_field<FT>& field, const FT& level, const std::vector<Gate>& gates, bool search_loops,
+                  std::vector<Chain>& chains)
+  {
+    m_field = &field;
+    m_level = level;
+    m_arcs.clear();
+    for (std::size_t i = 0; i < field.windows().size(); ++i)
+      if (field.lowest(i) < level)
+        m_arcs.emplace_back(field.windows()[i], level);
+    const Face_frame<FT>& frame = field.frame();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point n = quarter_turn(frame.direction(k)); // inwards
+      m_outside[k] = {n, dot(n, frame.corner(k))};
+    }
+    m_face_size = (std::max)({frame.edge_length(0), frame.edge_length(1), frame.edge_length(2)});
+    const FT magnitude = m_face_size + level;
+    m_cover_depth = Number_policy<FT>::rounding(256) * magnitude;
+    m_tie = Number_policy<FT>::rounding(1 << 16) * magnitude;
+    m_step = Number_policy<FT>::rounding(1 << 17) * m_face_size;
+    m_gates = gates;
+    m_traversed.clear();
+    for (std::size_t i = 0; i < m_gates.size(); ++i)
+      if (m_gates[i].is_start) trace_from_gate(i, chains);
+    if (search_loops) trace_loops(chains);
+  }
+
+  std::size_t number_of_forced_joints() const { return m_forced; }
+
+private:
+  struct Run
+  {
+    std::size_t arc = 0;
+    FT from = FT(0), to = FT(0);
+    Point end;
+    std::size_t gate = std::size_t(-1); // reached
+    bool valid = false;
+    FT length = FT(0);
+  };
+  struct Traversed
+  {
+    std::size_t arc;
+    FT from, to;
+  };
+
+  Point clamp_point(const Level_arc<FT>& a, const FT& t) const { return a.point(t < FT(0) ? FT(0) : t > FT(1) ? FT(1) : t); }
+
+  // Is p nearer to window j than the level, by more than the allowance, and in its cone?
+  bool covers(std::size_t j, const Point& p) const
+  {
+    const Level_arc<FT>& b = m_arcs[j];
+    return b.excess(p) < -m_cover_depth && b.outside_cone(p) < FT(0);
+  }
+
+  // The first point after `from`, before run.to, where arc i is covered by window j: shortens the run.
+  void cut_by(std::size_t j, Run& run) const
+  {
+    const Level_arc<FT>& a = m_arcs[run.arc];
+    const Level_arc<FT>& b = m_arcs[j];
+    const FT radius = b.radius() - m_cover_depth;
+    if (!CGAL::is_positive(radius)) return;
+    Point p;
+    const bool strip = b.is_straight();
+    if (strip)
+    {
+      const Half_plane<FT> near{b.forward(), radius};
+      if (a.enter_half_plane(near, p)) consider(p, j, 0, run);
+    }
+    else
+    {
+      if (!a.is_straight())
+      { // circles that are apart
+        const Point u = b.image() - a.image();
+        const FT sum = a.radius() + radius;
+        if (dot(u, u) >= sum * sum) return;
+      }
+      if (a.meet_disk(b.image(), radius, false, p)) consider(p, j, 0, run);
+    }
+    if (a.enter_half_plane(b.left(), p)) consider(p, j, 1, run);
+    if (a.enter_half_plane(b.right(), p)) consider(p, j, 2, run);
+  }
+
+  // p: a point of the circle of run.arc that enters the disk (0), the side of the left ray (1) or of the right ray (2) of
+  // window j. Just behind it, are the other conditions met, too?
+  void consider(const Point& p, std::size_t j, int entered, Run& run) const
+  {
+    const Level_arc<FT>& a = m_arcs[run.arc];
+    if (!a.is_ahead(p)) return;
+    const FT t = a.parameter(p);
+    if (!(t > run.from && t < run.to)) return;
+    const Point q = p + m_step * a.tangent(p);
+    const Level_arc<FT>& b = m_arcs[j];
+    if (entered != 0 && !(b.excess(q) < -m_cover_depth)) return;
+    if (entered != 1 && !(b.left().value(q) < FT(0))) return;
+    if (entered != 2 && !(b.right().value(q) < FT(0))) return;
+    if (b.is_straight() && !b.window().is_in_front(q)) return;
+    run.to = t;
+    run.end = p;
+    run.gate = std::size_t(-1);
+  }
+
+  // How far arc i can be followed from parameter t.
+  Run run_of(std::size_t i, const FT& t, const Point& start) const
+  {
+    const Level_arc<FT>& a = m_arcs[i];
+    Run run;
+    run.arc = i;
+    run.from = t;
+    run.to = FT(1);
+    if (!(t < FT(1))) return run;
+    const Point ahead = start + m_step * a.tangent(start);
+    for (std::size_t j = 0; j < m_arcs.size(); ++j)
+      if (j != i && covers(j, ahead)) return run;
+    run.end = a.point(FT(1));
+    for (int k = 0; k < 3; ++k)
+    {
+      Point p;
+      if (!a.enter_half_plane(m_outside[k], p) || !a.is_ahead(p)) continue;
+      const FT s = a.parameter(p);
+      if (!(s < run.to)) continue;
+      // an exit just behind the start belongs to an arc that only touches the edge
+      if (!(s > t) && length(p - start) > m_step) continue;
+      const std::size_t gate = gate_near(p, false, FT(1e-6) * m_face_size);
+      if (gate == std::size_t(-1)) continue;
+      run.to = (std::max)(s, t);
+      run.end = m_gates[gate].point;
+      run.gate = gate;
+    }
+    for (std::size_t j = 0; j < m_arcs.size(); ++j)
+      if (j != i) cut_by(j, run);
+    run.length = length(run.end - start);
+    run.valid = run.gate != std::size_t(-1) || run.length > m_step;
+    return run;
+  }
+
+  std::size_t gate_near(const Point& p, bool start, FT limit) const
+  {
+    std::size_t best = std::size_t(-1);
+    for (std::size_t i = 0; i < m_gates.size(); ++i)
+    {
+      if (m_gates[i].is_start != start || m_gates[i].id == no_index) continue;
+      const FT d = length(m_gates[i].point - p);
+      if (d <= limit)
+      {
+        limit = d;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  // Of all windows that give the level at p, the one to be followed.
+  Run best_run(const Point& p, std::size_t without) const
+  {
+    Run best;
+    for (FT tie = m_tie; tie <= m_tie * FT(65536); tie *= FT(256))
+    {
+      for (std::size_t i = 0; i < m_arcs.size(); ++i)
+      {
+        if (i == without) continue;
+        const Level_arc<FT>& a = m_arcs[i];
+        if (CGAL::abs(a.excess(p)) > tie || a.outside_cone(p) > tie) continue;
+        FT t = a.parameter(p);
+        if (t < FT(0)) t = FT(0);
+        const Run run = run_of(i, t, p);
+        if (run.valid && (!best.valid || run.length > best.length)) best = run;
+      }
+      if (best.valid || Number_policy<FT>::rounding(1) == FT(0)) break;
+    }
+    return best;
+  }
+
+  void add_piece(const Run& run, const Point& start, Chain& chain)
+  {
+    const Face_window<FT>& w = m_arcs[run.arc].window();
+    m_traversed.push_back({run.arc, run.from, run.to});
+    const Index pseudo_source = (w.bits >> 2) - 1;
+    chain.pieces.push_back(Piece{m_field->face(), w.is_parallel(),
+                                 w.is_parallel() ? m_arcs[run.arc].forward() : w.image(), m_arcs[run.arc].radius(), start,
+                                 run.end, w.root, (w.bits >> 2) == 0 ? no_index : pseudo_source});
+  }
+
+  void trace_from_gate(std::size_t gate, std::vector<Chain>& chains)
+  {
+    Chain chain{m_gates[gate].id, no_index, {}};
+    Point p = m_gates[gate].point;
+    std::size_t arc = std::size_t(-1);
+    for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
+    {
+      const Run run = best_run(p, arc);
+      if (!run.valid) break;
+      add_piece(run, p, chain);
+      p = run.end;
+      arc = run.arc;
+      if (run.gate != std::size_t(-1))
+      {
+        chain.end = m_gates[run.gate].id;
+        m_gates[run.gate].id = no_index; // used
+        chains.push_back(chain);
+        return;
+      }
+    }
+    force_end(chain, p, chains);
+  }
+
+  // No arc could be followed up to a gate. The nearest gate left takes the chain; if it is farther than rounding
+  // explains, this is counted.
+  void force_end(Chain& chain, const Point& p, std::vector<Chain>& chains)
+  {
+    const std::size_t gate = gate_near(p, false, Number_policy<FT>::infinity());
+    if (gate == std::size_t(-1)) return;
+    const Point end = m_gates[gate].point;
+    const FT gap = length(end - p);
+    if (gap > FT(1e-7) * m_face_size) ++m_forced;
+    if (chain.pieces.empty())
+    {
+      std::size_t nearest = 0;
+      m_field->distance(p, nearest);
+      const Face_window<FT>& w = m_field->windows()[nearest];
+      const FT norm = length(end - p);
+      const Point u = CGAL::is_positive(norm) ? (FT(1) / norm) * (end - p) : Point{FT(1), FT(0)};
+      const Point n = {u.y, -u.x};
+      chain.pieces.push_back(Piece{m_field->face(), true, n, dot(n, p), p, end, w.root,
+                                   (w.bits >> 2) == 0 ? no_index : Index((w.bits >> 2) - 1)});
+    }
+    else
+      chain.pieces.back().end = end;
+    chain.end = m_gates[gate].id;
+    m_gates[gate].id = no_index;
+    chains.push_back(chain);
+  }
+
+  // Loops that touch no edge. Each has a point where an arc comes out from under another window.
+  void trace_loops(std::vector<Chain>& chains)
+  {
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    {
+      const Level_arc<FT>& a = m_arcs[i];
+      try_loop(i, FT(0), a.point(FT(0)), chains);
+      for (std::size_t j = 0; j < m_arcs.size(); ++j)
+      {
+        if (i == j) continue;
+        const Level_arc<FT>& b = m_arcs[j];
+        Point p;
+        const bool meets = b.is_straight()
+                             ? a.enter_half_plane(Half_plane<FT>{b.forward(), b.radius()}.opposite(), p)
+                             : a.meet_disk(b.image(), b.radius(), true, p);
+        if (meets && a.is_ahead(p)) try_loop(i, a.parameter(p), p, chains);
+        if (a.enter_half_plane(b.left().opposite(), p) && a.is_ahead(p)) try_loop(i, a.parameter(p), p, chains);
+        if (a.enter_half_plane(b.right().opposite(), p) && a.is_ahead(p)) try_loop(i, a.parameter(p), p, chains);
+      }
+    }
+  }
+
+  bool is_traversed(std::size_t arc, const FT& t) const
+  {
+    for (const Traversed& v : m_traversed)
+      if (v.arc == arc && v.from - FT(1e-7) <= t && t < v.to + FT(1e-7)) return true;
+    return false;
+  }
+
+  void try_loop(std::size_t i, const FT& t, const Point& start, std::vector<Chain>& chains)
+  {
+    if (!(t >= FT(0) && t < FT(1)) || is_traversed(i, t)) return;
+    for (int k = 0; k < 3; ++k)
+      if (m_outside[k].value(start) < m_tie) return;
+    Run run = run_of(i, t, start);
+    if (!run.valid || run.gate != std::size_t(-1)) return;
+    const std::size_t mark = m_traversed.size();
+    Chain chain{no_index, no_index, {}};
+    Point p = start;
+    for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
+    {
+      const bool back = guard > 0 && run.arc == i && run.from <= t && t <= run.to + FT(1e-9);
+      if (back)
+      { // the last arc is the first one
+        run.end = start;
+        if (length(p - start) > m_step) add_piece(run, p, chain);
+        else if (!chain.pieces.empty()) chain.pieces.back().end = start;
+        if (!chain.pieces.empty()) chains.push_back(chain);
+        return;
+      }
+      if (run.gate != std::size_t(-1)) break;
+      add_piece(run, p, chain);
+      p = run.end;
+      if (length(p - start) <= m_tie && guard > 0)
+      {
+        chain.pieces.back().end = start;
+        chains.push_back(chain);
+        return;
+      }
+      run = best_run(p, run.arc);
+      if (!run.valid) break;
+    }
+    m_traversed.resize(mark);
+  }
+
+  const Face_field<FT>* m_field = nullptr;
+  FT m_level, m_face_size, m_cover_depth, m_tie, m_step;
+  std::vector<Level_arc<FT>> m_arcs;
+  Half_plane<FT> m_outside[3];
+  std::vector<Gate> m_gates;
+  std::vector<Traversed> m_traversed;
+  std::size_t m_forced = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
