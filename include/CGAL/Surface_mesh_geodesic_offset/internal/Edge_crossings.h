@@ -32,8 +32,9 @@ public:
   // The ends, between 0 and the length of the halfedge h, of the intervals on which the distance is less than the
   // level: sorted, alternately from far to near (`falling`) and from near to far. The source of h is near exactly if its
   // vertex is, and so is the target; so the number of crossings is odd exactly if the vertices differ.
+  // `field` is that of the face of h.
   template <class OutputFunction>
-  void operator()(Index h, const FT& level, const OutputFunction& out)
+  void operator()(Index h, const Face_field<FT>& field, const FT& level, const OutputFunction& out)
   {
     m_near.clear();
     m_length = m_mesh[h].length;
@@ -47,6 +48,11 @@ public:
     {
       add_list(g, level, true);
       add_local(g, level, true);
+    }
+    else
+    { // no list beyond the border: the windows that leave the face here
+      for (const Face_window<FT>& w : field.windows())
+        if (w.origin <= ENTERS_HALFEDGE_2 && w.edge != h % 3) add_window(w, field.frame(), int(h % 3), level, false);
     }
     std::sort(m_near.begin(), m_near.end());
     const FT gap = Number_policy<FT>::rounding(1024) * m_length;
@@ -116,25 +122,25 @@ private:
     const auto range = local_windows(m_initial, m_mesh.face(h));
     if (range.first == range.second) return;
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
-    const int k = int(h % 3);
+    for (auto it = range.first; it != range.second; ++it) add_window(it->window, frame, int(h % 3), level, reversed);
+  }
+
+  // A window in a face, seen on the face's halfedge k.
+  void add_window(const Face_window<FT>& w, const Face_frame<FT>& frame, int k, const FT& level, bool reversed)
+  {
     const Point o = frame.corner(k), u = frame.direction(k);
-    for (auto it = range.first; it != range.second; ++it)
+    FT lo(0), hi = m_length;
+    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
+    if (!clip(-cross(l, o - w.left), -cross(l, u), length(l), lo, hi)) return;
+    if (!clip(cross(r, o - w.right), cross(r, u), length(r), lo, hi)) return;
+    if (w.is_parallel())
     {
-      const Face_window<FT>& w = it->window;
-      FT lo(0), hi = m_length;
-      const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
-      if (!clip(-cross(l, o - w.left), -cross(l, u), length(l), lo, hi)) continue;
-      if (!clip(cross(r, o - w.right), cross(r, u), length(r), lo, hi)) continue;
-      if (w.is_parallel())
-      {
-        // in front of the source
-        const FT front = w.distance_at(o), slope = -dot(w.image(), u);
-        if (!clip(front, slope, FT(1), lo, hi)) continue;
-        if (near_part(true, FT(-slope), FT(0), FT(level - front), lo, hi)) add(lo, hi, reversed);
-      }
-      else if (near_part(false, frame.along(k, w.image()), frame.height(k, w.image()), FT(level - w.sigma), lo, hi))
-        add(lo, hi, reversed);
+      const FT start = w.distance_at(o), slope = -dot(w.image(), u);
+      if (w.origin == STARTS_IN_FACE && !clip(start, slope, FT(1), lo, hi)) return; // in front of the source
+      if (near_part(true, FT(-slope), FT(0), FT(level - start), lo, hi)) add(lo, hi, reversed);
     }
+    else if (near_part(false, frame.along(k, w.image()), frame.height(k, w.image()), FT(level - w.sigma), lo, hi))
+      add(lo, hi, reversed);
   }
 
   // Cuts [lo, hi] down to where a + b t >= 0, up to rounding of the given magnitude: a source may lie on the edge.

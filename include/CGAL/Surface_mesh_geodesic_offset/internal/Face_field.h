@@ -50,7 +50,7 @@ public:
       for (Index i = 0; i < list.taken; ++i) add_window(list.data[i], k);
     }
     const auto range = local_windows(initial, face);
-    for (auto it = range.first; it != range.second; ++it) add(it->window, it->window.sigma);
+    for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
     m_has_local_sources = range.first != range.second;
     for (int k = 0; k < 3; ++k)
     {

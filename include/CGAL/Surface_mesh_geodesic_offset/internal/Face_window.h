@@ -68,10 +68,11 @@ struct Face_window
     return !CGAL::is_positive(left_side(p)) && !CGAL::is_negative(right_side(p)) && is_in_front(p);
   }
 
-  // The length of a path through the window to p: straight if p is in the cone, else round the nearer end of the
-  // chord. An upper bound of the distance of p in any case, and continuous.
+  // The length of a path through the window to p: straight if p is in the cone, or if the rays start at a point of the
+  // face; else round the nearer end of the chord. An upper bound of the distance of p in any case, and continuous.
   FT path_length(const Point& p) const
   {
+    if (origin >= STARTS_IN_FACE && !is_parallel()) return distance_at(p);
     if (!is_in_front(p)) return Number_policy<FT>::infinity();
     const bool off_left = CGAL::is_positive(left_side(p)), off_right = CGAL::is_negative(right_side(p));
     if (!off_left && !off_right) return distance_at(p);

@@ -79,7 +79,7 @@ public:
   {
     if (is_straight()) return true;
     const Face_window<FT>& w = *m_window;
-    return CGAL::is_positive(dot(p - image(), FT(0.5) * (w.left + w.right) - image()));
+    return CGAL::is_positive(cross(p - image(), w.left - w.right));
   }
 
   Point tangent(const Point& p) const

@@ -122,16 +122,15 @@ private:
     const Level_arc<FT>& a = m_arcs[run.arc];
     const Level_arc<FT>& b = m_arcs[j];
     const FT radius = b.radius() - m_cover_depth;
-    if (!CGAL::is_positive(radius)) return;
     Point p;
-    const bool strip = b.is_straight();
-    if (strip)
+    if (b.is_straight())
     {
       const Half_plane<FT> near{b.forward(), radius};
       if (a.enter_half_plane(near, p)) consider(p, j, 0, run);
     }
     else
     {
+      if (!CGAL::is_positive(radius)) return;
       if (!a.is_straight())
       { // circles that are apart
         const Point u = b.image() - a.image();
@@ -172,9 +171,7 @@ private:
     run.from = t;
     run.to = FT(1);
     if (!(t < FT(1))) return run;
-    const Point ahead = start + m_step * a.tangent(start);
-    for (std::size_t j = 0; j < m_arcs.size(); ++j)
-      if (j != i && covers(j, ahead)) return run;
+    if (is_covered(i, start + m_step * a.tangent(start))) return run;
     run.end = a.point(FT(1));
     for (int k = 0; k < 3; ++k)
     {
@@ -194,7 +191,19 @@ private:
       if (j != i) cut_by(j, run);
     run.length = length(run.end - start);
     run.valid = run.gate != std::size_t(-1) || run.length > m_step;
+    // Another arc that touches this one at the start may have come out from under it, or go under it, so closely that
+    // neither its entry nor the step ahead has shown it: further along it does.
+    if (run.valid && (is_covered(i, a.point(run.from + (run.to - run.from) / 2)) ||
+                      is_covered(i, a.point(run.from + (run.to - run.from) / 16))))
+      run.valid = false;
     return run;
+  }
+
+  bool is_covered(std::size_t i, const Point& p) const
+  {
+    for (std::size_t j = 0; j < m_arcs.size(); ++j)
+      if (j != i && covers(j, p)) return true;
+    return false;
   }
 
   std::size_t gate_near(const Point& p, bool start, FT limit) const

@@ -46,7 +46,7 @@ public:
     first = (std::max)(first, m_levels.first_above(FT(field.lower_bound() - slack(far))));
     if (first >= last) return;
     const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
-    find_gates(face, field.frame(), first, last);
+    find_gates(field, first, last);
     for (std::size_t i = first; i < last; ++i)
     {
       m_gates.clear();
@@ -140,8 +140,10 @@ private:
   static FT slack(const FT& far) { return Number_policy<FT>::rounding(1 << 14) * far; }
 
   // The gates of a face at the levels [first, last): found now, or when the face on the other side was cut.
-  void find_gates(Index face, const Face_frame<FT>& frame, std::size_t first, std::size_t last)
+  void find_gates(const Face_field<FT>& field, std::size_t first, std::size_t last)
   {
+    const Face_frame<FT>& frame = field.frame();
+    const Index face = field.face();
     m_face_gates.clear();
     for (Index k = 0; k < 3; ++k)
     {
@@ -159,7 +161,7 @@ private:
       }
       std::vector<Crossing> found;
       for (std::size_t i = first; i < last; ++i)
-        m_crossings(h, m_levels[i], [&](const FT& t, bool falling) {
+        m_crossings(h, field, m_levels[i], [&](const FT& t, bool falling) {
           found.push_back({i, t, falling, Index(m_link_of_gate.size())});
           m_link_of_gate.push_back(none);
         });

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Exact geodesic distances on a triangle mesh and exact geodesic offsets of curves, as a program.
+// --help lists the options. Exit codes: 0 success, 1 something that the command line names is wrong (one line on stderr
+// says what), 2 the command line itself is wrong. Outputs appear only if everything succeeded.
+
+#include "geodesic_offset/common.h"
+#include "geodesic_offset/field_output.h"
+#include "geodesic_offset/mesh_input.h"
+#include "geodesic_offset/options.h"
+#include "geodesic_offset/output_file.h"
+#include "geodesic_offset/picture.h"
+#include "geodesic_offset/png_output.h"
+#include "geodesic_offset/progress.h"
+#include "geodesic_offset/sources.h"
+#include "geodesic_offset/stats_output.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
+#include <CGAL/assertions_behaviour.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+namespace {
+
+std::vector<std::string> named_outputs(const Options& options)
+{
+  std::vector<std::string> files = options.outputs;
+  for(const std::string& file : {options.field, options.picture, options.stats})
+    if(!file.empty())
+      files.push_back(file);
+  return files;
+}
+
+// Without a count, the number of offsets follows from the spacing; a slip of the finger must not fill the disk.
+void check_spacing(const Options& options, double diagonal)
+{
+  constexpr double most = 1e6;
+  if(options.spacing && !options.count && diagonal / *options.spacing > most)
+    throw Usage_error("--spacing " + short_number(*options.spacing) +
+                      " would give more than a million offsets of this mesh; --count limits their number");
+}
+
+std::vector<Offset_curve> solve(Geodesic& geodesic, const Options& options)
+{
+  const double maximum = options.maximum_distance.value_or(infinity);
+  const auto parameters = CGAL::parameters::geodesic(maximum, false);
+  std::vector<Offset_curve> curves;
+  if(options.spacing)
+  {
+    const auto levels =
+      options.count ? CGAL::Offset_levels<double>::equally_spaced(*options.spacing, *options.count)
+                    : CGAL::Offset_levels<double>::equally_spaced(*options.spacing);
+    geodesic.build_with_offset_curves(levels, std::back_inserter(curves), parameters);
+  }
+  else if(!options.distances.empty())
+  {
+    geodesic.build_with_offset_curves(options.distances, std::back_inserter(curves), parameters);
+  }
+  else
+    geodesic.build(parameters);
+  std::stable_sort(curves.begin(), curves.end(),
+                   [](const Offset_curve& a, const Offset_curve& b) { return a.distance() < b.distance(); });
+  return curves;
+}
+
+void write_curves(Output_files& files, const std::string& file, const std::vector<Offset_curve>& curves, double tolerance)
+{
+  files.add(file, [&](std::ostream& out) {
+    if(has_extension(file, ".vtk"))
+      CGAL::IO::write_offset_VTK(out, curves, tolerance);
+    else if(has_extension(file, ".obj"))
+      CGAL::IO::write_offset_OBJ(out, curves, tolerance);
+    else
+      CGAL::IO::write_offset_polylines(out, curves, tolerance);
+  });
+}
+
+View view_of(const Options& options, const Mesh& mesh, const Sources& sources)
+{
+  const auto vector = [](const std::array<double, 3>& v) {
+    return View::normalized(Vector(v[0], v[1], v[2]) / std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}));
+  };
+  const Vector up = options.up ? vector(*options.up) : Vector(0, 1, 0);
+  if(options.view)
+    return View(vector(*options.view), up);
+  std::vector<Point> points = sources.points();
+  for(const Polyline& polyline : sources.polylines())
+    points.insert(points.end(), polyline.begin(), polyline.end());
+  return choose_view(mesh, points, up);
+}
+
+Image picture_of(const Options& options, const Mesh& mesh, const Sources& sources, const Geodesic& geodesic,
+                 const std::vector<Offset_curve>& curves)
+{
+  std::vector<double> distances(mesh.number_of_vertices());
+  for(Vertex v : mesh.vertices())
+    distances[v] = CGAL::to_double(geodesic.distance_to_sources(v));
+  Picture picture(mesh, distances, view_of(options, mesh, sources));
+  for(const Point& point : sources.points())
+    picture.add_source(point);
+  for(const Polyline& polyline : sources.polylines())
+    picture.add_source(polyline);
+  for(const Offset_curve& curve : curves)
+  {
+    Polyline polyline;
+    curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
+    picture.add_offset(polyline);
+  }
+  return picture.render();
+}
+
+void run(const Options& options)
+{
+  const Progress progress(options.quiet);
+  for(const std::string& file : named_outputs(options))
+    Output_files::check(file);
+
+  Run_figures figures;
+  const Stopwatch load_time;
+  const Mesh_input input(options.mesh);
+  const Mesh& mesh = input.mesh();
+  figures.vertices = mesh.number_of_vertices();
+  figures.faces = mesh.number_of_faces();
+  figures.load_seconds = load_time.seconds();
+  progress.line("mesh: " + counted(figures.vertices, "vertex", "vertices") + ", " + counted(figures.faces, "face"),
+                figures.load_seconds);
+  for(const std::string& remark : input.remarks())
+    progress.line("mesh: " + remark);
+  check_spacing(options, input.bounding_box_diagonal());
+
+  const Stopwatch setup_time;
+  const Sources sources(input, options);
+  Geodesic geodesic(mesh);
+  sources.add_to(geodesic);
+  figures.setup_seconds = setup_time.seconds();
+  for(const std::string& remark : sources.remarks())
+    progress.line("sources: " + remark);
+  progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
+
+  const Stopwatch solve_time;
+  const std::vector<Offset_curve> curves = solve(geodesic, options);
+  const Geodesic::Statistics& statistics = geodesic.statistics();
+  const std::vector<double> distances = file_distances(input, geodesic);
+  std::size_t unreached = 0;
+  for(double distance : distances)
+    if(distance == infinity)
+      ++unreached;
+    else
+      figures.largest_distance = std::max(figures.largest_distance, distance);
+  progress.line("distances: up to " + short_number(figures.largest_distance) + ", " +
+                  counted(statistics.windows_propagated, "window") + " propagated",
+                solve_time.seconds());
+  if(unreached != 0)
+    progress.line("distances: " + counted(unreached, "vertex", "vertices") + " not reached");
+  const std::vector<Level_figures> levels = level_figures(curves, options.distances);
+  if(options.has_levels())
+    progress.line("offsets: " + counted(curves.size(), "curve") + " at " + counted(levels.size(), "distance"));
+
+  Output_files files;
+  const double tolerance = options.tolerance.value_or(1e-4 * input.bounding_box_diagonal());
+  const Stopwatch write_time;
+  for(const std::string& file : options.outputs)
+    write_curves(files, file, curves, tolerance);
+  if(!options.field.empty())
+    files.add(options.field,
+              [&](std::ostream& out) { write_field(out, input.soup(), distances); });
+  if(!options.picture.empty())
+  {
+    const Image image = picture_of(options, mesh, sources, geodesic, curves);
+    files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
+  }
+  if(!options.stats.empty())
+    files.add(options.stats, [&](std::ostream& out) { write_stats(out, figures, statistics, levels); });
+  files.commit();
+  for(const std::string& file : named_outputs(options))
+    progress.line("wrote " + file);
+  progress.line("outputs written", write_time.seconds());
+}
+
+// Messages may hold parts of damaged files.
+std::string one_line(std::string text)
+{
+  for(char& c : text)
+    if(static_cast<unsigned char>(c) < 32 || c == 127)
+      c = ' ';
+  constexpr std::size_t longest = 500;
+  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
+
+int fail(int code, const std::string& text)
+{
+  std::cerr << "geodesic_offset: " << one_line(text) << std::endl;
+  return code;
+}
+
+// What CGAL finds wrong becomes an exception, which is reported in one line.
+void be_silent(const char*, const char*, const char*, int, const char*) {}
+
+} // namespace
+} // namespace geodesic_offset
+
+int main(int argc, char* argv[])
+{
+  using namespace geodesic_offset;
+  CGAL::set_error_handler(be_silent);
+  CGAL::set_warning_handler(be_silent);
+  try
+  {
+    const Options options = parse_options(argc, argv);
+    if(options.help)
+      print_help(std::cout);
+    else
+      run(options);
+    return 0;
+  }
+  catch(const Usage_error& error)
+  {
+    return fail(2, error.what());
+  }
+  catch(const std::bad_alloc&)
+  {
+    return fail(1, "out of memory");
+  }
+  catch(const std::exception& error)
+  {
+    return fail(1, error.what());
+  }
+  catch(...)
+  {
+    return fail(1, "unknown error");
+  }
+}

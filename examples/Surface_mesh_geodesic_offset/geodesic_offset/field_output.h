@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The distances at the vertices of the file, as a binary PLY file with the vertices and faces of the file.
+
+#ifndef GEODESIC_OFFSET_FIELD_OUTPUT_H
+#define GEODESIC_OFFSET_FIELD_OUTPUT_H
+
+#include "common.h"
+#include "mesh_input.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <ostream>
+#include <vector>
+
+namespace geodesic_offset {
+
+// One distance for each vertex of the file. It is infinite where no source reaches and at vertices without faces.
+inline std::vector<double> file_distances(const Mesh_input& input, const Geodesic& geodesic)
+{
+  std::vector<double> distances(input.soup().points.size(), infinity);
+  for(std::size_t i = 0; i < distances.size(); ++i)
+    input.for_each_vertex_of(i, [&](Vertex v) {
+      distances[i] = std::min(distances[i], CGAL::to_double(geodesic.distance_to_sources(v)));
+    });
+  return distances;
+}
+
+namespace internal {
+
+template <class Unsigned>
+void append_little_endian(std::vector<char>& bytes, Unsigned value)
+{
+  for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
+    bytes.push_back(static_cast<char>(static_cast<unsigned char>(value >> (8 * i))));
+}
+
+inline void append_double(std::vector<char>& bytes, double value)
+{
+  std::uint64_t bits;
+  static_assert(sizeof(bits) == sizeof(value), "doubles of 64 bits");
+  std::memcpy(&bits, &value, sizeof(bits));
+  append_little_endian(bytes, bits);
+}
+
+} // namespace internal
+
+inline void write_field(std::ostream& out, const Soup& soup, const std::vector<double>& distances)
+{
+  std::size_t largest = 0;
+  for(const Polygon& polygon : soup.polygons)
+    largest = std::max(largest, polygon.size());
+  const bool small = (largest < 256);
+
+  out << "ply\nformat binary_little_endian 1.0\ncomment geodesic distances\n"
+      << "element vertex " << soup.points.size() << "\n"
+      << "property double x\nproperty double y\nproperty double z\nproperty double distance\n"
+      << "element face " << soup.polygons.size() << "\n"
+      << "property list " << (small ? "uchar" : "uint") << " int vertex_indices\nend_header\n";
+
+  // one write a block instead of one a number
+  constexpr std::size_t block = 1 << 16;
+  std::vector<char> bytes;
+  const auto flush = [&](std::size_t at_least) {
+    if(bytes.size() >= at_least)
+    {
+      out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+      bytes.clear();
+    }
+  };
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+  {
+    for(int c = 0; c < 3; ++c)
+      internal::append_double(bytes, soup.points[i][c]);
+    internal::append_double(bytes, distances[i]);
+    flush(block);
+  }
+  for(const Polygon& polygon : soup.polygons)
+  {
+    if(small)
+      internal::append_little_endian(bytes, static_cast<std::uint8_t>(polygon.size()));
+    else
+      internal::append_little_endian(bytes, static_cast<std::uint32_t>(polygon.size()));
+    for(std::uint32_t v : polygon)
+      internal::append_little_endian(bytes, v);
+    flush(block);
+  }
+  flush(0);
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_FIELD_OUTPUT_H

@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A picture of the mesh coloured by distance, with sources and offsets drawn on it.
+
+#ifndef GEODESIC_OFFSET_PICTURE_H
+#define GEODESIC_OFFSET_PICTURE_H
+
+#include "color_map.h"
+#include "common.h"
+#include "numbers.h"
+#include "raster.h"
+#include "stroke_font.h"
+#include "view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+using Polyline = std::vector<Point>;
+
+// Pixels from left to right and from top to bottom, three bytes each
+struct Image
+{
+  int                       width = 0;
+  int                       height = 0;
+  std::vector<std::uint8_t> bytes;
+};
+
+class Picture
+{
+  static constexpr int    width = 1600;
+  static constexpr int    minimum_height = 700;
+  static constexpr int    maximum_height = 1600;
+  static constexpr int    strip_rows = 32;
+  static constexpr double margin = 60;
+  static constexpr double legend_width = 170; // including its distance from the mesh
+  static constexpr double offset_radius = 0.85;
+  static constexpr double source_radius = 2.4;
+  static constexpr double point_radius = 7;
+  static constexpr double halo = 1.3;
+
+  struct Corner_normals
+  {
+    std::array<std::array<float, 3>, 3> n;
+  };
+
+  const Mesh&                m_mesh;
+  const std::vector<double>& m_distances; // of the mesh's vertices
+  View                       m_view;
+  Color_map                  m_colors;
+  double                     m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest = 0;
+  int                        m_height = minimum_height;
+
+  std::vector<View_point>              m_points;
+  std::vector<Corner_normals>          m_normals;
+  std::vector<std::vector<View_point>> m_offsets, m_sources;
+  std::vector<View_point>              m_source_points;
+
+public:
+  Picture(const Mesh& mesh, const std::vector<double>& distances, const View& view)
+    : m_mesh(mesh), m_distances(distances), m_view(view)
+  {
+    fit();
+    for(double d : m_distances)
+      if(d != infinity)
+        m_largest = std::max(m_largest, d);
+    m_points.reserve(mesh.number_of_vertices());
+    for(Vertex v : mesh.vertices())
+      m_points.push_back(place(mesh.point(v)));
+    compute_normals();
+  }
+
+  // Finer than what can be seen
+  double chord_tolerance() const { return 0.05 / m_scale; }
+
+  void add_offset(const Polyline& polyline) { m_offsets.push_back(place(polyline)); }
+  void add_source(const Polyline& polyline) { m_sources.push_back(place(polyline)); }
+  void add_source(const Point& point) { m_source_points.push_back(place(point)); }
+
+  Image render() const
+  {
+    Image image;
+    image.width = width;
+    image.height = m_height;
+    image.bytes.reserve(static_cast<std::size_t>(3 * width * m_height));
+    Raster raster(width);
+    const auto markings = marking_colors();
+    const auto background = [this](int, int row) {
+      return mix(srgb(252, 252, 253), srgb(228, 232, 238), static_cast<float>(row) / static_cast<float>(m_height));
+    };
+    for(int first = 0; first < m_height; first += strip_rows)
+    {
+      const int rows = std::min(strip_rows, m_height - first);
+      raster.begin(first, rows);
+      draw_mesh(raster, first, rows);
+      draw_curves(raster, first, rows);
+      raster.outline(static_cast<float>(0.012 * m_depth));
+      if(m_largest > 0)
+        draw_legend(raster);
+      for(int row = first; row < first + rows; ++row)
+        for(int column = 0; column < width; ++column)
+        {
+          const Color c = raster.pixel(column, row, background, markings);
+          for(float channel : {c.r, c.g, c.b})
+            image.bytes.push_back(srgb_byte(channel));
+        }
+    }
+    return image;
+  }
+
+private:
+  static std::array<Marking, 5> marking_colors()
+  {
+    return {{{Color(), 0}, {srgb(40, 44, 58), 0.75f}, {srgb(24, 22, 40), 0.8f}, {srgb(255, 255, 255), 1}, {srgb(226, 24, 54), 1}}};
+  }
+
+  void fit()
+  {
+    const Extent extent(m_mesh, m_view);
+    const double w = extent.max[0] - extent.min[0], h = extent.max[1] - extent.min[1];
+    const double room = width - 2 * margin - legend_width;
+    const double tiny = 1e-9 * std::max(w, h);
+    m_scale = std::min(room / std::max(w, tiny), (maximum_height - 2 * margin) / std::max(h, tiny));
+    m_height = std::max(minimum_height, static_cast<int>(std::ceil(h * m_scale + 2 * margin)));
+    m_left = margin + (room - w * m_scale) / 2 - extent.min[0] * m_scale;
+    m_top = (m_height + h * m_scale) / 2 + extent.min[1] * m_scale;
+    m_depth = std::hypot(w, h) * m_scale;
+  }
+
+  View_point place(const Point& p) const
+  {
+    const View_point v = m_view(p);
+    return {m_left + m_scale * v[0], m_top - m_scale * v[1], m_scale * v[2]};
+  }
+
+  std::vector<View_point> place(const Polyline& polyline) const
+  {
+    std::vector<View_point> points;
+    points.reserve(polyline.size());
+    for(const Point& p : polyline)
+      points.push_back(place(p));
+    return points;
+  }
+
+  // Smooth where the surface is smooth; edges sharper than this are seen as edges.
+  void compute_normals()
+  {
+    constexpr double cosine_of_crease = 0.8; // 37 degrees
+    std::vector<std::array<double, 3>> normal(m_mesh.number_of_faces()); // in view coordinates, weighted by area
+    std::vector<double> length(normal.size());
+    for(Face f : m_mesh.faces())
+    {
+      const std::array<std::size_t, 3> v = corners(f);
+      const View_point &a = m_points[v[0]], &b = m_points[v[1]], &c = m_points[v[2]];
+      const double p[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, q[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+      // the y axis of the picture points down, that of the normal up
+      normal[f] = {p[2] * q[1] - p[1] * q[2], p[2] * q[0] - p[0] * q[2], p[1] * q[0] - p[0] * q[1]};
+      length[f] = std::sqrt(normal[f][0] * normal[f][0] + normal[f][1] * normal[f][1] + normal[f][2] * normal[f][2]);
+    }
+    m_normals.resize(m_mesh.number_of_faces());
+    for(Face f : m_mesh.faces())
+    {
+      const std::array<double, 3>& n = normal[f];
+      Halfedge h = m_mesh.prev(m_mesh.halfedge(f)); // its target is the first corner
+      for(int corner = 0; corner < 3; ++corner, h = m_mesh.next(h))
+      {
+        std::array<double, 3> sum{0, 0, 0};
+        for(Face g : m_mesh.faces_around_target(h))
+        {
+          if(g == Mesh::null_face())
+            continue;
+          const std::array<double, 3>& m = normal[g];
+          if(g == f || n[0] * m[0] + n[1] * m[1] + n[2] * m[2] > cosine_of_crease * length[f] * length[g])
+            for(std::size_t c = 0; c < 3; ++c)
+              sum[c] += m[c];
+        }
+        for(std::size_t c = 0; c < 3; ++c)
+        {
+          const double norm = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+          m_normals[f].n[static_cast<std::size_t>(corner)][c] = static_cast<float>(norm > 0 ? sum[c] / norm : 0);
+        }
+      }
+    }
+  }
+
+  std::array<std::size_t, 3> corners(Face f) const
+  {
+    const Halfedge h = m_mesh.halfedge(f);
+    return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))};
+  }
+
+  // Light from the viewer's left shoulder, and some from everywhere
+  static Color lit(Color color, double nx, double ny, double nz)
+  {
+    const double norm = std::sqrt(nx * nx + ny * ny + nz * nz);
+    const bool inside = nz < 0;
+    const double s = (inside ? -1 : 1) / (norm > 0 ? norm : 1);
+    nx *= s, ny *= s, nz *= s;
+    const double key = std::max(0.0, -0.37 * nx + 0.45 * ny + 0.81 * nz);
+    const double head = std::max(0.0, nz);
+    const double sky = 0.5 + 0.5 * ny;
+    const double diffuse = 0.20 + 0.14 * sky + 0.46 * key + 0.26 * head;
+    // half way between the light and the viewer
+    const double half = std::max(0.0, -0.195 * nx + 0.237 * ny + 0.952 * nz);
+    const float shine = static_cast<float>(0.10 * std::pow(half, 60));
+    if(inside)
+      color = mix(color, Color{0.25f, 0.25f, 0.27f}, 0.45f);
+    return static_cast<float>(diffuse) * color + Color{shine, shine, shine};
+  }
+
+  void draw_mesh(Raster& raster, int first, int rows) const
+  {
+    const Color unreached = srgb(176, 178, 184);
+    for(Face f : m_mesh.faces())
+    {
+      const std::array<std::size_t, 3> v = corners(f);
+      const View_point &a = m_points[v[0]], &b = m_points[v[1]], &c = m_points[v[2]];
+      if(std::max({a[1], b[1], c[1]}) < first - 2 || std::min({a[1], b[1], c[1]}) > first + rows + 2)
+        continue;
+      const double d0 = m_distances[v[0]], d1 = m_distances[v[1]], d2 = m_distances[v[2]];
+      const bool reached = d0 != infinity && d1 != infinity && d2 != infinity;
+      const auto& n = m_normals[f].n;
+      raster.triangle(a, b, c, [&](double u, double s, double t) {
+        const Color color = reached ? m_colors(m_largest > 0 ? (u * d0 + s * d1 + t * d2) / m_largest : 0) : unreached;
+        return lit(color, u * n[0][0] + s * n[1][0] + t * n[2][0], u * n[0][1] + s * n[1][1] + t * n[2][1],
+                   u * n[0][2] + s * n[1][2] + t * n[2][2]);
+      });
+    }
+  }
+
+  void draw_curves(Raster& raster, int first, int rows) const
+  {
+    // the surface beside a line on a slope is nearer to the viewer than the line
+    const auto bias = [](double radius) { return 3 * radius + 1; };
+    const auto draw = [&](const std::vector<View_point>& line, double radius, Mark mark) {
+      for(std::size_t i = 0; i + 1 < line.size(); ++i)
+        if(std::min(line[i][1], line[i + 1][1]) < first + rows + 12 && std::max(line[i][1], line[i + 1][1]) > first - 12)
+          raster.line(line[i], line[i + 1], radius, mark, bias(radius));
+    };
+    for(const std::vector<View_point>& line : m_offsets)
+      draw(line, offset_radius, Mark::offset);
+    for(const std::vector<View_point>& line : m_sources)
+    {
+      draw(line, source_radius + halo, Mark::halo);
+      draw(line, source_radius, Mark::source);
+    }
+    for(const View_point& p : m_source_points)
+    {
+      draw({p, p}, point_radius + halo, Mark::halo);
+      draw({p, p}, point_radius, Mark::source);
+    }
+  }
+
+  void draw_legend(Raster& raster) const
+  {
+    const Color ink = srgb(48, 52, 66);
+    const double left = width - legend_width + 20, right = left + 26;
+    const double length = std::min(520.0, 0.6 * m_height);
+    const double top = (m_height - length) / 2, bottom = top + length;
+    raster.rectangle(left - 1.5, top - 1.5, right + 1.5, bottom + 1.5, [&](double, double) { return ink; });
+    raster.rectangle(left, top, right, bottom,
+                     [&](double, double y) { return m_colors((bottom - y) / length); });
+    const double step = tick_step(m_largest);
+    std::vector<double> ticks;
+    for(int i = 0; i * step < m_largest; ++i)
+      if(m_largest - i * step > 0.45 * step)
+        ticks.push_back(i * step);
+    ticks.push_back(m_largest);
+    for(double tick : ticks)
+    {
+      const double y = bottom - length * tick / m_largest;
+      raster.rectangle(right, y - 0.75, right + 9, y + 0.75, [&](double, double) { return ink; });
+      constexpr double size = 17;
+      for(const auto& stroke : text_lines(tick == m_largest ? label(tick, 3) : label(tick, 6)))
+        raster.ink({right + 17 + size * stroke.first[0], y + size * (stroke.first[1] - 0.5), 0},
+                   {right + 17 + size * stroke.second[0], y + size * (stroke.second[1] - 0.5), 0}, 1.05, ink);
+    }
+  }
+
+  // A round number of which there are four to eight in the largest distance
+  static double tick_step(double largest)
+  {
+    const double power = std::pow(10.0, std::floor(std::log10(largest)));
+    for(double step : {0.1, 0.2, 0.25, 0.5})
+      if(largest / (step * power) <= 7)
+        return step * power;
+    return power;
+  }
+
+  static std::string label(double value, int digits)
+  {
+    std::ostringstream stream;
+    stream.precision(digits);
+    stream << value;
+    return stream.str();
+  }
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_PICTURE_H

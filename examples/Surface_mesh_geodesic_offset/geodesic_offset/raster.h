@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A strip of the picture, several samples a pixel in each direction, with depths. Pictures are drawn strip by strip: the
+// samples of a whole picture would take more memory than the mesh.
+
+#ifndef GEODESIC_OFFSET_RASTER_H
+#define GEODESIC_OFFSET_RASTER_H
+
+#include "color_map.h"
+#include "view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace geodesic_offset {
+
+// What is drawn on top of the surface; a higher one covers a lower one.
+enum class Mark : std::uint8_t { none, outline, offset, halo, source };
+
+struct Marking
+{
+  Color color;
+  float opacity;
+};
+
+// Coordinates are pixels from the top left corner of the picture, z towards the viewer.
+class Raster
+{
+public:
+  static constexpr int samples = 4; // a pixel, in each direction
+  static constexpr int margin = 4;  // rows of samples above and below, for what looks at neighbours
+
+private:
+  struct Sample
+  {
+    Color color;
+    float depth = nothing;
+    Mark  mark = Mark::none;
+  };
+
+  int                 m_width, m_first_row = 0, m_rows = 0;
+  std::vector<Sample> m_samples;
+
+public:
+  static constexpr float nothing = -3e38f;
+
+  explicit Raster(int width_in_pixels) : m_width(width_in_pixels * samples) {}
+
+  // Begins with an empty strip of the pixel rows [first, first + rows).
+  void begin(int first, int rows)
+  {
+    m_first_row = first * samples - margin;
+    m_rows = rows * samples + 2 * margin;
+    m_samples.assign(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_rows), Sample());
+  }
+
+  // shade(u, v, w) gives the colour from barycentric coordinates
+  template <class Shade>
+  void triangle(const View_point& a, const View_point& b, const View_point& c, const Shade& shade)
+  {
+    const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if(!(std::abs(area) > 0))
+      return;
+    const int y0 = first_row(std::min({a[1], b[1], c[1]})), y1 = last_row(std::max({a[1], b[1], c[1]}));
+    const int x0 = first_column(std::min({a[0], b[0], c[0]})), x1 = last_column(std::max({a[0], b[0], c[0]}));
+    for(int y = y0; y <= y1; ++y)
+      for(int x = x0; x <= x1; ++x)
+      {
+        const double px = position(x), py = position(y);
+        const double v = ((px - a[0]) * (c[1] - a[1]) - (py - a[1]) * (c[0] - a[0])) / area;
+        const double w = ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / area;
+        const double u = 1 - v - w;
+        // rounding must not open seams between neighbours
+        if(u < -1e-9 || v < -1e-9 || w < -1e-9)
+          continue;
+        const float depth = static_cast<float>(u * a[2] + v * b[2] + w * c[2]);
+        Sample& s = at(x, y);
+        if(depth > s.depth)
+        {
+          s.depth = depth;
+          s.color = shade(u, v, w);
+        }
+      }
+  }
+
+  // A line with round ends. It is hidden where the surface is more than bias in front of it.
+  void line(const View_point& a, const View_point& b, double radius, Mark mark, double bias)
+  {
+    stroke(a, b, radius, [&](Sample& s, double depth) {
+      if(mark > s.mark && depth >= static_cast<double>(s.depth) - bias)
+        s.mark = mark;
+    });
+  }
+
+  // Colours that lie in front of everything
+  template <class Shade>
+  void rectangle(double left, double top, double right, double bottom, const Shade& shade)
+  {
+    for(int y = first_row(top); y <= last_row(bottom); ++y)
+      for(int x = first_column(left); x <= last_column(right); ++x)
+      {
+        Sample& s = at(x, y);
+        s.mark = Mark::none;
+        s.depth = -nothing;
+        s.color = shade(position(x), position(y));
+      }
+  }
+
+  // A line with round ends in front of everything
+  void ink(const View_point& a, const View_point& b, double radius, Color color)
+  {
+    stroke(a, b, radius, [&](Sample& s, double) {
+      s.mark = Mark::none;
+      s.depth = -nothing;
+      s.color = color;
+    });
+  }
+
+  // Marks the samples where the surface ends in front of something else that is at least this much deeper.
+  void outline(float jump)
+  {
+    constexpr int reach = 3;
+    const auto is_front = [&](const Sample& s, int x, int y) {
+      if(x < 0 || x >= m_width || y < m_first_row || y >= m_first_row + m_rows)
+        return false;
+      return s.depth - at(x, y).depth > jump;
+    };
+    for(int y = m_first_row + margin; y < m_first_row + m_rows - margin; ++y)
+      for(int x = 0; x < m_width; ++x)
+      {
+        Sample& s = at(x, y);
+        if(s.mark == Mark::none && s.depth > nothing && s.depth < -nothing &&
+           (is_front(s, x - reach, y) || is_front(s, x + reach, y) || is_front(s, x, y - reach) || is_front(s, x, y + reach)))
+          s.mark = Mark::outline;
+      }
+  }
+
+  // The colour of a pixel: the mean of its samples
+  template <class Background, class Markings>
+  Color pixel(int column, int row, const Background& background, const Markings& markings) const
+  {
+    Color sum;
+    const Color behind = background(column, row);
+    for(int y = row * samples; y < (row + 1) * samples; ++y)
+      for(int x = column * samples; x < (column + 1) * samples; ++x)
+      {
+        const Sample& s = at(x, y);
+        Color color = s.depth == nothing ? behind : s.color;
+        if(s.mark != Mark::none)
+        {
+          const Marking& marking = markings[static_cast<std::size_t>(s.mark)];
+          color = mix(color, marking.color, marking.opacity);
+        }
+        sum = sum + color;
+      }
+    return (1.0f / (samples * samples)) * sum;
+  }
+
+private:
+  template <class Draw>
+  void stroke(const View_point& a, const View_point& b, double radius, const Draw& draw)
+  {
+    const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+    const int y0 = first_row(std::min(a[1], b[1]) - radius), y1 = last_row(std::max(a[1], b[1]) + radius);
+    const int x0 = first_column(std::min(a[0], b[0]) - radius), x1 = last_column(std::max(a[0], b[0]) + radius);
+    for(int y = y0; y <= y1; ++y)
+      for(int x = x0; x <= x1; ++x)
+      {
+        const double px = position(x) - a[0], py = position(y) - a[1];
+        const double t = square > 0 ? std::min(std::max((px * dx + py * dy) / square, 0.0), 1.0) : 0.0;
+        const double ex = px - t * dx, ey = py - t * dy;
+        if(ex * ex + ey * ey <= radius * radius)
+          draw(at(x, y), a[2] + t * (b[2] - a[2]));
+      }
+  }
+
+  static double position(int sample) { return (sample + 0.5) / samples; }
+
+  // Limits are compared before they become integers: lines may reach far beyond the picture.
+  static int clamped(double value, int low, int high)
+  {
+    return static_cast<int>(std::min(std::max(value, static_cast<double>(low)), static_cast<double>(high)));
+  }
+  int first_row(double y) const { return clamped(std::ceil(y * samples - 0.5), m_first_row, m_first_row + m_rows); }
+  int last_row(double y) const { return clamped(std::floor(y * samples - 0.5), m_first_row - 1, m_first_row + m_rows - 1); }
+  int first_column(double x) const { return clamped(std::ceil(x * samples - 0.5), 0, m_width); }
+  int last_column(double x) const { return clamped(std::floor(x * samples - 0.5), -1, m_width - 1); }
+
+  std::size_t index(int x, int y) const
+  {
+    return static_cast<std::size_t>(y - m_first_row) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x);
+  }
+  Sample& at(int x, int y) { return m_samples[index(x, y)]; }
+  const Sample& at(int x, int y) const { return m_samples[index(x, y)]; }
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_RASTER_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The sources of the command line, found on the mesh.
+
+#ifndef GEODESIC_OFFSET_SOURCES_H
+#define GEODESIC_OFFSET_SOURCES_H
+
+#include "common.h"
+#include "locator.h"
+#include "mesh_input.h"
+#include "options.h"
+#include "plane_section.h"
+#include "polyline_file.h"
+#include "surface_path.h"
+
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+class Sources
+{
+  const Mesh_input& m_input;
+  const Mesh&       m_mesh;
+  Locator           m_locate;
+  Path_finder       m_find_path;
+
+  std::vector<Vertex>           m_vertices;
+  std::vector<Face_location>    m_points;
+  std::vector<Surface_polyline> m_polylines;
+  std::vector<std::vector<Edge>> m_edges;
+  std::vector<std::string>      m_remarks;
+
+public:
+  Sources(const Mesh_input& input, const Options& options)
+    : m_input(input), m_mesh(input.mesh()), m_locate(input.mesh()), m_find_path(input.mesh())
+  {
+    for(std::size_t i : options.source_vertices)
+      add_vertex(i, options.mesh);
+    for(const std::array<double, 3>& p : options.source_points)
+      m_points.push_back(m_locate(Point(p[0], p[1], p[2])));
+    for(const std::string& file : options.source_polylines)
+      for(const File_polyline& polyline : read_polylines(file))
+        add_polyline(polyline, file);
+    for(const std::array<double, 4>& plane : options.source_planes)
+      add_plane(plane, options.mesh);
+    if(options.source_boundary)
+      add_boundary(options.mesh);
+    for(double degrees : options.source_sharp_edges)
+      add_sharp_edges(degrees, options.mesh);
+  }
+
+  void add_to(Geodesic& geodesic) const
+  {
+    for(Vertex v : m_vertices)
+      geodesic.add_source_point(v);
+    for(const Face_location& location : m_points)
+      geodesic.add_source_point(location);
+    for(const Surface_polyline& polyline : m_polylines)
+      geodesic.add_source_polyline(polyline.locations, polyline.closed);
+    for(const std::vector<Edge>& edges : m_edges)
+      geodesic.add_source_edges(edges);
+  }
+
+  const std::vector<std::string>& remarks() const { return m_remarks; }
+
+  std::vector<Point> points() const
+  {
+    std::vector<Point> points;
+    for(Vertex v : m_vertices)
+      points.push_back(m_mesh.point(v));
+    for(const Face_location& location : m_points)
+      points.push_back(point_of(m_mesh, location));
+    return points;
+  }
+
+  // A closed polyline repeats its first point.
+  std::vector<std::vector<Point>> polylines() const
+  {
+    std::vector<std::vector<Point>> polylines;
+    for(const Surface_polyline& polyline : m_polylines)
+    {
+      polylines.emplace_back();
+      for(const Face_location& location : polyline.locations)
+        polylines.back().push_back(point_of(m_mesh, location));
+      if(polyline.closed)
+        polylines.back().push_back(polylines.back().front());
+    }
+    for(const std::vector<Edge>& edges : m_edges)
+      for(Edge e : edges)
+        polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))});
+    return polylines;
+  }
+
+private:
+  void add_vertex(std::size_t i, const std::string& mesh_file)
+  {
+    const std::size_t n = m_input.soup().points.size();
+    if(i >= n)
+      throw Input_error("--source-vertex " + std::to_string(i) + ": " + quoted(mesh_file) + " has only the vertices 0 to " +
+                        std::to_string(n - 1));
+    bool used = false;
+    m_input.for_each_vertex_of(i, [&](Vertex v) {
+      used = true;
+      m_vertices.push_back(v);
+    });
+    if(!used)
+      throw Input_error("--source-vertex " + std::to_string(i) + ": no face of " + quoted(mesh_file) + " has this vertex");
+  }
+
+  void add_polyline(const File_polyline& from, const std::string& file)
+  {
+    const auto name = [&](std::size_t i) { return "point " + std::to_string(i); };
+    const std::size_t n = from.points.size();
+    Surface_polyline polyline;
+    polyline.closed = (n > 3 && from.points.front() == from.points.back());
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const bool last_of_closed = polyline.closed && i + 1 == n;
+      const Face_location location = last_of_closed ? polyline.locations.front() : m_locate(from.points[i]);
+      if(polyline.locations.empty())
+      {
+        polyline.locations.push_back(location);
+        continue;
+      }
+      if(point_of(m_mesh, location) == point_of(m_mesh, polyline.locations.back()))
+        continue;
+      const Face_location previous = polyline.locations.back();
+      if(!m_find_path(previous, location, polyline.locations))
+        throw Input_error(quoted(file) + ", line " + std::to_string(from.line) + ": there is no path on the surface from " +
+                          name(i - 1) + " to " + name(i));
+    }
+    // closed means that the first location is not repeated
+    if(polyline.closed && polyline.locations.size() > 1)
+      polyline.locations.pop_back();
+    if(polyline.locations.size() < 3)
+      polyline.closed = false;
+    if(polyline.locations.size() == 1)
+      m_points.push_back(polyline.locations.front());
+    else
+      m_polylines.push_back(std::move(polyline));
+  }
+
+  void add_plane(const std::array<double, 4>& plane, const std::string& mesh_file)
+  {
+    Plane_section section = Plane_cutter(m_mesh, plane)();
+    if(section.polylines.empty() && section.touched_vertices.empty())
+      throw Input_error("--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
+                        short_number(plane[2]) + ',' + short_number(plane[3]) +
+                        (section.faces_in_plane == 0 ? " misses " + quoted(mesh_file)
+                                                     : " contains all of " + quoted(mesh_file)));
+    if(section.faces_in_plane != 0)
+      m_remarks.push_back(counted(section.faces_in_plane, "face") +
+                          " in the plane of a section: the border of this part of the surface is the source");
+    for(Surface_polyline& polyline : section.polylines)
+      m_polylines.push_back(std::move(polyline));
+    m_vertices.insert(m_vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
+  }
+
+  void add_boundary(const std::string& mesh_file)
+  {
+    std::vector<Edge> edges;
+    for(Edge e : m_mesh.edges())
+      if(m_mesh.is_border(e))
+        edges.push_back(e);
+    if(edges.empty())
+      throw Input_error("--source-boundary: " + quoted(mesh_file) + " has no boundary");
+    m_edges.push_back(std::move(edges));
+  }
+
+  void add_sharp_edges(double degrees, const std::string& mesh_file)
+  {
+    namespace PMP = CGAL::Polygon_mesh_processing;
+    constexpr double pi = 3.14159265358979323846;
+    std::vector<Edge> edges;
+    for(Edge e : m_mesh.edges())
+    {
+      if(m_mesh.is_border(e))
+        continue;
+      const Halfedge h = m_mesh.halfedge(e);
+      const Vector n = PMP::compute_face_normal(m_mesh.face(h), m_mesh);
+      const Vector m = PMP::compute_face_normal(m_mesh.face(m_mesh.opposite(h)), m_mesh);
+      const double sine = std::sqrt(CGAL::cross_product(n, m).squared_length());
+      if(std::atan2(sine, n * m) * 180 / pi > degrees)
+        edges.push_back(e);
+    }
+    if(edges.empty())
+      throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
+                        " has no edge as sharp as that");
+    m_edges.push_back(std::move(edges));
+  }
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_SOURCES_H

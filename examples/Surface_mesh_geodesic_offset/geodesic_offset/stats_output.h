@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The figures of a run as JSON.
+
+#ifndef GEODESIC_OFFSET_STATS_OUTPUT_H
+#define GEODESIC_OFFSET_STATS_OUTPUT_H
+
+#include "common.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Run_figures
+{
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  double      load_seconds = 0;
+  double      setup_seconds = 0;
+  double      largest_distance = 0; // of a vertex that a source reaches
+};
+
+// What there is at one distance
+struct Level_figures
+{
+  double      distance = 0;
+  std::size_t number = 0;
+  std::size_t closed = 0;
+  double      length = 0;
+};
+
+// Expects the curves sorted by distance. Distances without curves are listed too, as long as they were asked for.
+inline std::vector<Level_figures> level_figures(const std::vector<Offset_curve>& curves, std::vector<double> distances)
+{
+  for(const Offset_curve& curve : curves)
+    distances.push_back(CGAL::to_double(curve.distance()));
+  std::sort(distances.begin(), distances.end());
+  distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
+
+  std::vector<Level_figures> levels(distances.size());
+  for(std::size_t i = 0; i < distances.size(); ++i)
+    levels[i].distance = distances[i];
+  for(const Offset_curve& curve : curves)
+  {
+    const auto it = std::lower_bound(distances.begin(), distances.end(), CGAL::to_double(curve.distance()));
+    Level_figures& level = levels[static_cast<std::size_t>(it - distances.begin())];
+    ++level.number;
+    level.closed += curve.is_closed() ? 1 : 0;
+    level.length += CGAL::to_double(curve.length());
+  }
+  return levels;
+}
+
+inline std::uintmax_t peak_rss_bytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#if defined(__APPLE__)
+  return static_cast<std::uintmax_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::uintmax_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesic::Statistics& solver,
+                        const std::vector<Level_figures>& levels)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "{\n"
+      << "  \"vertices\": " << run.vertices << ",\n"
+      << "  \"faces\": " << run.faces << ",\n"
+      << "  \"load_seconds\": " << run.load_seconds << ",\n"
+      << "  \"setup_seconds\": " << run.setup_seconds << ",\n"
+      << "  \"solve_seconds\": " << solver.propagation_seconds << ",\n"
+      << "  \"offset_seconds\": " << solver.offset_seconds << ",\n"
+      << "  \"windows_created\": " << solver.windows_created << ",\n"
+      << "  \"windows_propagated\": " << solver.windows_propagated << ",\n"
+      << "  \"windows_peak\": " << solver.windows_peak << ",\n"
+      << "  \"peak_rss_bytes\": " << peak_rss_bytes() << ",\n"
+      << "  \"largest_distance\": " << run.largest_distance << ",\n"
+      << "  \"curves\": [";
+  const char* separator = "\n";
+  for(const Level_figures& level : levels)
+  {
+    out << separator << "    {\"distance\": " << level.distance << ", \"number\": " << level.number
+        << ", \"closed\": " << level.closed << ", \"length\": " << level.length << '}';
+    separator = ",\n";
+  }
+  out << (levels.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_STATS_OUTPUT_H

@@ -1,0 +1,75 @@
+#!/bin/sh
+# Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what the program needs (Debian), builds it and runs it on a generated mesh, or on the mesh that is given.
+# Offsets, distances and a picture are in out/ afterwards.
+#
+#   examples/run_example.sh [MESH]
+
+set -eu
+
+if [ $# -gt 1 ]; then
+  echo "usage: $0 [MESH]" >&2
+  exit 2
+fi
+
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+build=$root/build
+out=$root/out
+
+mesh=${1-}
+if [ -n "$mesh" ]; then
+  if [ ! -r "$mesh" ]; then
+    echo "$0: cannot read '$mesh'" >&2
+    exit 1
+  fi
+  mesh=$(CDPATH='' cd -- "$(dirname -- "$mesh")" && pwd)/$(basename -- "$mesh")
+fi
+
+install_packages() {
+  packages="g++ cmake make libcgal-dev libboost-dev libboost-program-options-dev libgmp-dev libmpfr-dev libpng-dev zlib1g-dev"
+  missing=
+  for package in $packages; do
+    if ! dpkg-query -W -f='${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^.i'; then
+      missing="$missing $package"
+    fi
+  done
+  [ -n "$missing" ] || return 0
+  echo "installing:$missing"
+  sudo=
+  [ "$(id -u)" -eq 0 ] || sudo=sudo
+  $sudo apt-get update
+  # shellcheck disable=SC2086 # a list of words
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+}
+
+if command -v apt-get >/dev/null 2>&1; then
+  install_packages
+fi
+
+# two compilers at a time take about 2 GB
+jobs=$(nproc 2>/dev/null || echo 1)
+[ "$jobs" -le 2 ] || jobs=2
+
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+cmake --build "$build" --target geodesic_offset generate_example_mesh -j "$jobs"
+
+mkdir -p "$out"
+program=$build/bin/geodesic_offset
+if [ -n "$mesh" ]; then
+  # how far the surface reaches from its first vertex tells which spacing gives some twenty offsets
+  set -- --source-vertex 0
+  "$program" "$mesh" "$@" --quiet --stats "$out/stats.json"
+  spacing=$(awk -F '[:,]' '/"largest_distance"/ { print $2 / 20 }' "$out/stats.json")
+else
+  mesh=$out/vase.off
+  curve=$out/vase.polylines.txt
+  "$build/bin/generate_example_mesh" "$mesh" "$curve"
+  set -- --source-polyline "$curve"
+  spacing=0.1
+fi
+
+"$program" "$mesh" "$@" --spacing "$spacing" \
+  --output "$out/offsets.polylines.txt" --output "$out/offsets.vtk" \
+  --field "$out/field.ply" --picture "$out/picture.png" --stats "$out/stats.json"

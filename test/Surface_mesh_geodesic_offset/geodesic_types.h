@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The types that the tests use.
+
+#ifndef GEODESIC_OFFSET_TEST_GEODESIC_TYPES_H
+#define GEODESIC_OFFSET_TEST_GEODESIC_TYPES_H
+
+#include "generated_soup.h"
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+
+#include <limits>
+
+namespace test {
+
+typedef CGAL::Surface_mesh<Kernel::Point_3> Surface_mesh;
+
+template <class TriangleMesh>
+using Geodesic_on = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>;
+
+typedef Geodesic_on<Surface_mesh> Geodesic;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_GEODESIC_TYPES_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Checks that count, print and work in Release builds.
+
+#ifndef GEODESIC_OFFSET_TEST_CHECK_H
+#define GEODESIC_OFFSET_TEST_CHECK_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace test {
+
+/// Counts checks and failures; prints the first few failures of each source line.
+class Report
+{
+public:
+  static Report& instance()
+  {
+    static Report report;
+    return report;
+  }
+
+  bool check(bool ok, const char* expression, const char* file, int line, const std::string& detail = "")
+  {
+    ++checks_;
+    if(ok)
+      return true;
+    ++failures_;
+    if(++failures_at_[std::make_pair(std::string(file), line)] <= maximum_printed_)
+    {
+      std::cout << "FAILED " << file << ":" << line << ": " << expression;
+      if(!context_.empty())
+        std::cout << "  [" << context_ << "]";
+      if(!detail.empty())
+        std::cout << "  " << detail;
+      std::cout << std::endl;
+    }
+    return false;
+  }
+
+  /// What is printed with every failure from now on.
+  void set_context(const std::string& context) { context_ = context; }
+  const std::string& context() const { return context_; }
+  std::size_t failures() const { return failures_; }
+
+  /// Prints the totals; the return value of `main`.
+  int finish(const std::string& name) const
+  {
+    for(const auto& entry : failures_at_)
+      if(entry.second > maximum_printed_)
+        std::cout << entry.first.first << ":" << entry.first.second << ": " << entry.second << " failures in all\n";
+    std::cout << name << ": " << checks_ << " checks, " << failures_ << " failures" << std::endl;
+    if(checks_ == 0)
+      std::cout << name << ": nothing was checked" << std::endl;
+    return (failures_ == 0 && checks_ > 0) ? 0 : 1;
+  }
+
+private:
+  static constexpr std::size_t maximum_printed_ = 4;
+  std::size_t checks_ = 0;
+  std::size_t failures_ = 0;
+  std::map<std::pair<std::string, int>, std::size_t> failures_at_;
+  std::string context_;
+};
+
+/// The largest error seen, relative to a tolerance that grows with the expected value.
+class Worst_error
+{
+public:
+  /// `relative` applies to the expected distance; `scale` is the size of the coordinates, whose own
+  /// rounding (a few units in the last place) no solver can undo.
+  Worst_error(double relative, double scale)
+    : relative_(relative), absolute_(16 * std::numeric_limits<double>::epsilon() * scale)
+  {}
+
+  /// Whether `actual` equals `expected` (infinities equal each other; NaN equals nothing).
+  bool add(double actual, double expected)
+  {
+    ++count_;
+    if(std::isinf(expected) || !std::isfinite(actual))
+    {
+      const bool same = (actual == expected);
+      if(!same)
+        error_ = std::numeric_limits<double>::infinity();
+      return same;
+    }
+    const double difference = std::abs(actual - expected);
+    if(difference > 0)
+      error_ = (std::max)(error_, difference / (std::max)(expected, absolute_ / relative_));
+    return difference <= relative_ * expected + absolute_;
+  }
+
+  double error() const { return error_; }
+  std::size_t count() const { return count_; }
+
+private:
+  double relative_, absolute_;
+  double error_ = 0;
+  std::size_t count_ = 0;
+};
+
+inline std::string values(double actual, double expected)
+{
+  std::string text = "actual " + std::to_string(actual) + ", expected " + std::to_string(expected);
+  char buffer[64];
+  std::snprintf(buffer, sizeof(buffer), ", difference %.3g", actual - expected);
+  return text + buffer;
+}
+
+inline bool
+check_close(Worst_error& worst, double actual, double expected, const char* expression, const char* file, int line)
+{
+  return Report::instance().check(worst.add(actual, expected), expression, file, line, values(actual, expected));
+}
+
+} // namespace test
+
+#define CHECK(condition) ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__)
+
+#define CHECK_DETAIL(condition, detail)                                                                                \
+  ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__, detail)
+
+#define CHECK_CLOSE(worst, actual, expected)                                                                           \
+  ::test::check_close((worst), (actual), (expected), #actual " == " #expected, __FILE__, __LINE__)
+
+#define CHECK_THROWS(expression, exception_type)                                                                       \
+  do                                                                                                                   \
+  {                                                                                                                    \
+    bool thrown_as_expected = false;                                                                                   \
+    std::string what_happened = "nothing was thrown";                                                                  \
+    try                                                                                                                \
+    {                                                                                                                  \
+      expression;                                                                                                      \
+    }                                                                                                                  \
+    catch(const exception_type&)                                                                                       \
+    {                                                                                                                  \
+      thrown_as_expected = true;                                                                                       \
+    }                                                                                                                  \
+    catch(const std::exception& other)                                                                                 \
+    {                                                                                                                  \
+      what_happened = other.what();                                                                                    \
+    }                                                                                                                  \
+    ::test::Report::instance().check(thrown_as_expected, #expression " throws " #exception_type, __FILE__, __LINE__,   \
+                                     what_happened);                                                                   \
+  } while(false)
+
+#endif // GEODESIC_OFFSET_TEST_CHECK_H

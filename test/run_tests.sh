@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Builds everything and runs the tests, starting from a fresh Debian 12:
+#
+#   test/run_tests.sh [arguments for ctest]        for example: test/run_tests.sh -R offset -j 2
+#
+# Missing Debian packages are installed (as root, or through sudo). The build goes to build/, and the
+# meshes of the Debian package libcgal-demo to build/data/meshes. The tests find those through the
+# CMake variable GEODESIC_OFFSET_DATA_DIR; set the environment variable of the same name to a folder of
+# meshes of your own (or of another CGAL release) to use that instead.
+# The last lines are ctest's summary, and the exit code is ctest's.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+packages=(g++ clang cmake make libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev
+          libpng-dev zlib1g-dev libeigen3-dev libgmp-dev libmpfr-dev)
+
+as_root()
+{
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+is_installed()
+{
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+install_missing_packages()
+{
+  local missing=() package
+  for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "Installing ${missing[*]}"
+  as_root apt-get update
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+}
+
+# Leaves the folder `data/meshes` of CGAL's example data in $1/meshes: all of it or nothing.
+unpack_meshes()
+{
+  local target=$1 archive=/usr/share/doc/libcgal-dev/data.tar.gz scratch
+  [ -d "$target/meshes" ] && return
+  mkdir -p "$target"
+  scratch=$(mktemp -d "$target/unpacking.XXXXXX")
+  if [ ! -r "$archive" ]; then
+    # Slim images of Debian install packages without their files under /usr/share/doc.
+    (cd "$scratch" && apt-get download libcgal-demo && dpkg-deb --extract libcgal-demo_*.deb .)
+    archive=$scratch$archive
+  fi
+  tar -xzf "$archive" -C "$scratch" data/meshes
+  mv "$scratch/data/meshes" "$target/meshes"
+  rm -rf "$scratch"
+}
+
+if command -v dpkg-query >/dev/null; then
+  install_missing_packages
+  if [ -z "${GEODESIC_OFFSET_DATA_DIR:-}" ]; then
+    unpack_meshes "$build/data"
+    GEODESIC_OFFSET_DATA_DIR=$build/data/meshes
+  fi
+fi
+export GEODESIC_OFFSET_DATA_DIR=${GEODESIC_OFFSET_DATA_DIR:-}
+
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+  -DGEODESIC_OFFSET_DATA_DIR="$GEODESIC_OFFSET_DATA_DIR"
+cmake --build "$build" -j "$(nproc)"
+cd "$build"
+exec ctest --output-on-failure "$@"
