@@ -130,7 +130,7 @@ void run(const Options& options)
 
   Run_figures figures;
   const Stopwatch load_time;
-  const Mesh_input input(options.mesh);
+  const Mesh_input input(options.mesh, options.stitch);
   const Mesh& mesh = input.mesh();
   figures.vertices = mesh.number_of_vertices();
   figures.faces = mesh.number_of_faces();

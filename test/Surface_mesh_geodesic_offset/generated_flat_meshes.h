@@ -155,6 +155,42 @@ inline Polyhedron_sides box_sides(double a, double b, double c)
   return box;
 }
 
+/// The unit cube with n x n squares a side, each split in two; patch i is side i of `box_sides(1, 1, 1)`.
+inline Soup cube_grid(std::size_t n)
+{
+  const Polyhedron_sides cube = box_sides(1, 1, 1);
+  Soup soup;
+  std::map<std::array<std::size_t, 3>, std::size_t> ids;
+  for(std::size_t side = 0; side < 6; ++side)
+  {
+    const std::vector<std::size_t>& c = cube.sides[side];
+    const Point_3 origin = cube.corners[c[0]];
+    const Vector_3 x = cube.corners[c[1]] - origin, y = cube.corners[c[3]] - origin;
+    const auto at = [&](std::size_t i, std::size_t j) {
+      const Point_3 p = origin + (static_cast<double>(i) * x + static_cast<double>(j) * y) / static_cast<double>(n);
+      std::array<std::size_t, 3> key;
+      for(int k = 0; k < 3; ++k)
+        key[static_cast<std::size_t>(k)] = static_cast<std::size_t>(std::lround(p[k] * static_cast<double>(n)));
+      const auto inserted = ids.emplace(key, soup.points.size());
+      if(inserted.second)
+        soup.points.push_back(p);
+      return inserted.first->second;
+    };
+    const auto uv = [n](std::size_t i, std::size_t j) {
+      return Point_2(static_cast<double>(i) / static_cast<double>(n), static_cast<double>(j) / static_cast<double>(n));
+    };
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t j = 0; j < n; ++j)
+      {
+        soup.add_triangle({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}}, side,
+                          {{uv(i, j), uv(i + 1, j), uv(i + 1, j + 1)}});
+        soup.add_triangle({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}, side,
+                          {{uv(i, j), uv(i + 1, j + 1), uv(i, j + 1)}});
+      }
+  }
+  return soup;
+}
+
 inline Polyhedron_sides tetrahedron_sides()
 {
   Polyhedron_sides tetrahedron;

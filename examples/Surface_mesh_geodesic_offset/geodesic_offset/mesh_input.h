@@ -40,14 +40,29 @@ class Mesh_input
   std::vector<Vertex>                m_first_vertex;
   std::multimap<std::size_t, Vertex> m_further_vertices;
 
-  // The file's vertex behind each vertex of the mesh before stitching; and a face of the mesh that has it.
-  std::vector<std::size_t> m_origin;
-  std::vector<Face>        m_witness;
-
-  std::vector<std::size_t> m_face_of_polygon; // positions in the file of the polygons that became faces
+  // While the mesh is built: its faces, with the vertices of the file (names) and with those of the mesh to be (polygons).
+  // Corners correspond.
+  struct Faces
+  {
+    std::vector<std::size_t> positions; // in the file
+    std::vector<Polygon>     names;
+    std::vector<Point>       points;
+    std::vector<Polygon>     polygons;
+    std::vector<Vertex>      vertices; // of the points
+  };
 
 public:
-  explicit Mesh_input(const std::string& path) : m_soup(read_soup(path)) { build(path); }
+  // join_borders: whether border edges at the same place become one edge
+  Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path))
+  {
+    measure(path);
+    Faces faces;
+    clean_polygons(path, faces);
+    build(path, faces, join_borders);
+    map_vertices(faces);
+    triangulate(path, faces);
+    remove_faces_without_area(path);
+  }
   Mesh_input(const Mesh_input&) = delete;
   Mesh_input& operator=(const Mesh_input&) = delete;
 
@@ -70,22 +85,6 @@ public:
   }
 
 private:
-  void build(const std::string& path)
-  {
-    measure(path);
-    std::vector<Polygon> polygons = clean_polygons(path);
-    m_origin.resize(m_soup.points.size());
-    for(std::size_t i = 0; i < m_origin.size(); ++i)
-      m_origin[i] = i;
-    if(!make_mesh(m_soup.points, polygons))
-      orient_and_make_mesh(path, std::move(polygons));
-    if(const std::size_t pairs = stitch(m_mesh))
-      m_remarks.push_back(counted(pairs, "pair") + " of border edges stitched");
-    map_vertices();
-    triangulate(path);
-    remove_faces_without_area(path);
-  }
-
   void measure(const std::string& path)
   {
     CGAL::Bbox_3 box;
@@ -102,22 +101,27 @@ private:
       throw Input_error(quoted(path) + ": all vertices are at the same place");
   }
 
-  // Polygons that use a vertex several times in a row lose the repetitions; those that are then no polygons, and those
-  // that are there twice, are left out.
-  std::vector<Polygon> clean_polygons(const std::string& path)
+  // Removes repetitions of a vertex that follow each other. Returns whether a polygon is left.
+  static bool clean(Polygon& polygon)
   {
-    std::vector<Polygon> polygons;
-    polygons.reserve(m_soup.polygons.size());
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    while(polygon.size() > 1 && polygon.front() == polygon.back())
+      polygon.pop_back();
+    return polygon.size() >= 3;
+  }
+
+  void clean_polygons(const std::string& path, Faces& faces)
+  {
     std::size_t repetitions = 0, first_repetition = 0;
+    faces.names.reserve(m_soup.polygons.size());
+    faces.positions.reserve(m_soup.polygons.size());
     for(std::size_t i = 0; i < m_soup.polygons.size(); ++i)
     {
       Polygon polygon = m_soup.polygons[i];
-      polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-      while(polygon.size() > 1 && polygon.front() == polygon.back())
-        polygon.pop_back();
+      const bool is_polygon = clean(polygon);
       if(polygon.size() != m_soup.polygons[i].size() && repetitions++ == 0)
         first_repetition = i;
-      if(polygon.size() < 3)
+      if(!is_polygon)
         continue;
       if(polygon.size() > 3)
       {
@@ -126,131 +130,170 @@ private:
         if(std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
           throw Input_error(quoted(path) + ": face " + std::to_string(i) + " passes twice through one of its vertices");
       }
-      polygons.push_back(std::move(polygon));
-      m_face_of_polygon.push_back(i);
+      faces.names.push_back(std::move(polygon));
+      faces.positions.push_back(i);
     }
     if(repetitions != 0)
       m_remarks.push_back(counted(repetitions, "face") + " with repeated vertices cleaned (the first is face " +
                           std::to_string(first_repetition) + ")");
-    if(polygons.empty())
+    if(faces.names.empty())
       throw Input_error(quoted(path) + ": no face has three different vertices");
-    return polygons;
+  }
+
+  void build(const std::string& path, Faces& faces, bool join_borders)
+  {
+    const std::size_t polygons_before = faces.names.size();
+    faces.points = m_soup.points;
+    faces.polygons = faces.names;
+    std::size_t added = make_manifold(path, faces);
+    const std::vector<Vertex> double_borders =
+      join_borders ? vertices_of_double_borders(m_mesh) : std::vector<Vertex>();
+    if(!double_borders.empty())
+    {
+      const std::size_t before = number_of_border_edges(m_mesh);
+      merge(double_borders, faces);
+      added = make_manifold(path, faces);
+      const std::size_t after = number_of_border_edges(m_mesh);
+      if(after < before)
+        m_remarks.push_back(counted((before - after) / 2, "pair") + " of border edges stitched");
+    }
+    if(faces.names.size() != polygons_before)
+      m_remarks.push_back(counted(polygons_before - faces.names.size(), "repeated face") + " left out");
+    std::size_t reversed = 0;
+    for(std::size_t i = 0; i < faces.names.size(); ++i)
+    {
+      Polygon original = m_soup.polygons[faces.positions[i]];
+      clean(original);
+      reversed += (original != faces.names[i]) ? 1 : 0;
+    }
+    if(reversed != 0)
+      m_remarks.push_back(counted(reversed, "face") + " reversed to orient the surface");
+    if(added != 0)
+      m_remarks.push_back("cut where it is not an orientable manifold: " + counted(added, "vertex", "vertices") + " added");
+  }
+
+  // Returns how many vertices had to be added.
+  std::size_t make_manifold(const std::string& path, Faces& faces)
+  {
+    if(make_mesh(faces))
+      return 0;
+    drop_repeated_faces(faces);
+    const std::vector<Polygon> before = faces.polygons;
+    const std::size_t number_of_points = faces.points.size();
+    CGAL::Polygon_mesh_processing::orient_polygon_soup(faces.points, faces.polygons);
+    for(std::size_t i = 0; i < before.size(); ++i)
+    {
+      // vertices are the same as before or added ones at the same place
+      bool same = true;
+      for(std::size_t k = 0; k < before[i].size(); ++k)
+      {
+        const std::uint32_t v = faces.polygons[i][k], w = before[i][k];
+        same = same && (v == w || (v >= number_of_points && faces.points[v] == faces.points[w]));
+      }
+      if(!same)
+        std::reverse(faces.names[i].begin(), faces.names[i].end());
+    }
+    if(!make_mesh(faces))
+      throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
+    return faces.points.size() - number_of_points;
   }
 
   // Returns whether the polygons are a manifold as they are. Much faster than to ask first.
-  bool make_mesh(const std::vector<Point>& points, const std::vector<Polygon>& polygons)
+  bool make_mesh(Faces& faces)
   {
-    m_mesh.clear();
-    std::vector<Vertex> vertices(points.size(), Mesh::null_vertex());
+    std::vector<bool> used(faces.points.size(), false);
     std::size_t corners = 0;
-    for(const Polygon& polygon : polygons)
+    for(const Polygon& polygon : faces.polygons)
     {
       for(std::uint32_t v : polygon)
-        vertices[v] = Vertex(0);
+        used[v] = true;
       corners += polygon.size();
     }
-    m_mesh.reserve(static_cast<Mesh::size_type>(points.size()), static_cast<Mesh::size_type>(corners / 2 + 16),
-                   static_cast<Mesh::size_type>(polygons.size()));
-    for(std::size_t i = 0; i < points.size(); ++i)
-      if(vertices[i] != Mesh::null_vertex())
-        vertices[i] = m_mesh.add_vertex(points[i]);
-
-    m_witness.assign(points.size(), Mesh::null_face());
-    std::vector<Vertex> face_vertices;
-    for(const Polygon& polygon : polygons)
+    m_mesh = Mesh();
+    m_mesh.reserve(static_cast<Mesh::size_type>(faces.points.size()), static_cast<Mesh::size_type>(corners / 2 + 16),
+                   static_cast<Mesh::size_type>(faces.polygons.size()));
+    faces.vertices.assign(faces.points.size(), Mesh::null_vertex());
+    for(std::size_t i = 0; i < faces.points.size(); ++i)
+      if(used[i])
+        faces.vertices[i] = m_mesh.add_vertex(faces.points[i]);
+    std::vector<Vertex> vertices;
+    for(const Polygon& polygon : faces.polygons)
     {
-      face_vertices.clear();
+      vertices.clear();
       for(std::uint32_t v : polygon)
-        face_vertices.push_back(vertices[v]);
-      const Face face = m_mesh.add_face(face_vertices);
-      if(face == Mesh::null_face())
+        vertices.push_back(faces.vertices[v]);
+      if(m_mesh.add_face(vertices) == Mesh::null_face())
         return false;
-      for(std::uint32_t v : polygon)
-        m_witness[v] = face;
     }
     return !has_pinched_vertex(m_mesh);
   }
 
-  void orient_and_make_mesh(const std::string& path, std::vector<Polygon> polygons)
+  static void drop_repeated_faces(Faces& faces)
   {
-    namespace PMP = CGAL::Polygon_mesh_processing;
-    std::vector<Point> points = m_soup.points;
-
     std::set<Polygon> seen;
-    std::size_t kept = 0, reversed = 0;
-    for(std::size_t i = 0; i < polygons.size(); ++i)
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < faces.polygons.size(); ++i)
     {
-      Polygon sorted = polygons[i];
+      Polygon sorted = faces.polygons[i];
       std::sort(sorted.begin(), sorted.end());
       if(!seen.insert(std::move(sorted)).second)
         continue;
-      m_face_of_polygon[kept] = m_face_of_polygon[i];
-      std::swap(polygons[kept++], polygons[i]);
+      std::swap(faces.polygons[kept], faces.polygons[i]);
+      std::swap(faces.names[kept], faces.names[i]);
+      faces.positions[kept++] = faces.positions[i];
     }
-    if(kept != polygons.size())
-      m_remarks.push_back(counted(polygons.size() - kept, "repeated face") + " left out");
-    polygons.resize(kept);
-    m_face_of_polygon.resize(kept);
-    seen.clear();
-
-    const std::vector<Polygon> before = polygons;
-    PMP::orient_polygon_soup(points, polygons);
-
-    m_origin.resize(points.size());
-    for(std::size_t i = 0; i < polygons.size(); ++i)
-    {
-      const std::size_t n = polygons[i].size();
-      bool same = true;
-      for(std::size_t k = 0; k < n; ++k)
-        same = same && (polygons[i][k] == before[i][k] || (polygons[i][k] >= m_soup.points.size() &&
-                                                           points[polygons[i][k]] == points[before[i][k]]));
-      if(!same)
-        ++reversed;
-      for(std::size_t k = 0; k < n; ++k)
-        m_origin[polygons[i][k]] = before[i][same ? k : n - 1 - k];
-    }
-    if(reversed != 0)
-      m_remarks.push_back(counted(reversed, "face") + " reversed to orient the surface");
-    if(points.size() != m_soup.points.size())
-      m_remarks.push_back(counted(points.size() - m_soup.points.size(), "vertex", "vertices") +
-                          " added to cut the surface where it is not an orientable manifold");
-    if(reversed == 0 && points.size() == m_soup.points.size() && kept == before.size())
-      m_remarks.push_back("faces connected as a polygon soup");
-    if(!make_mesh(points, polygons))
-      throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
+    faces.polygons.resize(kept);
+    faces.names.resize(kept);
+    faces.positions.resize(kept);
   }
 
-  void map_vertices()
+  // Makes one of those vertices that are at the same place. Parts that touch elsewhere are not connected by that.
+  void merge(const std::vector<Vertex>& double_borders, Faces& faces) const
+  {
+    std::vector<bool> is_double(m_mesh.number_of_vertices(), false);
+    for(Vertex v : double_borders)
+      is_double[v] = true;
+    std::map<Point, std::uint32_t> at;
+    std::vector<std::uint32_t> merged(faces.points.size());
+    for(std::uint32_t i = 0; i < merged.size(); ++i)
+    {
+      const Vertex v = faces.vertices[i];
+      merged[i] = (v != Mesh::null_vertex() && is_double[v]) ? at.emplace(faces.points[i], i).first->second : i;
+    }
+    for(Polygon& polygon : faces.polygons)
+    {
+      Polygon result = polygon;
+      for(std::uint32_t& v : result)
+        v = merged[v];
+      // a face with an edge of length zero keeps its own vertices, and will be dealt with as a degenerate one
+      Polygon sorted = result;
+      std::sort(sorted.begin(), sorted.end());
+      if(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end())
+        polygon = std::move(result);
+    }
+  }
+
+  void map_vertices(const Faces& faces)
   {
     m_first_vertex.assign(m_soup.points.size(), Mesh::null_vertex());
-    for(std::size_t i = 0; i < m_witness.size(); ++i)
-    {
-      if(m_witness[i] == Mesh::null_face())
-        continue;
-      const std::size_t file_vertex = m_origin[i];
-      const Vertex vertex = vertex_at(m_witness[i], m_soup.points[file_vertex]);
-      bool known = false;
-      for_each_vertex_of(file_vertex, [&](Vertex v) { known = known || v == vertex; });
-      if(known)
-        continue;
-      if(m_first_vertex[file_vertex] == Mesh::null_vertex())
-        m_first_vertex[file_vertex] = vertex;
-      else
-        m_further_vertices.emplace(file_vertex, vertex);
-    }
-    m_witness = std::vector<Face>();
-    m_origin  = std::vector<std::size_t>();
+    for(std::size_t i = 0; i < faces.names.size(); ++i)
+      for(std::size_t k = 0; k < faces.names[i].size(); ++k)
+        add_vertex_of(faces.names[i][k], faces.vertices[faces.polygons[i][k]]);
   }
 
-  Vertex vertex_at(Face face, const Point& point) const
+  void add_vertex_of(std::size_t file_vertex, Vertex vertex)
   {
-    for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(face)))
-      if(m_mesh.point(v) == point)
-        return v;
-    return Mesh::null_vertex();
+    bool known = false;
+    for_each_vertex_of(file_vertex, [&](Vertex v) { known = known || v == vertex; });
+    if(known)
+      return;
+    if(m_first_vertex[file_vertex] == Mesh::null_vertex())
+      m_first_vertex[file_vertex] = vertex;
+    else
+      m_further_vertices.emplace(file_vertex, vertex);
   }
 
-  void triangulate(const std::string& path)
+  void triangulate(const std::string& path, const Faces& faces)
   {
     namespace PMP = CGAL::Polygon_mesh_processing;
     std::vector<Face> others;
@@ -261,7 +304,7 @@ private:
       return;
     for(Face f : others)
       if(!PMP::triangulate_face(f, m_mesh))
-        throw Input_error(quoted(path) + ": face " + std::to_string(m_face_of_polygon[f]) + " cannot be triangulated");
+        throw Input_error(quoted(path) + ": face " + std::to_string(faces.positions[f]) + " cannot be triangulated");
     m_remarks.push_back(counted(others.size(), "face") + " with more than three vertices triangulated");
   }
 

@@ -10,10 +10,8 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +24,7 @@
 
 namespace geodesic_offset {
 
-// Surface_mesh does not notice when two fans of faces share a vertex. Expects a mesh without garbage.
+// Surface_mesh does not mind when two fans of faces share a vertex. Expects a mesh without garbage.
 inline bool has_pinched_vertex(const Mesh& mesh)
 {
   std::vector<std::uint32_t> degree(mesh.number_of_vertices(), 0);
@@ -36,14 +34,17 @@ inline bool has_pinched_vertex(const Mesh& mesh)
   {
     if(mesh.is_isolated(v))
       continue;
+    // fans are linked by their borders, or one of them is not met at all
     const Halfedge first = mesh.halfedge(v);
     Halfedge h = first;
+    int borders = 0;
     do
     {
       --degree[v];
+      borders += mesh.is_border(h) ? 1 : 0;
       h = mesh.opposite(mesh.next(h));
     } while(h != first);
-    if(degree[v] != 0)
+    if(degree[v] != 0 || borders > 1)
       return true;
   }
   return false;
@@ -56,36 +57,29 @@ inline std::size_t number_of_border_edges(const Mesh& mesh)
     std::count_if(edges.begin(), edges.end(), [&](Edge e) { return mesh.is_border(e); }));
 }
 
-// Whether two border edges lie at the same place
-inline bool has_double_border(const Mesh& mesh)
+// The ends of border edges that lie at the same place as another border edge
+inline std::vector<Vertex> vertices_of_double_borders(const Mesh& mesh)
 {
-  std::vector<std::pair<Point, Point>> borders;
+  struct Border
+  {
+    Point p, q;
+    Edge  edge;
+    bool  operator<(const Border& b) const { return p < b.p || (p == b.p && q < b.q); }
+  };
+  std::vector<Border> borders;
   for(Edge e : mesh.edges())
     if(mesh.is_border(e))
     {
-      Point p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
-      if(q < p)
-        std::swap(p, q);
-      borders.emplace_back(p, q);
+      const Point &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
+      borders.push_back(q < p ? Border{q, p, e} : Border{p, q, e});
     }
   std::sort(borders.begin(), borders.end());
-  return std::adjacent_find(borders.begin(), borders.end()) != borders.end();
-}
-
-// Joins border edges that lie at the same place. Returns the number of pairs. Numbers of faces do not change.
-inline std::size_t stitch(Mesh& mesh)
-{
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  if(!has_double_border(mesh))
-    return 0;
-  const std::size_t before = number_of_border_edges(mesh);
-  PMP::stitch_borders(mesh);
-  // parts with opposite orientations, such as the loose triangles of an unoriented soup
-  if(has_double_border(mesh))
-    PMP::merge_reversible_connected_components(mesh);
-  const std::size_t after = number_of_border_edges(mesh);
-  mesh.collect_garbage();
-  return (before - after) / 2;
+  std::vector<Vertex> vertices;
+  for(std::size_t i = 0; i < borders.size(); ++i)
+    if((i > 0 && !(borders[i - 1] < borders[i])) || (i + 1 < borders.size() && !(borders[i] < borders[i + 1])))
+      for(int end : {0, 1})
+        vertices.push_back(mesh.vertex(borders[i].edge, static_cast<unsigned int>(end)));
+  return vertices;
 }
 
 inline std::vector<Face> degenerate_faces(const Mesh& mesh)
@@ -98,14 +92,14 @@ inline std::vector<Face> degenerate_faces(const Mesh& mesh)
 }
 
 // What no flip and no collapse may change: the numbers of parts and of borders, and the Euler characteristic
-inline std::array<std::size_t, 3> shape_of(const Mesh& mesh)
+inline std::array<std::size_t, 3> shape_of(Mesh& mesh)
 {
-  std::vector<std::size_t> part(mesh.num_faces());
-  const auto map = CGAL::make_property_map(part);
+  auto part = mesh.add_property_map<Face, std::size_t>("f:part").first;
+  const std::size_t parts = CGAL::Polygon_mesh_processing::connected_components(mesh, part);
+  mesh.remove_property_map(part);
   std::vector<Halfedge> borders;
   CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
-  return {CGAL::Polygon_mesh_processing::connected_components(mesh, map), borders.size(),
-          mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges()};
+  return {parts, borders.size(), mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges()};
 }
 
 // A face without area is a fold of the file and not of the surface. Flips of edges take it out and, where vertices lie at

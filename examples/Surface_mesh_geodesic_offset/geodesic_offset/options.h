@@ -46,6 +46,7 @@ struct Options
   std::string                          stats;
   std::optional<std::array<double, 3>> view;
   std::optional<std::array<double, 3>> up;
+  bool                                 stitch = true;
   bool                                 quiet = false;
   bool                                 help = false;
 
@@ -91,7 +92,7 @@ inline po::options_description options_description()
     ("maximum-distance", word("D"), "compute nothing farther than D")
     ("tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)");
 
-  po::options_description outputs("Outputs");
+  po::options_description outputs("Outputs and others");
   outputs.add_options()
     ("output", words("FILE"), "offsets as .polylines.txt, .vtk or .obj (repeatable)")
     ("field", word("FILE.ply"), "the input's vertices with their distances, and its faces")
@@ -99,6 +100,7 @@ inline po::options_description options_description()
     ("view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")
     ("up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")
     ("stats", word("FILE.json"), "sizes, times, windows, memory, curves")
+    ("no-stitch", po::bool_switch(), "leave border edges of the mesh apart that lie at the same place")
     ("quiet", po::bool_switch(), "print nothing but errors")
     ("help", po::bool_switch(), "print this");
 
@@ -233,6 +235,7 @@ inline Options checked_options(const po::variables_map& map)
     options.view = direction("view", map["view"].as<std::string>());
   if(map.count("up"))
     options.up = direction("up", map["up"].as<std::string>());
+  options.stitch = !map["no-stitch"].as<bool>();
   options.quiet = map["quiet"].as<bool>();
 
   if(options.source_vertices.empty() && options.source_points.empty() && options.source_polylines.empty() &&

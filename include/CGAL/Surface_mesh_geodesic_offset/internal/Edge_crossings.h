@@ -50,9 +50,10 @@ public:
       add_local(g, level, true);
     }
     else
-    { // no list beyond the border: the windows that leave the face here
+    { // no list beyond the border: what leaves the face here
       for (const Face_window<FT>& w : field.windows())
-        if (w.origin <= ENTERS_HALFEDGE_2 && w.edge != h % 3) add_window(w, field.frame(), int(h % 3), level, false);
+        if (w.origin != STARTS_IN_FACE && w.origin != Face_window_origin(h % 3))
+          add_window(w, field.frame(), int(h % 3), level, false);
     }
     std::sort(m_near.begin(), m_near.end());
     const FT gap = Number_policy<FT>::rounding(1024) * m_length;
@@ -77,9 +78,13 @@ public:
 private:
   typedef std::pair<FT, FT> Interval;
 
-  void add(FT lo, FT hi, bool reversed)
+  // The distance is less than the level from lo to hi, d_lo and d_hi at the ends, and so it is as far beyond each end as
+  // the distance there falls short of the level. This closes the gaps that rounding leaves between neighbouring windows.
+  void add(FT lo, FT hi, const FT& level, const FT& d_lo, const FT& d_hi, bool reversed)
   {
     if (!(lo < hi)) return;
+    if (d_lo < level) lo -= level - d_lo;
+    if (d_hi < level) hi += level - d_hi;
     if (reversed)
       m_near.emplace_back(m_length - hi, m_length - lo);
     else
@@ -93,7 +98,8 @@ private:
     {
       const Window<FT>& w = list.data[i];
       FT lo = w.b0, hi = w.b1;
-      if (near_part(w.is_parallel(), w.x, w.y, FT(level - w.sigma), lo, hi)) add(lo, hi, reversed);
+      if (near_part(w.is_parallel(), w.x, w.y, FT(level - w.sigma), lo, hi))
+        add(lo, hi, level, lo == w.b0 ? w.d0 : level, hi == w.b1 ? w.d1 : level, reversed);
     }
   }
 
@@ -137,10 +143,11 @@ private:
     {
       const FT start = w.distance_at(o), slope = -dot(w.image(), u);
       if (w.origin == STARTS_IN_FACE && !clip(start, slope, FT(1), lo, hi)) return; // in front of the source
-      if (near_part(true, FT(-slope), FT(0), FT(level - start), lo, hi)) add(lo, hi, reversed);
+      if (!near_part(true, FT(-slope), FT(0), FT(level - start), lo, hi)) return;
     }
-    else if (near_part(false, frame.along(k, w.image()), frame.height(k, w.image()), FT(level - w.sigma), lo, hi))
-      add(lo, hi, reversed);
+    else if (!near_part(false, frame.along(k, w.image()), frame.height(k, w.image()), FT(level - w.sigma), lo, hi))
+      return;
+    add(lo, hi, level, w.distance_at(o + lo * u), w.distance_at(o + hi * u), reversed);
   }
 
   // Cuts [lo, hi] down to where a + b t >= 0, up to rounding of the given magnitude: a source may lie on the edge.

@@ -222,11 +222,12 @@ private:
     return best;
   }
 
-  // Of all windows that give the level at p, the one to be followed.
-  Run best_run(const Point& p, std::size_t without) const
+  // Of all windows that give the level at p, the one to be followed. A gate that is waiting for its arc may be served by
+  // one that rounding has moved farther away.
+  Run best_run(const Point& p, std::size_t without, bool to_gate) const
   {
     Run best;
-    for (FT tie = m_tie; tie <= m_tie * FT(65536); tie *= FT(256))
+    for (FT tie = m_tie; tie <= (to_gate ? FT(m_tie * FT(65536)) : m_tie); tie *= FT(256))
     {
       for (std::size_t i = 0; i < m_arcs.size(); ++i)
       {
@@ -260,7 +261,7 @@ private:
     std::size_t arc = std::size_t(-1);
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
-      const Run run = best_run(p, arc);
+      const Run run = best_run(p, arc, true);
       if (!run.valid) break;
       add_piece(run, p, chain);
       p = run.end;
@@ -338,34 +339,33 @@ private:
     for (int k = 0; k < 3; ++k)
       if (m_outside[k].value(start) < m_tie) return;
     Run run = run_of(i, t, start);
-    if (!run.valid || run.gate != std::size_t(-1)) return;
     const std::size_t mark = m_traversed.size();
     Chain chain{no_index, no_index, {}};
     Point p = start;
-    for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
+    bool closed = false;
+    for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16 && run.valid && run.gate == std::size_t(-1); ++guard)
     {
-      const bool back = guard > 0 && run.arc == i && run.from <= t && t <= run.to + FT(1e-9);
-      if (back)
-      { // the last arc is the first one
+      if (guard > 0 && run.arc == i && run.from <= t && t <= run.to)
+      { // back on the first arc
         run.end = start;
-        if (length(p - start) > m_step) add_piece(run, p, chain);
-        else if (!chain.pieces.empty()) chain.pieces.back().end = start;
-        if (!chain.pieces.empty()) chains.push_back(chain);
-        return;
+        closed = true;
       }
-      if (run.gate != std::size_t(-1)) break;
       add_piece(run, p, chain);
       p = run.end;
-      if (length(p - start) <= m_tie && guard > 0)
-      {
-        chain.pieces.back().end = start;
-        chains.push_back(chain);
-        return;
-      }
-      run = best_run(p, run.arc);
-      if (!run.valid) break;
+      if (guard > 0 && length(p - start) <= m_tie) closed = true;
+      if (closed) break;
+      run = best_run(p, run.arc, false);
     }
-    m_traversed.resize(mark);
+    // what is left between a gate and an arc that rounding has moved off it is no loop
+    FT sum(0);
+    for (const Piece& q : chain.pieces) sum += length(q.end - q.start);
+    if (closed && sum > FT(1e-6) * (std::min)(m_face_size, m_level))
+    {
+      chain.pieces.back().end = start;
+      chains.push_back(chain);
+    }
+    else
+      m_traversed.resize(mark);
   }
 
   const Face_field<FT>* m_field = nullptr;

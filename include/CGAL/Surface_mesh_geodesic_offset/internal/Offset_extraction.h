@@ -86,7 +86,7 @@ public:
         used[j] = 1;
         pieces.insert(pieces.end(), m_pieces.begin() + m_links[j].first, m_pieces.begin() + m_links[j].last);
       }
-      out(m_links[i].level, !open, std::move(pieces));
+      if (!is_point(pieces, m_levels[m_links[i].level])) out(m_links[i].level, !open, std::move(pieces));
     }
   }
 
@@ -182,6 +182,14 @@ private:
     }
     if (c.start != no_index) m_link_of_gate[c.start] = m_links.size();
     m_links.push_back({c.start, c.end, first, m_pieces.size(), level});
+  }
+
+  // A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent.
+  static bool is_point(const std::vector<Piece>& pieces, const FT& level)
+  {
+    FT sum(0);
+    for (const Piece& p : pieces) sum += length(p.end - p.start);
+    return sum <= Number_policy<FT>::rounding(1 << 18) * level;
   }
 
   // Neighbouring pieces of one image are one arc.
