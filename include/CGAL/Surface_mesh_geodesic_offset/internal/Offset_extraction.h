@@ -192,10 +192,11 @@ private:
     return sum <= Number_policy<FT>::rounding(1 << 18) * level;
   }
 
-  // Neighbouring pieces of one image are one arc.
+  // Neighbouring pieces of one image are one arc, as long as it stays shorter than a half turn.
   static bool continues(const Piece& a, const Piece& b)
   {
     if (a.is_straight != b.is_straight || !(a.root == b.root) || a.pseudo_source != b.pseudo_source) return false;
+    if (!a.is_straight && !CGAL::is_positive(cross(a.start - a.center, b.end - a.center))) return false;
     const FT allowance = Number_policy<FT>::rounding(64) * (CGAL::abs(a.radius) + CGAL::abs(a.center.x) +
                                                             CGAL::abs(a.center.y));
     return CGAL::abs(a.radius - b.radius) <= allowance && CGAL::abs(a.center.x - b.center.x) <= allowance &&
