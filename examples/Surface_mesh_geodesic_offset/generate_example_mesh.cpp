@@ -39,7 +39,7 @@ constexpr double pi          = 3.14159265358979323846;
 constexpr double foot        = 0.0;
 constexpr double rim         = 2.42;
 constexpr double cell        = 0.025; // of the grid
-constexpr double edge_length = 0.0336;
+constexpr double edge_length = 0.0288;
 
 double bump(double x, double center, double width) { return std::exp(-(x - center) * (x - center) / (width * width)); }
 
@@ -243,7 +243,7 @@ void write_curve(std::ostream& out)
   out << n + 1;
   for(int i = 0; i <= n; ++i)
   {
-    const double angle = 2 * pi * (i % n) / n, y = 0.92 + 0.2 * std::cos(5 * angle);
+    const double angle = 2 * pi * (i % n) / n, y = 0.80 + 0.2 * std::cos(5 * angle + 0.5 * pi);
     out << ' ' << outer_radius(y) * std::cos(angle) << ' ' << y << ' ' << outer_radius(y) * std::sin(angle);
   }
   out << '\n';

@@ -82,6 +82,8 @@ private:
     if(!CHECK(locations.size() >= 2 && points.size() == locations.size() && curve.number_of_pieces() > 0))
       return;
     number_of_points_ += points.size();
+    for(Face_location& location : locations)
+      location = on_simplex(location);
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       const double off_point = std::sqrt(CGAL::squared_distance(points[i], locations_.point(locations[i])));
@@ -112,7 +114,17 @@ private:
     CHECK_DETAIL(left_smaller >= right_smaller, values(left_smaller, right_smaller));
     for(std::size_t i = 0; i < locations.size(); ++i)
       if(i + 1 < locations.size() || !curve.is_closed()) // a closed curve repeats its first point
-        record_crossing(locations, i);
+        if(i == 0 || CGAL::squared_distance(points[i - 1], points[i]) > CGAL::square(1e-13 * diagonal_))
+          record_crossing(locations[i]);
+  }
+
+  // As the documentation says, coordinates below 1e-13 put a location on the edge or at the vertex.
+  static Face_location on_simplex(Face_location location)
+  {
+    for(double& w : location.second)
+      if(std::abs(w) <= 1e-13)
+        w = 0;
+    return location;
   }
 
   void check_ends(const Offset_curve& curve,
@@ -176,9 +188,9 @@ private:
       right_smaller += chord;
   }
 
-  void record_crossing(const std::vector<Face_location>& locations, std::size_t i)
+  void record_crossing(const Face_location& location)
   {
-    const auto support = locations_.support(locations[i]);
+    const auto support = locations_.support(location);
     if(support.size() == 1)
       touched_vertices_.insert(support[0].first);
     if(support.size() == 2)

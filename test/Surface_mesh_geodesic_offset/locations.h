@@ -101,7 +101,8 @@ public:
         around.push_back(face(h, mesh_));
     Face_location result(around.at(turn % around.size()), Barycentric_coordinates{{0, 0, 0}});
     const std::array<vertex_descriptor, 3> c = corners(result.first);
-    result.second[static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin())] = 1;
+    for(std::size_t k = 0; k < 3; ++k)
+      result.second[k] = c[k] == v ? 1 : 0;
     return result;
   }
 

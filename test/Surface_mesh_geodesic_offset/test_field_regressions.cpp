@@ -306,10 +306,15 @@ void many_sources()
 // and as far from a to b as from b to a.
 void tiny_and_needle_faces()
 {
-  for(const Soup& soup : {marching_sphere(10), marching_sphere(16), rotated(marching_sphere(12), 3),
-                          rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8), needle_fan(1000)})
+  const std::pair<const char*, Soup> meshes[] = {{"marching sphere, 10 cells", marching_sphere(10)},
+                                                 {"marching sphere, 16 cells", marching_sphere(16)},
+                                                 {"marching sphere, rotated", rotated(marching_sphere(12), 3)},
+                                                 {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
+                                                 {"needle fan", needle_fan(1000)}};
+  for(const auto& mesh : meshes)
   {
-    const Data data(soup);
+    Report::instance().set_context(std::string("tiny and needle faces, ") + mesh.first);
+    const Data data(mesh.second);
     Random random(8);
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * bounding_box_diagonal(data.mesh);
     for(std::size_t round = 0; round < 4; ++round)

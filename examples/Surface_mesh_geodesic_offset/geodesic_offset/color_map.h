@@ -35,12 +35,28 @@ inline Color srgb(int r, int g, int b)
   return {linear_from_srgb(r / 255.0), linear_from_srgb(g / 255.0), linear_from_srgb(b / 255.0)};
 }
 
-inline std::uint8_t srgb_byte(float linear)
+// The number for an image file. From a table: the formula takes longer than all the rest of a pixel.
+class Srgb_encoder
 {
-  const double v = std::min(std::max(static_cast<double>(linear), 0.0), 1.0);
-  const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
-}
+  std::vector<std::uint8_t> m_table;
+
+public:
+  Srgb_encoder() : m_table(16384)
+  {
+    for(std::size_t i = 0; i < m_table.size(); ++i)
+    {
+      const double v = static_cast<double>(i) / static_cast<double>(m_table.size() - 1);
+      const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+      m_table[i] = static_cast<std::uint8_t>(std::lround(255 * encoded));
+    }
+  }
+
+  std::uint8_t operator()(float linear) const
+  {
+    const float clamped = std::min(std::max(linear, 0.0f), 1.0f);
+    return m_table[static_cast<std::size_t>(clamped * static_cast<float>(m_table.size() - 1) + 0.5f)];
+  }
+};
 
 // The Oklab colour space (Ottosson 2020), in which equal steps look equal
 inline Color color_from_oklab(double lightness, double a, double b)

@@ -24,7 +24,8 @@
 
 namespace geodesic_offset {
 
-// Surface_mesh does not mind when two fans of faces share a vertex. Expects a mesh without garbage.
+// Whether fans of faces share a vertex without being linked by their borders there: Surface_mesh does not notice this.
+// Fans with borders are no problem, neither for Surface_mesh nor for the solver. Expects a mesh without garbage.
 inline bool has_pinched_vertex(const Mesh& mesh)
 {
   std::vector<std::uint32_t> degree(mesh.number_of_vertices(), 0);
@@ -34,17 +35,14 @@ inline bool has_pinched_vertex(const Mesh& mesh)
   {
     if(mesh.is_isolated(v))
       continue;
-    // fans are linked by their borders, or one of them is not met at all
     const Halfedge first = mesh.halfedge(v);
     Halfedge h = first;
-    int borders = 0;
     do
     {
       --degree[v];
-      borders += mesh.is_border(h) ? 1 : 0;
       h = mesh.opposite(mesh.next(h));
     } while(h != first);
-    if(degree[v] != 0 || borders > 1)
+    if(degree[v] != 0)
       return true;
   }
   return false;

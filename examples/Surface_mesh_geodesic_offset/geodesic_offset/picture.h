@@ -42,8 +42,8 @@ class Picture
   static constexpr int    strip_rows = 32;
   static constexpr double margin = 60;
   static constexpr double legend_width = 170; // including its distance from the mesh
-  static constexpr double offset_radius = 0.85;
-  static constexpr double source_radius = 2.4;
+  static constexpr double offset_radius = 1.0;
+  static constexpr double source_radius = 2.7;
   static constexpr double point_radius = 7;
   static constexpr double halo = 1.3;
 
@@ -90,12 +90,17 @@ public:
     Image image;
     image.width = width;
     image.height = m_height;
-    image.bytes.reserve(static_cast<std::size_t>(3 * width * m_height));
+    image.bytes.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(m_height));
+    const Srgb_encoder encode;
+    const auto shade = [this](std::uint32_t thing, float u, float v) { return color_of(thing, u, v); };
+    // nothing, outline of the surface, offset, white round the sources, source, writing
+    const std::array<Marking, number_of_marks> markings = {{{Color(), 0},
+                                                            {srgb(40, 44, 58), 0.75f},
+                                                            {srgb(24, 22, 40), 0.8f},
+                                                            {srgb(255, 255, 255), 1},
+                                                            {srgb(226, 24, 54), 1},
+                                                            {ink(), 1}}};
     Raster raster(width);
-    const auto markings = marking_colors();
-    const auto background = [this](int, int row) {
-      return mix(srgb(252, 252, 253), srgb(228, 232, 238), static_cast<float>(row) / static_cast<float>(m_height));
-    };
     for(int first = 0; first < m_height; first += strip_rows)
     {
       const int rows = std::min(strip_rows, m_height - first);
@@ -106,20 +111,41 @@ public:
       if(m_largest > 0)
         draw_legend(raster);
       for(int row = first; row < first + rows; ++row)
+      {
+        const Color behind =
+          mix(srgb(252, 252, 253), srgb(228, 232, 238), static_cast<float>(row) / static_cast<float>(m_height));
         for(int column = 0; column < width; ++column)
         {
-          const Color c = raster.pixel(column, row, background, markings);
+          const Color c = raster.pixel(column, row, behind, shade, markings);
           for(float channel : {c.r, c.g, c.b})
-            image.bytes.push_back(srgb_byte(channel));
+            image.bytes.push_back(encode(channel));
         }
+      }
     }
     return image;
   }
 
 private:
-  static std::array<Marking, 5> marking_colors()
+  // Things that are no faces
+  static constexpr std::uint32_t legend_bar = 0xffffffff, legend_frame = 0xfffffffe;
+
+  static Color ink() { return srgb(48, 52, 66); }
+
+  Color color_of(std::uint32_t thing, double u, double v) const
   {
-    return {{{Color(), 0}, {srgb(40, 44, 58), 0.75f}, {srgb(24, 22, 40), 0.8f}, {srgb(255, 255, 255), 1}, {srgb(226, 24, 54), 1}}};
+    if(thing == legend_bar)
+      return m_colors(v);
+    if(thing == legend_frame)
+      return ink();
+    const std::array<std::size_t, 3> c = corners(Face(thing));
+    const double d0 = m_distances[c[0]], d1 = m_distances[c[1]], d2 = m_distances[c[2]];
+    const bool reached = d0 != infinity && d1 != infinity && d2 != infinity;
+    const double t = 1 - u - v;
+    const Color color =
+      reached ? m_colors(m_largest > 0 ? (t * d0 + u * d1 + v * d2) / m_largest : 0) : srgb(176, 178, 184);
+    const auto& n = m_normals[thing].n;
+    return lit(color, t * n[0][0] + u * n[1][0] + v * n[2][0], t * n[0][1] + u * n[1][1] + v * n[2][1],
+               t * n[0][2] + u * n[1][2] + v * n[2][2]);
   }
 
   void fit()
@@ -197,6 +223,13 @@ private:
     return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))};
   }
 
+  static double power_of_64(double x)
+  {
+    for(int i = 0; i < 6; ++i)
+      x *= x;
+    return x;
+  }
+
   // Light from the viewer's left shoulder, and some from everywhere
   static Color lit(Color color, double nx, double ny, double nz)
   {
@@ -210,7 +243,7 @@ private:
     const double diffuse = 0.20 + 0.14 * sky + 0.46 * key + 0.26 * head;
     // half way between the light and the viewer
     const double half = std::max(0.0, -0.195 * nx + 0.237 * ny + 0.952 * nz);
-    const float shine = static_cast<float>(0.10 * std::pow(half, 60));
+    const float shine = static_cast<float>(0.10 * power_of_64(half));
     if(inside)
       color = mix(color, Color{0.25f, 0.25f, 0.27f}, 0.45f);
     return static_cast<float>(diffuse) * color + Color{shine, shine, shine};
@@ -218,21 +251,12 @@ private:
 
   void draw_mesh(Raster& raster, int first, int rows) const
   {
-    const Color unreached = srgb(176, 178, 184);
     for(Face f : m_mesh.faces())
     {
       const std::array<std::size_t, 3> v = corners(f);
       const View_point &a = m_points[v[0]], &b = m_points[v[1]], &c = m_points[v[2]];
-      if(std::max({a[1], b[1], c[1]}) < first - 2 || std::min({a[1], b[1], c[1]}) > first + rows + 2)
-        continue;
-      const double d0 = m_distances[v[0]], d1 = m_distances[v[1]], d2 = m_distances[v[2]];
-      const bool reached = d0 != infinity && d1 != infinity && d2 != infinity;
-      const auto& n = m_normals[f].n;
-      raster.triangle(a, b, c, [&](double u, double s, double t) {
-        const Color color = reached ? m_colors(m_largest > 0 ? (u * d0 + s * d1 + t * d2) / m_largest : 0) : unreached;
-        return lit(color, u * n[0][0] + s * n[1][0] + t * n[2][0], u * n[0][1] + s * n[1][1] + t * n[2][1],
-                   u * n[0][2] + s * n[1][2] + t * n[2][2]);
-      });
+      if(std::max({a[1], b[1], c[1]}) >= first - 2 && std::min({a[1], b[1], c[1]}) <= first + rows + 2)
+        raster.triangle(a, b, c, f);
     }
   }
 
@@ -261,27 +285,25 @@ private:
 
   void draw_legend(Raster& raster) const
   {
-    const Color ink = srgb(48, 52, 66);
     const double left = width - legend_width + 20, right = left + 26;
     const double length = std::min(520.0, 0.6 * m_height);
     const double top = (m_height - length) / 2, bottom = top + length;
-    raster.rectangle(left - 1.5, top - 1.5, right + 1.5, bottom + 1.5, [&](double, double) { return ink; });
-    raster.rectangle(left, top, right, bottom,
-                     [&](double, double y) { return m_colors((bottom - y) / length); });
+    raster.rectangle(left - 1.5, top - 1.5, right + 1.5, bottom + 1.5, legend_frame);
+    raster.rectangle(left, top, right, bottom, legend_bar);
     const double step = tick_step(m_largest);
     std::vector<double> ticks;
     for(int i = 0; i * step < m_largest; ++i)
-      if(m_largest - i * step > 0.45 * step)
+      if(m_largest - i * step > 0.6 * step)
         ticks.push_back(i * step);
     ticks.push_back(m_largest);
     for(double tick : ticks)
     {
       const double y = bottom - length * tick / m_largest;
-      raster.rectangle(right, y - 0.75, right + 9, y + 0.75, [&](double, double) { return ink; });
+      raster.rectangle(right, y - 0.75, right + 9, y + 0.75, legend_frame);
       constexpr double size = 17;
       for(const auto& stroke : text_lines(tick == m_largest ? label(tick, 3) : label(tick, 6)))
-        raster.ink({right + 17 + size * stroke.first[0], y + size * (stroke.first[1] - 0.5), 0},
-                   {right + 17 + size * stroke.second[0], y + size * (stroke.second[1] - 0.5), 0}, 1.05, ink);
+        raster.ink(right + 17 + size * stroke.first[0], y + size * (stroke.first[1] - 0.5),
+                   right + 17 + size * stroke.second[0], y + size * (stroke.second[1] - 0.5), 1.05);
     }
   }
 

@@ -19,7 +19,8 @@
 namespace geodesic_offset {
 
 // What is drawn on top of the surface; a higher one covers a lower one.
-enum class Mark : std::uint8_t { none, outline, offset, halo, source };
+enum class Mark : std::uint8_t { none, outline, offset, halo, source, ink };
+constexpr std::size_t number_of_marks = 6;
 
 struct Marking
 {
@@ -35,11 +36,14 @@ public:
   static constexpr int margin = 4;  // rows of samples above and below, for what looks at neighbours
 
 private:
+  // What is seen there: a thing with a number, and where on the thing. Colours are found when the sample is known to be
+  // visible; most of the work would be lost otherwise.
   struct Sample
   {
-    Color color;
-    float depth = nothing;
-    Mark  mark = Mark::none;
+    float         depth = nothing;
+    std::uint32_t thing = 0;
+    float         u = 0, v = 0;
+    Mark          mark = Mark::none;
   };
 
   int                 m_width, m_first_row = 0, m_rows = 0;
@@ -58,33 +62,38 @@ public:
     m_samples.assign(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_rows), Sample());
   }
 
-  // shade(u, v, w) gives the colour from barycentric coordinates
-  template <class Shade>
-  void triangle(const View_point& a, const View_point& b, const View_point& c, const Shade& shade)
+  // On a triangle, u and v are the barycentric coordinates of b and c.
+  void triangle(const View_point& a, const View_point& b, const View_point& c, std::uint32_t thing)
   {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if(!(std::abs(area) > 0))
       return;
+    const double scale = 1 / area;
     const int y0 = first_row(std::min({a[1], b[1], c[1]})), y1 = last_row(std::max({a[1], b[1], c[1]}));
     const int x0 = first_column(std::min({a[0], b[0], c[0]})), x1 = last_column(std::max({a[0], b[0], c[0]}));
+    // rounding must not open seams between neighbours
+    constexpr double epsilon = 1e-9;
     for(int y = y0; y <= y1; ++y)
+    {
+      const double py = position(y) - a[1];
       for(int x = x0; x <= x1; ++x)
       {
-        const double px = position(x), py = position(y);
-        const double v = ((px - a[0]) * (c[1] - a[1]) - (py - a[1]) * (c[0] - a[0])) / area;
-        const double w = ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / area;
-        const double u = 1 - v - w;
-        // rounding must not open seams between neighbours
-        if(u < -1e-9 || v < -1e-9 || w < -1e-9)
+        const double px = position(x) - a[0];
+        const double u = (px * (c[1] - a[1]) - py * (c[0] - a[0])) * scale;
+        const double v = ((b[0] - a[0]) * py - (b[1] - a[1]) * px) * scale;
+        if(u < -epsilon || v < -epsilon || u + v > 1 + epsilon)
           continue;
-        const float depth = static_cast<float>(u * a[2] + v * b[2] + w * c[2]);
+        const float depth = static_cast<float>(a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]));
         Sample& s = at(x, y);
         if(depth > s.depth)
         {
           s.depth = depth;
-          s.color = shade(u, v, w);
+          s.thing = thing;
+          s.u = static_cast<float>(u);
+          s.v = static_cast<float>(v);
         }
       }
+    }
   }
 
   // A line with round ends. It is hidden where the surface is more than bias in front of it.
@@ -96,9 +105,8 @@ public:
     });
   }
 
-  // Colours that lie in front of everything
-  template <class Shade>
-  void rectangle(double left, double top, double right, double bottom, const Shade& shade)
+  // A thing in front of everything; v runs from 0 at the bottom to 1 at the top.
+  void rectangle(double left, double top, double right, double bottom, std::uint32_t thing)
   {
     for(int y = first_row(top); y <= last_row(bottom); ++y)
       for(int x = first_column(left); x <= last_column(right); ++x)
@@ -106,18 +114,15 @@ public:
         Sample& s = at(x, y);
         s.mark = Mark::none;
         s.depth = -nothing;
-        s.color = shade(position(x), position(y));
+        s.thing = thing;
+        s.v = static_cast<float>((bottom - position(y)) / (bottom - top));
       }
   }
 
   // A line with round ends in front of everything
-  void ink(const View_point& a, const View_point& b, double radius, Color color)
+  void ink(double x0, double y0, double x1, double y1, double radius)
   {
-    stroke(a, b, radius, [&](Sample& s, double) {
-      s.mark = Mark::none;
-      s.depth = -nothing;
-      s.color = color;
-    });
+    stroke({x0, y0, 0}, {x1, y1, 0}, radius, [&](Sample& s, double) { s.mark = Mark::ink; });
   }
 
   // Marks the samples where the surface ends in front of something else that is at least this much deeper.
@@ -139,17 +144,16 @@ public:
       }
   }
 
-  // The colour of a pixel: the mean of its samples
-  template <class Background, class Markings>
-  Color pixel(int column, int row, const Background& background, const Markings& markings) const
+  // The colour of a pixel: the mean of its samples. shade(thing, u, v) gives the colour of a thing.
+  template <class Shade, class Markings>
+  Color pixel(int column, int row, Color behind, const Shade& shade, const Markings& markings) const
   {
     Color sum;
-    const Color behind = background(column, row);
     for(int y = row * samples; y < (row + 1) * samples; ++y)
       for(int x = column * samples; x < (column + 1) * samples; ++x)
       {
         const Sample& s = at(x, y);
-        Color color = s.depth == nothing ? behind : s.color;
+        Color color = s.depth == nothing ? behind : shade(s.thing, s.u, s.v);
         if(s.mark != Mark::none)
         {
           const Marking& marking = markings[static_cast<std::size_t>(s.mark)];

@@ -128,10 +128,8 @@ private:
     for(const Face_location& location : {from, to})
       for(Face f : faces_of(m_mesh, location))
         visit(f, true);
-    std::size_t grown = 0;
-    for(bool changed = true; changed;)
+    for(std::size_t grown = 0; grown < faces.size();)
     {
-      changed = false;
       for(; grown < faces.size(); ++grown)
         for(Vertex v : vertices_of(m_mesh, faces[grown]))
           for(Face f : m_mesh.faces_around_target(m_mesh.halfedge(v)))
@@ -142,11 +140,8 @@ private:
       for(Face f : current)
         for(Vertex v : vertices_of(m_mesh, f))
           if(looked_at.insert(v).second && number_of_fans(v, chosen) > 1)
-          {
-            changed = true;
             for(Face g : m_mesh.faces_around_target(m_mesh.halfedge(v)))
               visit(g, true);
-          }
     }
     return faces;
   }

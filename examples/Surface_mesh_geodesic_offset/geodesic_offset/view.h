@@ -68,11 +68,16 @@ namespace internal {
 class Depth_probe
 {
   static constexpr int size = 240;
-  std::vector<double> m_depth;
-  double              m_x, m_y, m_scale;
+  struct Pixel
+  {
+    double depth = -infinity;
+    bool   is_front = false; // the outside of the surface is seen
+  };
+  std::vector<Pixel> m_pixels;
+  double             m_x, m_y, m_scale;
 
 public:
-  Depth_probe(const Mesh& mesh, const View& view) : m_depth(size * size, -infinity)
+  Depth_probe(const Mesh& mesh, const View& view) : m_pixels(static_cast<std::size_t>(size * size))
   {
     const Extent extent(mesh, view);
     m_x = extent.min[0];
@@ -87,13 +92,13 @@ public:
 
   bool is_visible(const View_point& p) const
   {
-    return p[2] >= m_depth[pixel(column(p[0]), row(p[1]))] - 3 / m_scale;
+    return p[2] >= m_pixels[pixel(column(p[0]), row(p[1]))].depth - 3 / m_scale;
   }
 
-  // in the units of the mesh
-  double covered_area() const
+  // of what is seen of the outside, in the units of the mesh
+  double visible_area() const
   {
-    const auto n = std::count_if(m_depth.begin(), m_depth.end(), [](double z) { return z > -infinity; });
+    const auto n = std::count_if(m_pixels.begin(), m_pixels.end(), [](const Pixel& p) { return p.is_front; });
     return static_cast<double>(n) / (m_scale * m_scale);
   }
 
@@ -104,13 +109,14 @@ private:
 
   void draw(const View_point& a, const View_point& b, const View_point& c)
   {
+    const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    const auto set = [&](std::size_t i, double depth) {
+      if(depth > m_pixels[i].depth)
+        m_pixels[i] = {depth, area > 0};
+    };
     // the corners at least, so that faces smaller than a pixel count
     for(const View_point& p : {a, b, c})
-    {
-      double& depth = m_depth[pixel(column(p[0]), row(p[1]))];
-      depth = std::max(depth, p[2]);
-    }
-    const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      set(pixel(column(p[0]), row(p[1])), p[2]);
     if(area == 0)
       return;
     const int c0 = column(std::min({a[0], b[0], c[0]})), c1 = column(std::max({a[0], b[0], c[0]}));
@@ -123,8 +129,7 @@ private:
         const double w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
         if(v < 0 || w < 0 || v + w > 1)
           continue;
-        double& depth = m_depth[pixel(k, r)];
-        depth = std::max(depth, a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2]));
+        set(pixel(k, r), a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2]));
       }
   }
 };
@@ -152,12 +157,12 @@ inline View choose_view(const Mesh& mesh, const std::vector<Point>& points, cons
       for(const Point& p : points)
         visible += probe.is_visible(view(p)) ? 1 : 0;
       candidates.push_back({view, points.empty() ? 0 : static_cast<double>(visible) / static_cast<double>(points.size()),
-                            probe.covered_area(), (azimuth == 35 ? 0.04 : 0) - (elevation < 0 ? 0.15 : 0)});
+                            probe.visible_area(), (azimuth == 35 ? 0.04 : 0) - (elevation < 0 ? 0.15 : 0)});
     }
   double largest = 0;
   for(const Candidate& c : candidates)
     largest = std::max(largest, c.area);
-  const auto score = [&](const Candidate& c) { return c.visible + 0.4 * c.area / largest + c.preference; };
+  const auto score = [&](const Candidate& c) { return c.visible + (largest > 0 ? 0.4 * c.area / largest : 0) + c.preference; };
   return std::max_element(candidates.begin(), candidates.end(),
                           [&](const Candidate& x, const Candidate& y) { return score(x) < score(y); })->view;
 }

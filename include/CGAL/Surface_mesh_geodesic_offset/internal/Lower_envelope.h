@@ -38,43 +38,55 @@ public:
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     sort(first, taken, last);
-    for (Index i : m_order)
+    for (const Key& k : m_order)
     {
-      const Window& w = first[i];
-      while (!m_later.empty() && m_later.front().b0 < w.b0) add(pop_later());
-      add(w);
+      while (!m_later.empty() && m_later.back().b0 < k.b0) add(pop_later());
+      add(first[k.index]);
     }
     while (!m_later.empty()) add(pop_later());
     return m_envelope;
   }
 
 private:
-  // The fresh windows come in a few sorted runs, so an insertion sort is nearly linear; the taken ones are merged in.
+  struct Key
+  {
+    FT b0;
+    Index index;
+    bool operator<(const Key& o) const { return b0 < o.b0 || (!(o.b0 < b0) && index < o.index); }
+  };
+
+  // The fresh windows come in a few sorted runs and most lists are short, so an insertion sort is nearly linear.
   void sort(const Window* first, const Window* taken, const Window* last)
   {
     const Index n = Index(last - first), t = Index(taken - first);
     m_order.resize(n);
-    for (Index i = 0; i < n; ++i) m_order[i] = i;
-    const auto less = [first](Index i, Index j) { return first[i].b0 < first[j].b0; };
-    if (!std::is_sorted(m_order.begin() + t, m_order.end(), less))
-      std::stable_sort(m_order.begin() + t, m_order.end(), less);
-    if (t != 0) std::inplace_merge(m_order.begin(), m_order.begin() + t, m_order.end(), less);
+    for (Index i = 0; i < n; ++i) m_order[i] = Key{first[i].b0, i};
+    if (n > 48)
+    {
+      if (!std::is_sorted(m_order.begin() + t, m_order.end())) std::sort(m_order.begin() + t, m_order.end());
+      if (t != 0) std::inplace_merge(m_order.begin(), m_order.begin() + t, m_order.end());
+      return;
+    }
+    for (Index i = 1; i < n; ++i)
+    {
+      if (!(m_order[i] < m_order[i - 1])) continue;
+      const Key k = m_order[i];
+      Index j = i;
+      for (; j > 0 && k < m_order[j - 1]; --j) m_order[j] = m_order[j - 1];
+      m_order[j] = k;
+    }
   }
 
-  struct Begins_later
-  {
-    bool operator()(const Window& a, const Window& b) const { return a.b0 > b.b0; }
-  };
-
+  // What waits for its turn, the first one at the back. Seldom more than two.
   void push_later(const Window& w)
   {
-    m_later.push_back(w);
-    std::push_heap(m_later.begin(), m_later.end(), Begins_later());
+    auto it = m_later.end();
+    while (it != m_later.begin() && (it - 1)->b0 < w.b0) --it;
+    m_later.insert(it, w);
   }
 
   Window pop_later()
   {
-    std::pop_heap(m_later.begin(), m_later.end(), Begins_later());
     const Window w = m_later.back();
     m_later.pop_back();
     return w;
@@ -127,96 +139,74 @@ private:
       }
     }
     else if (a.is_propagated())
-      keep_later(w, a.b1, w.b1);
+      keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
     else
     {
       const Window fresh = a;
-      cut_back(w.b0);
+      cut_back(w.b0, fresh.distance_at(w.b0));
       push_later(w);
-      keep_later(fresh, w.b1, fresh.b1);
+      keep_later(fresh, w.b1, fresh.distance_at(w.b1), fresh.b1, fresh.d1);
     }
   }
 
-  // Overlapping windows with different images: the overlap goes to the nearer one, piece by piece.
+  // Overlapping windows with different images: the overlap goes to the nearer one, piece by piece, by turns from tie to
+  // tie. The last owner keeps its tail beyond the overlap, and so does the other one.
   void resolve(const Window a, const Window& w)
   {
-    const FT lo = w.b0, hi = (std::min)(a.b1, w.b1);
-    Window_ties<FT> ties(a, w, lo, hi);
-    // pieces: alternating owners between lo, the ties, and hi
-    bool owner_is_a = ties.first_is_nearer();
-    FT from = lo;
-    bool first = true;
+    const Window_ties<FT> ties(a, w);
     const int n = ties.number();
-    for (int i = 0; i <= n; ++i)
+    bool a_owns = ties.first_is_nearer();
+    for (int i = 0; i <= n; ++i, a_owns = !a_owns)
     {
-      FT to = i < n ? ties[i] : hi;
-      if (i == n) to = owner_is_a ? a.b1 : w.b1; // the last owner keeps its tail ...
-      if (owner_is_a)
-      {
-        if (first)
-        {
-          if (to < a.b1) cut_back(to);
-        }
-        else
-          keep_later(a, from, to);
-      }
+      const Window& owner = a_owns ? a : w;
+      const FT& from = i == 0 ? ties.low() : ties[i - 1];
+      const FT& d_from = i == 0 ? ties.distance_at_low(a_owns) : ties.distance(i - 1);
+      const FT& to = i == n ? owner.b1 : ties[i];
+      const FT& d_to = i == n ? owner.d1 : ties.distance(i);
+      if (i > 0)
+        keep_later(owner, from, d_from, to, d_to);
+      else if (a_owns)
+        cut_back(to, d_to);
       else
       {
-        if (first)
-        {
-          cut_back(from);
-          Window piece = w;
-          restrict(piece, from, to);
-          if (piece.b1 - piece.b0 > m_min_width) m_envelope.push_back(piece);
-        }
-        else
-          keep_later(w, from, to);
+        cut_back(ties.low(), ties.distance_at_low(true));
+        if (to - from > m_min_width) m_envelope.push_back(part(w, from, d_from, to, d_to));
       }
-      first = false;
-      from = i < n ? ties[i] : hi;
-      if (i < n) owner_is_a = !owner_is_a;
     }
-    // ... and so does the other one, beyond the overlap
-    if (owner_is_a)
-      keep_later(w, hi, w.b1);
-    else
-      keep_later(a, hi, a.b1);
+    const Window& other = a_owns ? a : w; // a_owns has been turned once more
+    keep_later(other, ties.high(), ties.distance_at_high(a_owns), other.b1, other.d1);
   }
 
-  // Shortens the last window of the envelope to end at t; removes it if nothing is left.
-  void cut_back(const FT& t)
+  // Shortens the last window of the envelope to end at t, where its distance is d; removes it if nothing is left.
+  void cut_back(const FT& t, const FT& d)
   {
     Window& a = m_envelope.back();
     if (t - a.b0 <= m_min_width)
       m_envelope.pop_back();
     else
-      restrict(a, a.b0, t);
+    {
+      a.b1 = t;
+      a.d1 = d;
+    }
   }
 
-  void keep_later(Window w, const FT& from, const FT& to)
+  void keep_later(const Window& w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
-    if (to - from <= m_min_width) return;
-    restrict(w, from, to);
-    push_later(w);
+    if (to - from > m_min_width) push_later(part(w, from, d_from, to, d_to));
   }
 
-  static void restrict(Window& w, const FT& from, const FT& to)
+  static Window part(Window w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
-    if (from != w.b0)
-    {
-      w.b0 = from;
-      w.d0 = w.distance_at(from);
-    }
-    if (to != w.b1)
-    {
-      w.b1 = to;
-      w.d1 = w.distance_at(to);
-    }
+    w.b0 = from;
+    w.d0 = d_from;
+    w.b1 = to;
+    w.d1 = d_to;
+    return w;
   }
 
   const std::vector<Index>* m_source_of;
   std::vector<Window> m_envelope, m_later;
-  std::vector<Index> m_order;
+  std::vector<Key> m_order;
   FT m_min_width, m_max_gap;
 };
 

@@ -252,18 +252,62 @@ private:
 
   void append(Index g, const Window& w)
   {
-    const FT nearest = w.minimum();
-    if (nearest > m_maximum || (m_face_state[m_mesh.face(g)] & FINISHED)) return;
-    ++m_counts.windows_created;
-    auto& list = m_field.lists.get_or_create(g);
-    m_field.lists.append(list, w);
-    const std::size_t bucket = (std::max)(m_queue.bucket_of(nearest), m_queue.current());
-    if (bucket < list.bucket)
-    {
-      list.bucket = bucket;
-      m_queue.push_halfedge(bucket, g);
-    }
+    Output output(*this, g, 1);
+    output.next() = w;
+    output.keep();
+    output.close();
   }
+
+  // Writes windows behind the list of a halfedge, and puts the halfedge into the queue.
+  class Output
+  {
+  public:
+    // For up to n windows. A border or a face that the front has passed takes none.
+    Output(Wavefront& front, Index g, std::size_t n) : m_front(front), m_halfedge(g)
+    {
+      if (g == no_index || (front.m_face_state[front.m_mesh.face(g)] & FINISHED)) return;
+      m_next = m_first = front.m_field.lists.room(front.m_field.lists.get_or_create(g), n);
+    }
+
+    bool is_open() const { return m_first != nullptr; }
+
+    // A place for one more window, and taking it.
+    Window& next() { return *m_next; }
+    void keep()
+    {
+      const FT nearest = m_next->minimum();
+      if (nearest > m_front.m_maximum) return;
+      if (nearest < m_nearest) m_nearest = nearest;
+      ++m_next;
+    }
+
+    void close()
+    {
+      if (!m_first) return;
+      auto& lists = m_front.m_field.lists;
+      auto& list = lists.get(m_halfedge);
+      const std::size_t n = std::size_t(m_next - m_first);
+      if (n == 0)
+      {
+        if (list.size == 0) lists.release(m_halfedge);
+        return;
+      }
+      lists.extend(list, n);
+      m_front.m_counts.windows_created += n;
+      const std::size_t bucket = (std::max)(m_front.m_queue.bucket_of(m_nearest), m_front.m_queue.current());
+      if (bucket < list.bucket)
+      {
+        list.bucket = bucket;
+        m_front.m_queue.push_halfedge(bucket, m_halfedge);
+      }
+    }
+
+  private:
+    Wavefront& m_front;
+    Index m_halfedge;
+    Window *m_first = nullptr, *m_next = nullptr;
+    FT m_nearest = Number_policy<FT>::infinity();
+  };
 
   // Takes the list of a halfedge: reduces it to its lower envelope and propagates what is new.
   void take(Index h)
@@ -298,6 +342,7 @@ private:
     const FT px = face.right_length - face.cr * face.length, py = -face.sr * face.length;
     const FT left_width = Number_policy<FT>::rounding(8) * face.left_length;
     const FT right_width = Number_policy<FT>::rounding(8) * face.right_length;
+    Output to_left(*this, left, n), to_right(*this, right, n);
     for (std::size_t i = 0; i < n; ++i)
     {
       const Exit exit = m_exit[i];
@@ -324,16 +369,25 @@ private:
         if (!left_to_apex && goes_left) d_left = w.distance_at(left_end);
         if (!right_from_apex && goes_right) d_right = w.distance_at(right_begin);
       }
-      Window child;
-      if (goes_left && left != no_index && face.left_child(w, left_end, d_left, left_to_apex, d_apex, child) &&
-          !filtered_by_far_vertex<FT>(child.b0, child.d0, dq, qx, qy) &&
-          trim_by_ends<FT>(child, face.left_length, dp, dr, left_width))
-        append(left, child);
-      if (goes_right && right != no_index && face.right_child(w, right_begin, d_right, right_from_apex, d_apex, child) &&
-          !filtered_by_far_vertex<FT>(child.b1, child.d1, dp, px, py) &&
-          trim_by_ends<FT>(child, face.right_length, dr, dq, right_width))
-        append(right, child);
+      if (goes_left && to_left.is_open())
+      {
+        Window& child = to_left.next();
+        if (face.left_child(w, left_end, d_left, left_to_apex, d_apex, child) &&
+            !filtered_by_far_vertex<FT>(child.b0, child.d0, dq, qx, qy) &&
+            trim_by_ends<FT>(child, face.left_length, dp, dr, left_width))
+          to_left.keep();
+      }
+      if (goes_right && to_right.is_open())
+      {
+        Window& child = to_right.next();
+        if (face.right_child(w, right_begin, d_right, right_from_apex, d_apex, child) &&
+            !filtered_by_far_vertex<FT>(child.b1, child.d1, dp, px, py) &&
+            trim_by_ends<FT>(child, face.right_length, dr, dq, right_width))
+          to_right.keep();
+      }
     }
+    to_left.close();
+    to_right.close();
   }
 
   // Tells through which edges the windows leave the face, and updates the distance of the apex: by the best of the

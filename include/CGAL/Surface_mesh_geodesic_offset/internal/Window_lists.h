@@ -117,11 +117,17 @@ public:
     return m_lists[m_list_of[h]];
   }
 
-  void append(List& list, const Window& w)
+  // Room for n more windows behind the last one; to be written there, then counted by `extend`.
+  Window* room(List& list, std::size_t n)
   {
-    reserve(list, list.size + 1);
-    list.data[list.size++] = w;
-    count(1);
+    reserve(list, list.size + n);
+    return list.data + list.size;
+  }
+
+  void extend(List& list, std::size_t n)
+  {
+    list.size += Index(n);
+    count(std::ptrdiff_t(n));
   }
 
   // Replaces all windows of a list.

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The ties of two windows within [lo, hi], a common part of their intervals.
+// The ties of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
 //
 // The difference g of the two distances is monotone along the halfedge except at the point collinear with both
 // images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
@@ -25,45 +25,50 @@ class Window_ties
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_ties(const Window& a, const Window& b, const FT& lo, const FT& hi) : m_a(a), m_b(b)
+  Window_ties(const Window& a, const Window& b) : m_a(a), m_b(b)
   {
-    const FT g_lo = a.distance_at(lo) - (lo == b.b0 ? b.d0 : b.distance_at(lo));
-    const FT g_hi = (hi == a.b1 ? a.d1 : a.distance_at(hi)) - (hi == b.b1 ? b.d1 : b.distance_at(hi));
+    const bool a_ends_first = a.b1 < b.b1;
+    m_low = b.b0;
+    m_high = a_ends_first ? a.b1 : b.b1;
+    m_a_low = a.distance_at(m_low);
+    m_b_low = b.d0;
+    m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : a.distance_at(m_high);
+    m_b_high = a_ends_first ? b.distance_at(m_high) : b.d1;
     m_allowance = Number_policy<FT>::rounding(4) * (a.d1 + b.d0);
-    const int s_lo = sign(g_lo), s_hi = sign(g_hi);
-    int previous = s_lo;
-    FT from = lo, g_from = g_lo;
-    m_first_sign = s_lo;
-    FT c;
-    if (collinear_point(c) && lo < c && c < hi)
+    FT from = m_low, g_from = m_a_low - m_b_low, c;
+    int previous = sign(g_from);
+    m_first_sign = previous;
+    if (collinear_point(c) && m_low < c && c < m_high)
     {
-      const FT g_c = difference(c);
-      const int s_c = sign(g_c);
-      step(from, g_from, previous, c, g_c, s_c);
+      const FT g_c = a.distance_at(c) - b.distance_at(c);
+      step(from, g_from, previous, c, g_c);
     }
-    step(from, g_from, previous, hi, g_hi, s_hi);
+    step(from, g_from, previous, m_high, m_a_high - m_b_high);
   }
+
+  const FT& low() const { return m_low; }
+  const FT& high() const { return m_high; }
+  const FT& distance_at_low(bool of_a) const { return of_a ? m_a_low : m_b_low; }
+  const FT& distance_at_high(bool of_a) const { return of_a ? m_a_high : m_b_high; }
 
   bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
   int number() const { return m_number; }
   const FT& operator[](int i) const { return m_ties[i]; }
+  const FT& distance(int i) const { return m_distances[i]; } // the same for both
 
 private:
   int sign(const FT& g) const { return g > m_allowance ? 1 : g < -m_allowance ? -1 : 0; }
 
-  FT difference(const FT& t) const { return m_a.distance_at(t) - m_b.distance_at(t); }
-
-  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
+  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to)
   {
+    const int s = sign(g_to);
     if (s != 0)
     {
       if (m_first_sign == 0) m_first_sign = s;
-      if (previous * s < 0) m_ties[m_number++] = root(from, g_from, to, g_to);
+      if (previous * s < 0) find_root(from, g_from, to, g_to);
       previous = s;
-      from = to;
-      g_from = g_to;
     }
-    else if (previous == 0)
+    if (s != 0 || previous == 0)
     {
       from = to;
       g_from = g_to;
@@ -82,31 +87,34 @@ private:
 
   // The root of g between u and v, where it has opposite signs: the closed form first, then, for rounded numbers,
   // a bracketed iteration where the closed form lost digits.
-  FT root(FT u, FT gu, FT v, FT gv) const
+  void find_root(FT u, FT gu, FT v, FT gv)
   {
-    FT t;
-    if (closed_form(u, v, t))
+    FT &t = m_ties[m_number], &d = m_distances[m_number];
+    ++m_number;
+    bool good = closed_form(u, v, t);
+    for (int i = 0; i < 80; ++i)
     {
-      if constexpr (!Number_policy<FT>::is_inexact) return t;
-      const FT g = difference(t);
-      if (sign(g) == 0) return t;
-      if ((g > 0) == (gu > 0)) { u = t; gu = g; }
-      else { v = t; gv = g; }
-    }
-    if constexpr (Number_policy<FT>::is_inexact)
-    {
-      for (int i = 0; i < 80; ++i)
+      if (!good)
       {
-        t = i % 3 == 2 ? FT(0.5) * (u + v) : u + (v - u) * (gu / (gu - gv));
+        t = i % 3 == 2 ? FT(0.5) * (u + v) : FT(u + (v - u) * (gu / (gu - gv)));
         if (!(t > u && t < v)) t = FT(0.5) * (u + v);
-        if (!(t > u && t < v)) break;
-        const FT g = difference(t);
-        if (sign(g) == 0) break;
-        if ((g > 0) == (gu > 0)) { u = t; gu = g; }
-        else { v = t; gv = g; }
+      }
+      good = false;
+      d = m_a.distance_at(t);
+      if (!Number_policy<FT>::is_inexact) return;
+      const FT g = d - m_b.distance_at(t);
+      if (sign(g) == 0 || !(t > u && t < v)) return;
+      if ((g > 0) == (gu > 0))
+      {
+        u = t;
+        gu = g;
+      }
+      else
+      {
+        v = t;
+        gv = g;
       }
     }
-    return t;
   }
 
   // point / point, with k = sigma_b - sigma_a:   |t - A| - |t - B| = k
@@ -163,7 +171,10 @@ private:
     const FT t1 = q / qa, t2 = qc / q;
     const bool in1 = u < t1 && t1 < v, in2 = u < t2 && t2 < v;
     if (in1 && in2)
-      t = CGAL::abs(difference(t1)) <= CGAL::abs(difference(t2)) ? t1 : t2;
+      t = CGAL::abs(FT(m_a.distance_at(t1) - m_b.distance_at(t1))) <=
+          CGAL::abs(FT(m_a.distance_at(t2) - m_b.distance_at(t2)))
+            ? t1
+            : t2;
     else if (in1)
       t = t1;
     else if (in2)
@@ -175,10 +186,11 @@ private:
 
   const Window& m_a;
   const Window& m_b;
+  FT m_low, m_high, m_a_low, m_a_high, m_b_low, m_b_high;
   FT m_allowance;
   int m_first_sign = 0;
   int m_number = 0;
-  FT m_ties[2];
+  FT m_ties[2], m_distances[2];
 };
 
 } // namespace internal
