@@ -114,7 +114,7 @@ private:
       const Exact_value a = value(m_mesh.source(h)), b = value(m_mesh.target(h));
       // rounding must not move the point into a vertex: that would be another node
       const double epsilon = std::numeric_limits<double>::epsilon();
-      const double t = std::min(std::max(CGAL::to_double(a / (a - b)), epsilon / 2), 1 - epsilon / 2);
+      const double t = std::min(std::max(CGAL::to_double(Exact_value(a / (a - b))), epsilon / 2), 1 - epsilon / 2);
       m_nodes.push_back({location_on(m_mesh, h, t), {}});
     }
     return inserted.first->second;

@@ -56,6 +56,12 @@ inline FT length(const Point_in_face<FT>& a)
 }
 
 template <class FT>
+inline Point_in_face<FT> quarter_turn(const Point_in_face<FT>& u)
+{
+  return {-u.y, u.x};
+}
+
+template <class FT>
 class Face_frame
 {
 public:

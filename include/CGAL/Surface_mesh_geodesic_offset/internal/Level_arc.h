@@ -26,12 +26,6 @@ struct Half_plane
 };
 
 template <class FT>
-inline Point_in_face<FT> quarter_turn(const Point_in_face<FT>& u)
-{
-  return {-u.y, u.x};
-}
-
-template <class FT>
 class Level_arc
 {
 public:

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Source_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 
 #include <map>
@@ -55,7 +55,7 @@ public:
   Initial_windows<FT> initial_windows(const Unfolded_mesh<FT>& mesh) const
   {
     Initial_windows<FT> initial(mesh);
-    for (const auto& s : m_sources) start(s.second, Index(s.first), initial);
+    for (const auto& s : m_sources) start(mesh, s.second, Index(s.first), initial);
     initial.finish();
     return initial;
   }
@@ -71,19 +71,19 @@ private:
   std::size_t add(const Unfolded_mesh<FT>& mesh, Source&& source)
   {
     Initial_windows<FT> trial(mesh);
-    start(source, 0, trial);
+    start(mesh, source, 0, trial);
     m_sources.emplace(m_next, std::move(source));
     return m_next++;
   }
 
-  static void start(const Source& s, Index id, Initial_windows<FT>& initial)
+  static void start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial)
   {
     switch (s.kind)
     {
     case POINT: initial.add_point(id, s.points.front()); break;
-    case OPEN_POLYLINE: initial.add_polyline(id, s.points, false); break;
-    case CLOSED_POLYLINE: initial.add_polyline(id, s.points, true); break;
-    case EDGES: initial.add_edges(id, s.halfedges); break;
+    case OPEN_POLYLINE: Source_start<FT>(mesh, initial).add_polyline(id, s.points, false); break;
+    case CLOSED_POLYLINE: Source_start<FT>(mesh, initial).add_polyline(id, s.points, true); break;
+    case EDGES: Source_start<FT>(mesh, initial).add_edges(id, s.halfedges); break;
     }
   }
 

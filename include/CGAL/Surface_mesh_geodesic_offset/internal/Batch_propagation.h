@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All windows of a halfedge, unfolded across its face at once.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BATCH_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BATCH_PROPAGATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_propagation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits>
+class Batch_propagation
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Batch_propagation(Wavefront_state<FT>& state, const Traits& traits)
+    : m_state(state), m_mesh(state.mesh), m_traits(traits)
+  {
+  }
+
+  // Propagates the fresh ones of the windows of a halfedge, which are its lower envelope, across the face.
+  void operator()(Index h, const std::vector<Window>& windows)
+  {
+    const Window_propagation<FT> face(m_mesh, h);
+    const std::size_t n = windows.size();
+    FT best, entry;
+    sort_by_exit(h, face, windows, best, entry);
+
+    const Index apex = m_mesh.apex(h), p = m_mesh.source(h), q = m_mesh.target(h);
+    const FT dp = m_state.field.distance[p], dq = m_state.field.distance[q], dr = m_state.field.distance[apex];
+    const Index left = m_mesh.twin(m_mesh.previous(h)), right = m_mesh.twin(m_mesh.next(h));
+    // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
+    const FT qx = face.cl * face.length, qy = -face.sl * face.length;
+    const FT px = face.right_length - face.cr * face.length, py = -face.sr * face.length;
+    const FT left_width = Number_policy<FT>::rounding(8) * face.left_length;
+    const FT right_width = Number_policy<FT>::rounding(8) * face.right_length;
+    typename Wavefront_state<FT>::Output to_left(m_state, left, n), to_right(m_state, right, n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Exit exit = m_exit[i];
+      if (exit == NONE) continue;
+      const Window& w = windows[i];
+      ++m_state.counts.windows_propagated;
+      FT split, d_apex, left_end, right_begin;
+      FT d_left = w.d1, d_right = w.d0;
+      bool left_to_apex = false, right_from_apex = false, goes_left = exit != RIGHT, goes_right = exit != LEFT;
+      left_end = w.b1;
+      right_begin = w.b0;
+      if (exit == BOTH)
+      {
+        // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the
+        // side of the best ray's entry, the rays that enter before it.
+        split = face.entry_of_apex(w);
+        d_apex = face.distance_at_apex(w);
+        left_to_apex = d_apex <= best || split <= entry;
+        right_from_apex = d_apex <= best || split >= entry;
+        left_end = left_to_apex ? split : entry;
+        right_begin = right_from_apex ? split : entry;
+        goes_left = left_end > w.b0;
+        goes_right = right_begin < w.b1;
+        if (!left_to_apex && goes_left) d_left = w.distance_at(left_end);
+        if (!right_from_apex && goes_right) d_right = w.distance_at(right_begin);
+      }
+      if (goes_left && to_left.is_open())
+      {
+        Window& child = to_left.next();
+        if (face.left_child(w, left_end, d_left, left_to_apex, d_apex, child) &&
+            !filtered_by_far_vertex<FT>(child.b0, child.d0, dq, qx, qy) &&
+            trim_by_ends<FT>(child, face.left_length, dp, dr, left_width))
+          to_left.keep();
+      }
+      if (goes_right && to_right.is_open())
+      {
+        Window& child = to_right.next();
+        if (face.right_child(w, right_begin, d_right, right_from_apex, d_apex, child) &&
+            !filtered_by_far_vertex<FT>(child.b1, child.d1, dp, px, py) &&
+            trim_by_ends<FT>(child, face.right_length, dr, dq, right_width))
+          to_right.keep();
+      }
+    }
+    to_left.close();
+    to_right.close();
+  }
+
+private:
+  enum Exit : char { NONE, LEFT, BOTH, RIGHT };
+
+  // Tells through which edges the windows leave the face, and updates the distance of the apex: by the best of the
+  // windows that cover it, or, where rounding has left it between two windows, by paths round their ends, which are
+  // always valid. Returns the best distance given to the apex through h so far, and where its ray enters.
+  void sort_by_exit(Index h, const Window_propagation<FT>& face, const std::vector<Window>& windows, FT& best, FT& entry)
+  {
+    const auto compare = m_traits.compare_entry_with_apex_2_object();
+    auto& list = m_state.field.lists.get(h);
+    best = list.split_distance;
+    entry = list.split_entry;
+    m_exit.resize(windows.size());
+    const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
+    bool covered = false;
+    for (std::size_t i = 0; i < windows.size(); ++i)
+    {
+      const Window& w = windows[i];
+      if (w.is_propagated())
+      {
+        m_exit[i] = NONE;
+        continue;
+      }
+      if (compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y) == POSITIVE)
+      {
+        m_exit[i] = RIGHT;
+        if (!first_right) first_right = &w;
+      }
+      else if (compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y) == NEGATIVE)
+      {
+        m_exit[i] = LEFT;
+        last_left = &w;
+      }
+      else
+      {
+        m_exit[i] = BOTH;
+        covered = true;
+        const FT d = face.distance_at_apex(w);
+        if (d < best)
+        {
+          best = d;
+          nearest = &w;
+        }
+      }
+    }
+    if (nearest)
+    {
+      const Window& w = *nearest;
+      entry = face.entry_of_apex(w);
+      list.split_distance = best;
+      list.split_entry = entry;
+      const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+      update_apex(h, face, best, bx, by, w.root);
+    }
+    if (!covered)
+    {
+      if (last_left) round_the_end(h, face, last_left->b1, last_left->d1, last_left->root);
+      if (first_right) round_the_end(h, face, first_right->b0, first_right->d0, first_right->root);
+    }
+  }
+
+  void round_the_end(Index h, const Window_propagation<FT>& face, const FT& b, const FT& d, Root root)
+  {
+    if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
+    const FT bx = b - face.apex_x;
+    update_apex(h, face, d + square_root<FT>(bx * bx + face.apex_y * face.apex_y), bx, -face.apex_y, root);
+  }
+
+  // (bx, by): from the apex back towards the source, in the frame of h.
+  void update_apex(Index h, const Window_propagation<FT>& face, const FT& d, const FT& bx, const FT& by, Root root)
+  {
+    const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
+    m_state.update_vertex(m_mesh.apex(h), d, back, root);
+  }
+
+  Wavefront_state<FT>& m_state;
+  const Unfolded_mesh<FT>& m_mesh;
+  const Traits& m_traits;
+  std::vector<Exit> m_exit;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rays that start at a point or a segment: from the sources, and from pseudo-sources on the way.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RAY_SPREADING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RAY_SPREADING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_sector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Ray_spreading
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Ray_at_vertex<FT> Ray;
+
+  Ray_spreading(Wavefront_state<FT>& state, const Initial_windows<FT>& initial)
+    : m_state(state), m_mesh(state.mesh), m_initial(initial), m_sector(state.mesh)
+  {
+  }
+
+  // Everything that starts from the sources.
+  void start()
+  {
+    for (const auto& s : m_initial.seeds) m_state.update_vertex(s.vertex, s.distance, s.back, s.root);
+    for (const auto& f : m_initial.fans) spread(f.vertex, f.from, f.to, f.first, f.root, no_index);
+    for (const auto& e : m_initial.edges)
+    {
+      Window w{FT(0), FT(-1), FT(0), e.b0, e.b1, FT(0), FT(0), e.root, Window::make_bits(true, no_index)};
+      m_state.append(e.halfedge, w);
+    }
+    for (const auto& l : m_initial.local)
+    {
+      m_state.schedule(l.face);
+      const Face_frame<FT> frame(m_mesh, l.face);
+      for (int k = 0; k < 3; ++k)
+        if (l.window.edge == 3 || l.window.edge == k) leave_face(l.face, frame, k, l.window);
+    }
+  }
+
+  // Behind a vertex reached along a direction, shortest paths go on only at angles of at least pi to it on either side.
+  void spread_from_pseudo_source(Index v)
+  {
+    if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
+    m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
+    const Ray back = m_state.field.back[v];
+    const Root root = m_state.field.root[v];
+    const Ray from = m_sector.turn_ccw(back, 2), to = m_sector.turn_cw(back, 2);
+    if (from.corner != no_index && to.corner != no_index)
+    {
+      // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
+      if (!comes_first(back.corner, from.corner, to.corner)) spread(v, from, to, from.corner, root, v);
+    }
+    else
+    {
+      Index first = back.corner;
+      for (Index c = first; c != no_index; c = m_mesh.corner_cw(c)) first = c;
+      if (from.corner != no_index) spread(v, from, Ray(), first, root, v);
+      if (to.corner != no_index) spread(v, Ray(), to, first, root, v);
+    }
+    if (m_mesh.has_several_fans(v))
+      m_mesh.for_each_fan(v, [&](Index first) {
+        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v);
+      });
+  }
+
+private:
+  // The part of a window that starts in a face and leaves it through halfedge k.
+  void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
+  {
+    const Index g = m_mesh.twin(3 * face + k);
+    if (g == no_index) return;
+    Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.root, local.bits};
+    frame.window_to_twin(k, w);
+    if (!CGAL::is_negative(w.y)) return;
+    const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
+    const auto towards = [&](const Point_in_face<FT>& c) {
+      return w.is_parallel() ? Point_in_face<FT>{-w.x, -w.y} : Point_in_face<FT>{c.x - w.x, c.y - w.y};
+    };
+    if (local.edge == k)
+    {
+      w.b0 = left.x;
+      w.b1 = right.x;
+    }
+    else if (!clip(left, towards(left), FT(-1), w) || !clip(right, towards(right), FT(1), w))
+      return;
+    if (w.b0 < FT(0)) w.b0 = FT(0);
+    if (w.b1 > m_mesh[g].length) w.b1 = m_mesh[g].length;
+    if (!(w.b0 < w.b1)) return;
+    w.d0 = w.distance_at(w.b0);
+    w.d1 = w.distance_at(w.b1);
+    m_state.add(g, w);
+  }
+
+  // Clips the interval to the side of the ray from c with direction u where the cross product has the given sign.
+  static bool clip(const Point_in_face<FT>& c, const Point_in_face<FT>& u, const FT& sign, Window& w)
+  {
+    const FT g0 = sign * (u.x * (FT(0) - c.y) - u.y * (w.b0 - c.x));
+    const FT g1 = sign * (u.x * (FT(0) - c.y) - u.y * (w.b1 - c.x));
+    if (!CGAL::is_positive(g0) && !CGAL::is_positive(g1)) return false;
+    const FT b0 = w.b0, b1 = w.b1;
+    if (CGAL::is_negative(g0)) w.b0 = b0 + (g0 / (g0 - g1)) * (b1 - b0);
+    if (CGAL::is_negative(g1)) w.b1 = b1 + (g1 / (g1 - g0)) * (b0 - b1);
+    return true;
+  }
+
+  bool comes_first(Index c, Index from, Index to) const
+  {
+    for (Index i = from; i != no_index && i != to; i = m_mesh.corner_ccw(i))
+      if (i == c) return true;
+    return false;
+  }
+
+  bool in_fan(Index c, Index first) const
+  {
+    Index i = first;
+    do
+    {
+      if (i == c) return true;
+      i = m_mesh.corner_ccw(i);
+    } while (i != no_index && i != first);
+    return false;
+  }
+
+  // The rays from v in a sector: windows on the edges opposite to v, and distances along the edges.
+  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source)
+  {
+    const FT sigma = m_state.field.distance[v];
+    m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
+      const Index e = m_mesh.next(h), p = m_mesh.previous(h);
+      m_state.schedule(m_mesh.face(h));
+      m_state.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root);
+      m_state.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root);
+      const Index g = m_mesh.twin(e);
+      if (g == no_index) return;
+      const FT length = m_mesh[e].length;
+      Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), root,
+               Window::make_bits(false, pseudo_source)};
+      if (lower) w.b1 = exit_of_ray(h, *lower, length);
+      if (upper) w.b0 = exit_of_ray(h, *upper, length);
+      if (!(w.b0 < w.b1)) return;
+      w.d0 = w.distance_at(w.b0);
+      w.d1 = w.distance_at(w.b1);
+      m_state.add(g, w);
+    });
+  }
+
+  // Where a ray from the source of h leaves the face, in the frame of the twin of the opposite edge.
+  FT exit_of_ray(Index h, const Ray& r, const FT& length) const
+  {
+    const FT b = cross(r.x, r.y, m_mesh[h].apex_x, m_mesh[h].apex_y), a = cross(r.x, r.y, m_mesh[h].length, FT(0));
+    if (!CGAL::is_positive(b)) return FT(0);
+    if (!CGAL::is_negative(a)) return length;
+    return (b / (b - a)) * length;
+  }
+
+  Wavefront_state<FT>& m_state;
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  Vertex_sector<FT> m_sector;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

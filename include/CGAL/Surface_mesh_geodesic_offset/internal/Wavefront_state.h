@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the parts of the wavefront share: the field so far, the queue, and the ways to add to them.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WAVEFRONT_STATE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WAVEFRONT_STATE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// What is known of the distance field: at the vertices always, on the edges as far as the lists were kept.
+template <class FT>
+struct Geodesic_field
+{
+  std::vector<FT> distance;              // per vertex
+  std::vector<Ray_at_vertex<FT>> back;   // per vertex, the direction back to the source
+  std::vector<Root> root;                // per vertex
+  Window_lists<FT> lists;                // per halfedge
+
+  void release_lists() { lists = Window_lists<FT>(); }
+};
+
+struct Wavefront_counts
+{
+  std::size_t windows_created = 0, windows_propagated = 0;
+};
+
+template <class FT>
+class Wavefront_state
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Ray_at_vertex<FT> Ray;
+
+  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2 };
+  enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
+
+  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)
+    : mesh(mesh), maximum(maximum_distance), field(field), queue(0.5 * CGAL::to_double(mesh.mean_edge_length())),
+      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0)
+  {
+    field.distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
+    field.back.assign(mesh.number_of_vertices(), Ray());
+    field.root.assign(mesh.number_of_vertices(), Root());
+    field.lists = Window_lists<FT>(mesh.number_of_halfedges());
+  }
+
+  // A path to v of length d, that leaves v along `back`. A vertex where shortest paths bend becomes a pseudo-source once
+  // the front is there.
+  void update_vertex(Index v, const FT& d, const Ray& back, Root root)
+  {
+    FT& known = field.distance[v];
+    if (!(d < known)) return;
+    // what rounding improves is no reason to spread again
+    if ((vertex_state[v] & HAS_SPREAD) && d >= known - known * Number_policy<FT>::rounding(64)) return;
+    known = d;
+    field.back[v] = back;
+    field.root[v] = root;
+    if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return;
+    vertex_state[v] |= WAITS;
+    queue.push_vertex(queue.bucket_of(d), v);
+  }
+
+  // A face that the front has reached is looked at again when the front may have passed it.
+  void schedule(Index f)
+  {
+    if (face_state[f]) return;
+    face_state[f] = SCHEDULED;
+    queue.push_face(queue.current() + 2, f);
+  }
+
+  // Adds a window to the list of g, trimmed by the distances of the ends of g.
+  void add(Index g, Window& w)
+  {
+    const FT length = mesh[g].length;
+    if (trim_by_ends<FT>(w, length, field.distance[mesh.source(g)], field.distance[mesh.target(g)],
+                         Number_policy<FT>::rounding(8) * length))
+      append(g, w);
+  }
+
+  void append(Index g, const Window& w)
+  {
+    Output output(*this, g, 1);
+    output.next() = w;
+    output.keep();
+    output.close();
+  }
+
+  // Writes windows behind the list of a halfedge, and puts the halfedge into the queue.
+  class Output
+  {
+  public:
+    // For up to n windows. A border or a face that the front has passed takes none.
+    Output(Wavefront_state& front, Index g, std::size_t n) : m_front(front), m_halfedge(g)
+    {
+      if (g == no_index || (front.face_state[front.mesh.face(g)] & FINISHED)) return;
+      m_next = m_first = front.field.lists.room(front.field.lists.get_or_create(g), n);
+    }
+
+    bool is_open() const { return m_first != nullptr; }
+
+    // A place for one more window, and taking it.
+    Window& next() { return *m_next; }
+    void keep()
+    {
+      const FT nearest = m_next->minimum();
+      if (nearest > m_front.maximum) return;
+      if (nearest < m_nearest) m_nearest = nearest;
+      ++m_next;
+    }
+
+    void close()
+    {
+      if (!m_first) return;
+      auto& lists = m_front.field.lists;
+      auto& list = lists.get(m_halfedge);
+      const std::size_t n = std::size_t(m_next - m_first);
+      if (n == 0)
+      {
+        if (list.size == 0) lists.release(m_halfedge);
+        return;
+      }
+      lists.extend(list, n);
+      m_front.counts.windows_created += n;
+      const std::size_t bucket = (std::max)(m_front.queue.bucket_of(m_nearest), m_front.queue.current());
+      if (bucket < list.bucket)
+      {
+        list.bucket = bucket;
+        m_front.queue.push_halfedge(bucket, m_halfedge);
+      }
+    }
+
+  private:
+    Wavefront_state& m_front;
+    Index m_halfedge;
+    Window *m_first = nullptr, *m_next = nullptr;
+    FT m_nearest = Number_policy<FT>::infinity();
+  };
+
+  const Unfolded_mesh<FT>& mesh;
+  const FT maximum;
+  Geodesic_field<FT>& field;
+  Bucket_queue queue;
+  std::vector<char> vertex_state, face_state;
+  Wavefront_counts counts;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
