@@ -82,8 +82,11 @@ public:
     std::ofstream stream(m_entries.back().temporary, std::ios::binary | std::ios::trunc);
     if(!stream)
       fail(target, reason());
-    write(static_cast<std::ostream&>(stream));
     errno = 0;
+    write(static_cast<std::ostream&>(stream));
+    stream.flush();
+    if(!stream)
+      fail(target, reason());
     stream.close();
     if(!stream)
       fail(target, reason());

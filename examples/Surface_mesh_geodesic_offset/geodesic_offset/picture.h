@@ -225,6 +225,9 @@ private:
 
   static double power_of_64(double x)
   {
+    // arithmetic with the tiny numbers that would come out is very slow
+    if(x < 0.7)
+      return 0;
     for(int i = 0; i < 6; ++i)
       x *= x;
     return x;

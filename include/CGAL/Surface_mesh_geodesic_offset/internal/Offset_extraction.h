@@ -31,32 +31,16 @@ public:
 
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels)
-    : m_mesh(mesh), m_initial(initial), m_field(field), m_levels(levels), m_crossings(mesh, initial, field)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_levels(levels), m_crossings(mesh, initial, field),
+      m_is_cut(mesh.number_of_faces(), 0)
   {
   }
 
   // Cuts one finished face at all levels that pass through it.
   void operator()(Index face)
   {
-    FT near, far;
-    range_of(face, near, far);
-    std::size_t first = m_levels.first_above(near), last = m_levels.first_above(far);
-    if (first == last) return;
-    const Face_field<FT> field(m_mesh, m_initial, m_field, face);
-    first = (std::max)(first, m_levels.first_above(FT(field.lower_bound() - slack(far))));
-    if (first >= last) return;
-    const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
-    find_gates(field, first, last);
-    for (std::size_t i = first; i < last; ++i)
-    {
-      m_gates.clear();
-      for (const Face_gate& g : m_face_gates)
-        if (g.level == i) m_gates.push_back(g.gate);
-      if (m_gates.empty() && !loops) continue;
-      m_chains.clear();
-      m_tracer(field, m_levels[i], m_gates, loops, m_chains);
-      for (Chain& c : m_chains) store(c, i);
-    }
+    cut(face);
+    m_is_cut[face] = 1;
   }
 
   // Calls out(level index, closed, pieces) for each curve, by increasing level.
@@ -114,6 +98,29 @@ private:
     std::size_t first, last, level;
   };
 
+  void cut(Index face)
+  {
+    FT near, far;
+    range_of(face, near, far);
+    std::size_t first = m_levels.first_above(near), last = m_levels.first_above(far);
+    if (first == last) return;
+    const Face_field<FT> field(m_mesh, m_initial, m_field, face);
+    first = (std::max)(first, m_levels.first_above(FT(field.lower_bound() - slack(far))));
+    if (first >= last) return;
+    const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
+    find_gates(field, first, last);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      m_gates.clear();
+      for (const Face_gate& g : m_face_gates)
+        if (g.level == i) m_gates.push_back(g.gate);
+      if (m_gates.empty() && !loops) continue;
+      m_chains.clear();
+      m_tracer(field, m_levels[i], m_gates, loops, m_chains);
+      for (Chain& c : m_chains) store(c, i);
+    }
+  }
+
   void range_of(Index face, FT& near, FT& far) const
   {
     FT longest(0);
@@ -152,9 +159,10 @@ private:
         const FT t = reversed ? FT(m_mesh[h].length - c.position) : c.position;
         m_face_gates.push_back({c.level, {frame.on_edge(int(k), t), c.falling == reversed, c.gate}});
       };
-      const auto stored = m_waiting.find(g);
-      if (g != no_index && stored != m_waiting.end())
-      {
+      if (g != no_index && m_is_cut[m_mesh.face(g)])
+      { // what was not found then is not there; the lists may be gone by now
+        const auto stored = m_waiting.find(g);
+        if (stored == m_waiting.end()) continue;
         for (const Crossing& c : stored->second) add(c, true);
         m_waiting.erase(stored);
         continue;
@@ -212,6 +220,7 @@ private:
   std::vector<Face_gate> m_face_gates;
   std::vector<Level_gate<FT>> m_gates;
   std::vector<Chain> m_chains;
+  std::vector<char> m_is_cut; // per face
   std::unordered_map<Index, std::vector<Crossing>> m_waiting; // by the halfedge of the face that came first
   std::vector<std::size_t> m_link_of_gate;                    // the chain that starts at the gate
   std::vector<Link> m_links;

@@ -48,7 +48,7 @@ public:
   template <class Function>
   void operator()(const Surface_point<FT>& p, const Function& out) const
   {
-    Step step;
+    Step step{};
     if (!first_step(p, step)) return;
     out(step.face, step.from);
     for (std::size_t guard = 0; guard <= 4 * m_mesh.number_of_faces() + 16; ++guard)
