@@ -97,9 +97,10 @@ public:
 private:
   enum Exit : char { NONE, LEFT, BOTH, RIGHT };
 
-  // Tells through which edges the windows leave the face, and updates the distance of the apex: by the best of the
-  // windows that cover it, or, where rounding has left it between two windows, by paths round their ends, which are
-  // always valid. Returns the best distance given to the apex through h so far, and where its ray enters.
+  // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
+  // that cover it. Rounding may leave the apex between two windows. So a window that just misses it gives it the length of
+  // the path round its end, which is always valid, and if none covers it, so do its neighbours on either side.
+  // Returns the best distance given to the apex through h so far, and where its ray enters.
   void sort_by_exit(Index h, const Window_propagation<FT>& face, const std::vector<Window>& windows, FT& best, FT& entry)
   {
     const auto compare = m_traits.compare_entry_with_apex_2_object();
@@ -121,11 +122,13 @@ private:
       {
         m_exit[i] = RIGHT;
         if (!first_right) first_right = &w;
+        else if (face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w.b0, w.d0, w.root);
       }
       else if (compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y) == NEGATIVE)
       {
         m_exit[i] = LEFT;
         last_left = &w;
+        if (face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w.b1, w.d1, w.root);
       }
       else
       {
@@ -148,11 +151,9 @@ private:
       const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
       update_apex(h, face, best, bx, by, w.root);
     }
-    if (!covered)
-    {
-      if (last_left) round_the_end(h, face, last_left->b1, last_left->d1, last_left->root);
-      if (first_right) round_the_end(h, face, first_right->b0, first_right->d0, first_right->root);
-    }
+    if (last_left && !covered) round_the_end(h, face, last_left->b1, last_left->d1, last_left->root);
+    if (first_right && (!covered || face.passes_apex_closely(*first_right, first_right->b0)))
+      round_the_end(h, face, first_right->b0, first_right->d0, first_right->root);
   }
 
   void round_the_end(Index h, const Window_propagation<FT>& face, const FT& b, const FT& d, Root root)

@@ -82,6 +82,7 @@ public:
     m_cover_depth = Number_policy<FT>::rounding(256) * magnitude;
     m_tie = Number_policy<FT>::rounding(1 << 16) * magnitude;
     m_step = Number_policy<FT>::rounding(1 << 17) * m_face_size;
+    m_refine = Number_policy<FT>::rounding(1 << 24) * magnitude;
     m_gates = gates;
     m_traversed.clear();
     for (std::size_t i = 0; i < m_gates.size(); ++i)
@@ -244,6 +245,16 @@ private:
     return best;
   }
 
+  // The joint of an arc and the next one, found where the next one was nearer by the allowance, moved to where both tie.
+  void refine_joint(std::size_t last, std::size_t next, Point& p) const
+  {
+    const Level_arc<FT>&a = m_arcs[last], &b = m_arcs[next];
+    Point q;
+    const bool meets = b.is_straight() ? a.enter_half_plane(Half_plane<FT>{b.forward(), b.radius()}, q)
+                                       : a.meet_disk(b.image(), b.radius(), false, q);
+    if (meets && length(q - p) <= m_refine && a.outside_cone(q) <= m_tie && b.outside_cone(q) <= m_tie) p = q;
+  }
+
   void add_piece(const Run& run, const Point& start, Chain& chain)
   {
     const Face_window<FT>& w = m_arcs[run.arc].window();
@@ -263,6 +274,11 @@ private:
     {
       const Run run = best_run(p, arc, true);
       if (!run.valid) break;
+      if (!chain.pieces.empty())
+      {
+        refine_joint(arc, run.arc, p);
+        chain.pieces.back().end = p;
+      }
       add_piece(run, p, chain);
       p = run.end;
       arc = run.arc;
@@ -350,6 +366,12 @@ private:
         run.end = start;
         closed = true;
       }
+      if (!chain.pieces.empty() && m_last_arc != run.arc)
+      {
+        refine_joint(m_last_arc, run.arc, p);
+        chain.pieces.back().end = p;
+      }
+      m_last_arc = run.arc;
       add_piece(run, p, chain);
       p = run.end;
       if (guard > 0 && length(p - start) <= m_tie) closed = true;
@@ -369,7 +391,8 @@ private:
   }
 
   const Face_field<FT>* m_field = nullptr;
-  FT m_level, m_face_size, m_cover_depth, m_tie, m_step;
+  FT m_level, m_face_size, m_cover_depth, m_tie, m_step, m_refine;
+  std::size_t m_last_arc = 0;
   std::vector<Level_arc<FT>> m_arcs;
   Half_plane<FT> m_outside[3];
   std::vector<Gate> m_gates;

@@ -52,6 +52,14 @@ public:
     return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
   }
 
+  // Does the ray through (b, 0) pass the apex so closely that rounding may have moved it to the other side?
+  bool passes_apex_closely(const Window& w, const FT& b) const
+  {
+    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
+    return CGAL::abs(FT(b * slope - (r0 - r1))) <=
+           Number_policy<FT>::rounding(1 << 16) * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+  }
+
   // The child on p -> r of the rays that enter from b0 to `end`; up to the apex, where the distance is apex_distance,
   // if to_apex. False if nothing is left.
   bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
