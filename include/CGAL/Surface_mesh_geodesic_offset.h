@@ -29,7 +29,7 @@ namespace CGAL {
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
 \brief computes exact geodesic distances and exact geodesic offset curves on a triangle mesh, from any number of points,
-polylines and edges, by the extended Xin-Wang algorithm \cgalCite{cgal:xyh-ecgot-11}.
+polylines and edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
 The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
 Sources are added, then `build()` propagates the distances, then the const member functions answer. They may be called
@@ -271,7 +271,7 @@ public:
   /// up to the largest level and once for all levels.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
-  /// points that are strictly nearer. Levels beyond the largest distance of the surface, or beyond the maximum distance of
+  /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below itself. Levels beyond the largest distance of the surface, or beyond the maximum distance of
   /// the build, give no curves.
   /// \param levels a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance

@@ -191,8 +191,10 @@ private:
   void record_crossing(const Face_location& location)
   {
     const auto support = locations_.support(location);
-    if(support.size() == 1)
-      touched_vertices_.insert(support[0].first);
+    // A level through a vertex is cut within rounding of the vertex, through some of its edges.
+    for(const auto& s : support)
+      if(CGAL::squared_distance(mesh_.point(s.first), locations_.point(location)) <= CGAL::square(1e-11 * diagonal_))
+        touched_vertices_.insert(s.first);
     if(support.size() == 2)
     {
       const auto h = CGAL::halfedge(support[0].first, support[1].first, mesh_);

@@ -339,7 +339,8 @@ void tiny_and_needle_faces()
       {
         const auto u = data.mesh.vertex(e, 0), v = data.mesh.vertex(e, 1);
         const double difference = geodesic.distance_to_sources(u) - geodesic.distance_to_sources(v);
-        CHECK(std::abs(difference) <= straight(u, v) * (1 + 1e-12) + rounding);
+        CHECK_DETAIL(std::abs(difference) <= straight(u, v) * (1 + 1e-12) + rounding,
+                     values(std::abs(difference), straight(u, v)));
       }
     }
     Worst_error worst(1e-12, diagonal);

@@ -70,14 +70,14 @@ public:
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
     {
       const Level_piece& p = m_pieces[i];
-      if (i == 0) *out++ = m_surface->location(p.face, p.start);
+      if (i == 0) *out++ = m_surface->location(p.face, p.start, p.start_edge);
       const int n = number_of_chords(p, chord_tolerance);
       const FT angle = n > 1 ? turn(p) : FT(0);
       for (int j = 1; j < n; ++j) *out++ = m_surface->location(p.face, rotated(p, angle * FT(double(j)) / FT(double(n))));
       if (m_closed && i + 1 == m_pieces.size())
-        *out++ = m_surface->location(m_pieces[0].face, m_pieces[0].start);
+        *out++ = m_surface->location(m_pieces[0].face, m_pieces[0].start, m_pieces[0].start_edge);
       else
-        *out++ = m_surface->location(p.face, p.end);
+        *out++ = m_surface->location(p.face, p.end, p.end_edge);
     }
     return out;
   }

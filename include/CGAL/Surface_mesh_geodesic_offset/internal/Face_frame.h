@@ -118,6 +118,18 @@ public:
     const FT w1 = (p.x - w2 * m_corner[2].x) / m_corner[1].x;
     return {FT(1) - w1 - w2, w1, w2};
   }
+  // The same for a point on halfedge k: the third coordinate is exactly zero.
+  std::array<FT, 3> barycentric_on_edge(int k, const Point& p) const
+  {
+    FT t = along(k, p) / m_length[k];
+    if (t < FT(0)) t = FT(0);
+    if (t > FT(1)) t = FT(1);
+    std::array<FT, 3> w;
+    w[k] = FT(1) - t;
+    w[(k + 1) % 3] = t;
+    w[(k + 2) % 3] = FT(0);
+    return w;
+  }
   Point point(const std::array<FT, 3>& w) const
   {
     return {w[1] * m_corner[1].x + w[2] * m_corner[2].x, w[2] * m_corner[2].y};

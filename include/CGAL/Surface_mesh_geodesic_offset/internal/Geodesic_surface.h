@@ -48,6 +48,13 @@ struct Geodesic_surface
     return Face_location(face_of[face], Face_frame<FT>(unfolded, face).barycentric(p));
   }
 
+  // A point known to lie on halfedge `edge` of the face; 3 if on none.
+  Face_location location(Index face, const Point_in_face<FT>& p, int edge) const
+  {
+    if (edge == 3) return location(face, p);
+    return Face_location(face_of[face], Face_frame<FT>(unfolded, face).barycentric_on_edge(edge, p));
+  }
+
   Point_3 point(const Face_location& l) const
   {
     FT x(0), y(0), z(0);

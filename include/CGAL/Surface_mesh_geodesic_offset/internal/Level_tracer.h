@@ -34,7 +34,8 @@ struct Level_piece
   FT radius;                // of a segment: distance of its line from the frame's origin along that direction
   Point_in_face<FT> start, end;
   Root root;
-  Index pseudo_source; // no_index if none
+  Index pseudo_source;                // no_index if none
+  unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
 };
 
 // A crossing of the level with an edge of the face. The level's curve starts in this face where, counterclockwise along
@@ -43,6 +44,7 @@ template <class FT>
 struct Level_gate
 {
   Point_in_face<FT> point;
+  unsigned char edge; // halfedge of the face
   bool is_start;
   Index id;
 };
@@ -83,6 +85,7 @@ public:
     m_tie = Number_policy<FT>::rounding(1 << 16) * magnitude;
     m_step = Number_policy<FT>::rounding(1 << 17) * m_face_size;
     m_refine = Number_policy<FT>::rounding(1 << 24) * magnitude;
+    m_point = Number_policy<FT>::rounding(1 << 12) * magnitude;
     m_gates = gates;
     m_traversed.clear();
     for (std::size_t i = 0; i < m_gates.size(); ++i)
@@ -262,7 +265,7 @@ private:
     const Index pseudo_source = (w.bits >> 2) - 1;
     chain.pieces.push_back(Piece{m_field->face(), w.is_parallel(),
                                  w.is_parallel() ? m_arcs[run.arc].forward() : w.image(), m_arcs[run.arc].radius(), start,
-                                 run.end, w.root, (w.bits >> 2) == 0 ? no_index : pseudo_source});
+                                 run.end, w.root, (w.bits >> 2) == 0 ? no_index : pseudo_source, 3, 3});
   }
 
   void trace_from_gate(std::size_t gate, std::vector<Chain>& chains)
@@ -284,18 +287,42 @@ private:
       arc = run.arc;
       if (run.gate != std::size_t(-1))
       {
-        chain.end = m_gates[run.gate].id;
-        m_gates[run.gate].id = no_index; // used
-        chains.push_back(chain);
+        finish(chain, gate, run.gate, chains);
         return;
       }
     }
-    force_end(chain, p, chains);
+    force_end(chain, p, gate, chains);
+  }
+
+  // Pieces without extent go; their ends stay, with the neighbours.
+  void drop_points(std::vector<Piece>& pieces) const
+  {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      if (length(pieces[i].end - pieces[i].start) > m_point || (n == 0 && i + 1 == pieces.size()))
+        pieces[n++] = pieces[i];
+      else if (n > 0)
+        pieces[n - 1].end = pieces[i].end;
+      else
+        pieces[i + 1].start = pieces[i].start;
+    }
+    pieces.resize(n);
+  }
+
+  void finish(Chain& chain, std::size_t start, std::size_t end, std::vector<Chain>& chains)
+  {
+    drop_points(chain.pieces);
+    chain.end = m_gates[end].id;
+    m_gates[end].id = no_index; // used
+    chain.pieces.front().start_edge = m_gates[start].edge;
+    chain.pieces.back().end_edge = m_gates[end].edge;
+    chains.push_back(chain);
   }
 
   // No arc could be followed up to a gate. The nearest gate left takes the chain; if it is farther than rounding
   // explains, this is counted.
-  void force_end(Chain& chain, const Point& p, std::vector<Chain>& chains)
+  void force_end(Chain& chain, const Point& p, std::size_t start, std::vector<Chain>& chains)
   {
     const std::size_t gate = gate_near(p, false, Number_policy<FT>::infinity());
     if (gate == std::size_t(-1)) return;
@@ -311,13 +338,11 @@ private:
       const Point u = CGAL::is_positive(norm) ? (FT(1) / norm) * (end - p) : Point{FT(1), FT(0)};
       const Point n = {u.y, -u.x};
       chain.pieces.push_back(Piece{m_field->face(), true, n, dot(n, p), p, end, w.root,
-                                   (w.bits >> 2) == 0 ? no_index : Index((w.bits >> 2) - 1)});
+                                   (w.bits >> 2) == 0 ? no_index : Index((w.bits >> 2) - 1), 3, 3});
     }
     else
       chain.pieces.back().end = end;
-    chain.end = m_gates[gate].id;
-    m_gates[gate].id = no_index;
-    chains.push_back(chain);
+    finish(chain, start, gate, chains);
   }
 
   // Loops that touch no edge. Each has a point where an arc comes out from under another window.
@@ -384,6 +409,7 @@ private:
     if (closed && sum > FT(1e-6) * (std::min)(m_face_size, m_level))
     {
       chain.pieces.back().end = start;
+      drop_points(chain.pieces);
       chains.push_back(chain);
     }
     else
@@ -391,7 +417,7 @@ private:
   }
 
   const Face_field<FT>* m_field = nullptr;
-  FT m_level, m_face_size, m_cover_depth, m_tie, m_step, m_refine;
+  FT m_level, m_face_size, m_cover_depth, m_tie, m_step, m_refine, m_point;
   std::size_t m_last_arc = 0;
   std::vector<Level_arc<FT>> m_arcs;
   Half_plane<FT> m_outside[3];

@@ -116,9 +116,18 @@ private:
         if (g.level == i) m_gates.push_back(g.gate);
       if (m_gates.empty() && !loops) continue;
       m_chains.clear();
-      m_tracer(field, m_levels[i], m_gates, loops, m_chains);
+      m_tracer(field, cut_level(i), m_gates, loops, m_chains);
       for (Chain& c : m_chains) store(c, i);
     }
+  }
+
+  // A point at exactly the level counts as farther. So a level is cut infinitesimally below; with rounded numbers, by a
+  // distance that is above rounding: then levels that go through vertices and along edges, as they often do on CAD
+  // meshes, are as good as any.
+  FT cut_level(std::size_t i) const
+  {
+    const FT level = m_levels[i];
+    return level - Number_policy<FT>::rounding(1024) * level;
   }
 
   void range_of(Index face, FT& near, FT& far) const
@@ -157,7 +166,7 @@ private:
       const Index h = 3 * face + k, g = m_mesh.twin(h);
       const auto add = [&](const Crossing& c, bool reversed) {
         const FT t = reversed ? FT(m_mesh[h].length - c.position) : c.position;
-        m_face_gates.push_back({c.level, {frame.on_edge(int(k), t), c.falling == reversed, c.gate}});
+        m_face_gates.push_back({c.level, {frame.on_edge(int(k), t), (unsigned char)(k), c.falling == reversed, c.gate}});
       };
       if (g != no_index && m_is_cut[m_mesh.face(g)])
       { // what was not found then is not there; the lists may be gone by now
@@ -169,7 +178,7 @@ private:
       }
       std::vector<Crossing> found;
       for (std::size_t i = first; i < last; ++i)
-        m_crossings(h, field, m_levels[i], [&](const FT& t, bool falling) {
+        m_crossings(h, field, cut_level(i), [&](const FT& t, bool falling) {
           found.push_back({i, t, falling, Index(m_link_of_gate.size())});
           m_link_of_gate.push_back(none);
         });
@@ -184,7 +193,10 @@ private:
     for (const Piece& p : c.pieces)
     {
       if (m_pieces.size() > first && continues(m_pieces.back(), p))
+      {
         m_pieces.back().end = p.end;
+        m_pieces.back().end_edge = p.end_edge;
+      }
       else
         m_pieces.push_back(p);
     }
