@@ -304,7 +304,8 @@ public:
   {
     const Built& b = built_with_windows();
     const Path_tracing trace(unfolded(), b.initial, b.field);
-    trace(classified(location), [&](Index f, const Point_in_face& p) { *out++ = m_surface->location(f, p); });
+    trace(classified(location),
+          [&](Index f, const Point_in_face& p, int edge) { *out++ = m_surface->location(f, p, edge); });
     return out;
   }
   /// @}

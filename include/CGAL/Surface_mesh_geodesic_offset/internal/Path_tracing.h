@@ -43,14 +43,14 @@ public:
     return best;
   }
 
-  // Calls out(face, point in the face's frame) for the points of the path from p to its source, one for each edge crossed
+  // Calls out(face, point in the face's frame, halfedge of the face it lies on, or 3) for the points of the path from p to its source, one for each edge crossed
   // and each vertex passed. Nothing if p is unreachable.
   template <class Function>
   void operator()(const Surface_point<FT>& p, const Function& out) const
   {
     Step step{};
     if (!first_step(p, step)) return;
-    out(step.face, step.from);
+    out(step.face, step.from, edge_of(p, step.face));
     for (std::size_t guard = 0; guard <= 4 * m_mesh.number_of_faces() + 16; ++guard)
     {
       Surface_point<FT> next;
@@ -68,6 +68,14 @@ private:
     Point from;
     Face_window<FT> window;
   };
+
+  int edge_of(const Surface_point<FT>& p, Index face) const
+  {
+    Point q;
+    unsigned edges;
+    position_in_face(m_mesh, p, face, q, edges);
+    return edges & 1u ? 0 : edges & 2u ? 1 : edges & 4u ? 2 : 3;
+  }
 
   bool first_step(const Surface_point<FT>& p, Step& step) const { return next_step(p, no_index, step); }
 
@@ -113,7 +121,7 @@ private:
     if (w.origin == STARTS_AT_CORNER)
     {
       const Index v = m_mesh.source(3 * step.face + w.edge);
-      out(step.face, w.image());
+      out(step.face, w.image(), w.edge);
       done = CGAL::is_zero(m_field.distance[v]);
       next = Surface_point<FT>::at_vertex(v);
       return;
@@ -121,11 +129,11 @@ private:
     const Point entry = entry_of(w, step.from);
     if (w.origin == STARTS_IN_FACE)
     {
-      out(step.face, w.is_parallel() ? entry : w.image());
+      out(step.face, w.is_parallel() ? entry : w.image(), 3);
       done = true;
       return;
     }
-    out(step.face, entry);
+    out(step.face, entry, w.edge);
     const Index h = 3 * step.face + w.edge;
     done = !CGAL::is_positive(w.distance_at(entry));
     next.kind = Surface_point<FT>::EDGE;

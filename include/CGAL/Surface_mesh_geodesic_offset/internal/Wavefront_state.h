@@ -68,7 +68,8 @@ public:
     known = d;
     field.back[v] = back;
     field.root[v] = root;
-    if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return;
+    vertex_state[v] &= char(~WAITS);
+    if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     queue.push_vertex(queue.bucket_of(d), v);
   }

@@ -68,14 +68,19 @@ public:
     child = w;
     change_frame<FT>(child, FT(0), FT(0), cl, sl);
     if (!CGAL::is_negative(child.y)) return false;
-    if (!exit(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0)) return false;
+    FT growth;
+    if (!exit(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, growth)) return false;
+    if (growth > most_growth()) child.d0 = child.distance_at(child.b0);
     if (to_apex)
     {
       child.b1 = left_length;
       child.d1 = apex_distance;
     }
-    else if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1))
-      return false;
+    else
+    {
+      if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, growth)) return false;
+      if (growth > most_growth()) child.d1 = child.distance_at(child.b1);
+    }
     return child.b0 < child.b1;
   }
 
@@ -87,9 +92,10 @@ public:
     change_frame<FT>(child, apex_x, apex_y, cr, -sr);
     if (!CGAL::is_negative(child.y)) return false;
     const FT mirrored = w.is_parallel() ? FT(-w.x) : FT(length - w.x);
-    FT t;
-    if (!exit(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1)) return false;
+    FT t, growth;
+    if (!exit(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, growth)) return false;
     child.b1 = right_length - t;
+    if (growth > most_growth()) child.d1 = child.distance_at(child.b1);
     if (from_apex)
     {
       child.b0 = FT(0);
@@ -97,8 +103,9 @@ public:
     }
     else
     {
-      if (!exit(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0)) return false;
+      if (!exit(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, growth)) return false;
       child.b0 = right_length - t;
+      if (growth > most_growth()) child.d0 = child.distance_at(child.b0);
     }
     return child.b0 < child.b1;
   }
@@ -108,16 +115,20 @@ public:
   FT cr, sr; // direction of q -> r, mirrored
 
 private:
+  // A distance scaled by more than this is found anew: scaling keeps the relative error, which is large for a point very
+  // near to the source.
+  static FT most_growth() { return FT(2); }
+
   static bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s, const FT& length,
-                   FT& t, FT& distance)
+                   FT& t, FT& distance, FT& growth)
   {
     const FT den = w.is_parallel() ? FT(s * x - c * w.y) : FT(s * (x - b) - c * w.y);
     if (!CGAL::is_positive(den)) return false;
     const FT inverse = FT(1) / den;
     t = -(b * w.y) * inverse;
     if (t > length) t = length;
-    const FT part = s * b * inverse;
-    distance = w.is_parallel() ? FT(d + part) : FT(d + (d - w.sigma) * part);
+    growth = s * b * inverse;
+    distance = w.is_parallel() ? FT(d + growth) : FT(d + (d - w.sigma) * growth);
     return true;
   }
 };
