@@ -75,8 +75,9 @@ public:
     m_corner[2] = {mesh[h].apex_x, mesh[h].apex_y};
     for (int k = 0; k < 3; ++k) m_length[k] = mesh[h + k].length;
     m_direction[0] = {FT(1), FT(0)};
-    for (int k = 1; k < 3; ++k)
-      m_direction[k] = (FT(1) / m_length[k]) * (m_corner[(k + 1) % 3] - m_corner[k]);
+    // from the vectors at the corners, not from differences of corners: edges may be tiny
+    m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
+    m_direction[2] = {-mesh[h].apex_x / m_length[2], -mesh[h].apex_y / m_length[2]};
   }
 
   const Point& corner(int k) const { return m_corner[k]; }           // source of halfedge k

@@ -37,8 +37,10 @@ public:
     right_length = mesh[mesh.next(h)].length;
     cl = apex_x / left_length;
     sl = apex_y / left_length;
-    cr = (length - apex_x) / right_length;
-    sr = apex_y / right_length;
+    // the angle at q from the vectors at q: from the difference length - apex_x it would lose all digits on a tiny edge
+    const auto& n = mesh[mesh.next(h)];
+    cr = n.apex_x / length;
+    sr = n.apex_y / length;
   }
 
   // Distance at the apex, which must be in the window's cone.
