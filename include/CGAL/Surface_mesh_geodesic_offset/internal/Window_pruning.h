@@ -31,7 +31,8 @@ inline FT tie_with_end(const Window<FT>& w, const FT& x, const FT& distance_at_e
 template <class FT>
 inline bool trim_by_ends(Window<FT>& w, const FT& length, const FT& d_source, const FT& d_target, const FT& min_width)
 {
-  if (d_source + w.b1 <= w.d1 || d_target + (length - w.b0) <= w.d0) return false;
+  const FT allowance = Number_policy<FT>::rounding(4) * w.d1;
+  if (d_source + w.b1 <= w.d1 - allowance || d_target + (length - w.b0) <= w.d0 - allowance) return false;
   if (d_source + w.b0 < w.d0)
   {
     const FT t = tie_with_end<FT>(w, w.x, w.sigma, d_source);
@@ -61,9 +62,8 @@ inline bool trim_by_ends(Window<FT>& w, const FT& length, const FT& d_source, co
 template <class FT>
 inline bool filtered_by_far_vertex(const FT& t, const FT& d, const FT& dv, const FT& vx, const FT& vy)
 {
-  if (!(dv < d)) return false;
-  const FT u = t - vx, r = d - dv;
-  return u * u + vy * vy <= r * r;
+  const FT u = t - vx, r = d - dv - Number_policy<FT>::rounding(4) * d;
+  return CGAL::is_positive(r) && u * u + vy * vy <= r * r;
 }
 
 } // namespace internal
