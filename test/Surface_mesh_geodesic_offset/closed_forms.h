@@ -102,7 +102,8 @@ struct Cone_distance
   {
     const double radius = std::hypot(p.x(), p.y());
     double result = radius + segment_distance(Point_2(0, 0), leg.a, leg.b);
-    for(int turn = -1; turn <= 1; ++turn)
+    const int turns = cone.is_open ? 0 : 1;
+    for(int turn = -turns; turn <= turns; ++turn)
     {
       // The target in the plane of the leg's patch, reached by going round the apex by `angle`.
       const double sectors = static_cast<double>(patch) - static_cast<double>(leg.patch);

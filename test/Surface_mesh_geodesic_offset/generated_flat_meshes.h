@@ -234,9 +234,13 @@ struct Prism
 /// k equal planar triangles round an apex (vertex 0) with legs of length `leg`; their angles at the apex sum to
 /// `total_angle`, below or above 2 pi (then k must be even and the fan goes up and down). Patch i is triangle i;
 /// its coordinates have the apex at the origin and its first leg on the x axis.
+/// An open cone is slit along its first leg, so the apex is on the border; it lies in the plane, several times over
+/// itself if its angle is large.
 struct Cone
 {
-  Cone(std::size_t k, double total_angle, double leg) : sectors(k), total_angle(total_angle), leg(leg) {}
+  Cone(std::size_t k, double total_angle, double leg, bool is_open = false)
+    : sectors(k), total_angle(total_angle), leg(leg), is_open(is_open)
+  {}
 
   double sector_angle() const { return total_angle / static_cast<double>(sectors); }
 
@@ -244,15 +248,16 @@ struct Cone
   {
     Patch_assembler assembler(points_per_edge, points_per_sector, seed);
     const std::size_t apex = assembler.add_corner(Point_3(0, 0, 0));
-    const double turn = 2 * CGAL_PI / static_cast<double>(sectors);
+    const double turn = is_open ? sector_angle() : 2 * CGAL_PI / static_cast<double>(sectors);
+    const std::size_t legs = is_open ? sectors + 1 : sectors;
     // The legs leave the apex at an angle to the plane z = 0: all downwards, or in turn upwards and downwards.
-    const bool saddle = total_angle > 2 * CGAL_PI;
+    const bool saddle = !is_open && total_angle > 2 * CGAL_PI;
     const double horizontal =
       saddle ? std::sqrt((1 + std::cos(sector_angle())) / (1 + std::cos(turn)))
              : std::sin(sector_angle() / 2) / std::sin(turn / 2);
     const double vertical = std::sqrt((std::max)(0., 1 - horizontal * horizontal));
     std::vector<std::size_t> ends;
-    for(std::size_t i = 0; i < sectors; ++i)
+    for(std::size_t i = 0; i < legs; ++i)
     {
       const double angle = turn * static_cast<double>(i);
       const double z = (saddle && i % 2 == 0) ? vertical : -vertical;
@@ -261,12 +266,13 @@ struct Cone
     }
     const Point_2 second(leg * std::cos(sector_angle()), leg * std::sin(sector_angle()));
     for(std::size_t i = 0; i < sectors; ++i)
-      assembler.add_patch({apex, ends[i], ends[(i + 1) % sectors]}, {Point_2(0, 0), Point_2(leg, 0), second}, i);
+      assembler.add_patch({apex, ends[i], ends[(i + 1) % legs]}, {Point_2(0, 0), Point_2(leg, 0), second}, i);
     return assembler.soup();
   }
 
   std::size_t sectors;
   double total_angle, leg;
+  bool is_open;
 };
 
 /// A saddle of 2 k faces with nothing but the apex inside.

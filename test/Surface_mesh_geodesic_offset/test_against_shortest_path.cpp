@@ -4,7 +4,10 @@
 // Vertex distances from points against CGAL::Surface_mesh_shortest_path, 1e-10 relative, on generated meshes and on
 // the manifold triangle meshes of the data directory.
 //
-//   test_against_shortest_path [MAXIMUM_FACES [NAME_PART]]     default 2500 faces, all names
+// Where ours is smaller, the path that it traces must prove it: valid on the mesh, from the vertex to a source, and of
+// the length we say. (Surface_mesh_shortest_path 5.5 is wrong at some vertices of blade.off.)
+//
+//   test_against_shortest_path [MAXIMUM_FACES [NAME_PART]]     default 20000 faces, all names
 
 #include "data_meshes.h"
 #include "flat_paths.h"
@@ -61,6 +64,33 @@ reference_distances(const test::Surface_mesh& mesh, const AddSource& add_source,
   }
 }
 
+// Whether a path traced from v is a path on the mesh that ends at distance 0 and is no longer than `length`.
+bool is_proved_by_path(const test::Surface_mesh& mesh, const Geodesic& geodesic, Vertex_index v, double length)
+{
+  const Locations<test::Surface_mesh> locations(mesh);
+  std::vector<Face_location> path;
+  geodesic.shortest_path_to_sources(locations.at_vertex(v), std::back_inserter(path));
+  if(path.size() < 2 || locations.point(path.front()) != mesh.point(v) ||
+     geodesic.distance_to_sources(path.back()) > 1e-12 * length)
+    return false;
+  double path_length = 0;
+  for(Face_location& location : path)
+    for(double& weight : location.second)
+    {
+      if(std::abs(weight) <= 1e-13)
+        weight = 0;
+      if(!(weight >= 0))
+        return false;
+    }
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    if(locations.common_face(path[i], path[i + 1]) == test::Surface_mesh::null_face())
+      return false;
+    path_length += std::sqrt(CGAL::squared_distance(locations.point(path[i]), locations.point(path[i + 1])));
+  }
+  return path_length <= length * (1 + 1e-12);
+}
+
 template <class AddSource, class AddReferenceSource>
 void compare(const std::string& name,
              const test::Surface_mesh& mesh,
@@ -81,16 +111,31 @@ void compare(const std::string& name,
     Geodesic geodesic(mesh);
     add_source(geodesic);
     geodesic.build();
+    Geodesic with_windows(mesh); // built when it is needed to trace a path
     Worst_error worst(1e-10, 0);
-    std::size_t infinite = 0, i = 0;
+    std::size_t infinite = 0, proved = 0, i = 0;
     for(Vertex_index v : vertices(mesh))
     {
-      const double actual = geodesic.distance_to_sources(v);
+      const double actual = geodesic.distance_to_sources(v), reference = (*expected)[i++];
       infinite += std::isinf(actual) ? 1 : 0;
-      CHECK_CLOSE(worst, actual, (*expected)[i++]);
+      if(actual < reference * (1 - 1e-10))
+      {
+        if(!with_windows.is_built())
+        {
+          add_source(with_windows);
+          with_windows.build(CGAL::parameters::keep_windows(true));
+        }
+        if(CHECK_DETAIL(is_proved_by_path(mesh, with_windows, v, actual), values(actual, reference)))
+          ++proved;
+        continue;
+      }
+      CHECK_CLOSE(worst, actual, reference);
     }
     std::cout << name << ": " << worst.count() << " vertices, " << num_faces(mesh) << " faces, " << infinite
-              << " unreachable, worst relative error " << worst.error() << std::endl;
+              << " unreachable, worst relative error " << worst.error();
+    if(proved > 0)
+      std::cout << "; Surface_mesh_shortest_path is too long at " << proved << " vertices, proved by paths";
+    std::cout << std::endl;
   }
   catch(const std::exception& e)
   {
@@ -140,7 +185,7 @@ void generated_mesh(const std::string& name, const Soup& soup)
 
 int main(int argc, char* argv[])
 {
-  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 2500;
+  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 20000;
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances on planes, needle-faced planes, the L, boxes, the tetrahedron, prisms and cones of several random
+// Distances on planes, needle-faced planes, the L, boxes, the tetrahedron, prisms, closed and open cones of several random
 // triangulations, from points and polylines with vertices anywhere, against closed forms: 1e-12 relative.
 
 #include "closed_forms.h"
@@ -163,6 +163,11 @@ int main()
     {
       const Cone cone(8, turns * 2 * CGAL_PI, 1);
       run("cone of " + std::to_string(turns) + " turns", cone.triangulated(25, 3, seed), Cone_distance(cone), seed);
+    }
+    for(double turns : {0.45, 0.8, 1.15, 1.7, 2.6})
+    {
+      const Cone cone(8, turns * 2 * CGAL_PI, 1, true);
+      run("open cone of " + std::to_string(turns) + " turns", cone.triangulated(25, 3, seed), Cone_distance(cone), seed);
     }
     const Cone cone(6, 0.6 * 2 * CGAL_PI, 1);
     run("bare cone", cone.triangulated(0, 0, seed), Cone_distance(cone), seed);

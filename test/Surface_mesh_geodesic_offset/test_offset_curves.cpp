@@ -4,7 +4,7 @@
 // Offset curves at ten distances on generated meshes and meshes of the data directory: closed or from boundary to
 // boundary, every point on its level, every separating edge and face segment crossed, smaller distances on the left.
 //
-//   test_offset_curves [MAXIMUM_FACES [NAME_PART]]     for the data directory; default 1500 faces, all names
+//   test_offset_curves [MAXIMUM_FACES [NAME_PART]]     for the data directory; default 12000 faces, all names
 
 #include "curve_checks.h"
 #include "data_meshes.h"
@@ -269,7 +269,7 @@ void known_lengths()
 
 int main(int argc, char* argv[])
 {
-  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 1500;
+  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 12000;
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
   if(name_part.empty())

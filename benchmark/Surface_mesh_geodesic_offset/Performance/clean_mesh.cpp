@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turns a scanned polygon soup into a manifold triangle mesh: merges duplicate points, drops degenerate and
-// non-manifold faces, orients, keeps the largest component. Prints "x y z diagonal" of the bounding box: its centre and
+// Turns a scanned polygon soup into a manifold triangle mesh: merges duplicate points, orients, splits what is not
+// manifold, removes degenerate faces, keeps the largest component and no isolated vertex. Prints "x y z diagonal" of the bounding box: its centre and
 // the length of its diagonal.
 //
 //   clean_mesh IN OUT.off
@@ -48,6 +48,9 @@ int main(int argc, char* argv[])
   PMP::triangulate_faces(mesh);
   PMP::remove_degenerate_faces(mesh);
   PMP::keep_largest_connected_components(mesh, 1);
+  for(Mesh::Vertex_index v : vertices(mesh))
+    if(mesh.is_isolated(v))
+      mesh.remove_vertex(v);
   mesh.collect_garbage();
   std::cerr << "kept " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces\n";
   if(!CGAL::IO::write_polygon_mesh(argv[2], mesh, CGAL::parameters::stream_precision(17)))

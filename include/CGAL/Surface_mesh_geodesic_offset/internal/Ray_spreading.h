@@ -55,18 +55,15 @@ public:
     const Ray back = m_state.field.back[v];
     const Root root = m_state.field.root[v];
     const Ray from = m_sector.turn_ccw(back, 2), to = m_sector.turn_cw(back, 2);
-    if (from.corner != no_index && to.corner != no_index)
+    const Index first = m_mesh.first_on_border(back.corner);
+    if (first != no_index)
     {
-      // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
-      if (!comes_first(back.corner, from.corner, to.corner)) spread(v, from, to, from.corner, root, v);
-    }
-    else
-    {
-      Index first = back.corner;
-      for (Index c = first; c != no_index; c = m_mesh.corner_cw(c)) first = c;
       if (from.corner != no_index) spread(v, from, Ray(), first, root, v);
       if (to.corner != no_index) spread(v, Ray(), to, first, root, v);
     }
+    // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
+    else if (!comes_first(back.corner, from.corner, to.corner))
+      spread(v, from, to, from.corner, root, v);
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v);

@@ -265,8 +265,7 @@ private:
     const Ray from = m_sector.turn_ccw(a, 1), to = m_sector.turn_cw(b, 1);
     if (m_sector.passes_border(a, b))
     {
-      Index first = a.corner; // of the fan
-      for (Index c = first; c != no_index; c = m_mesh.corner_cw(c)) first = c;
+      const Index first = m_mesh.first_on_border(a.corner);
       if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, root});
       if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, root});
     }

@@ -160,6 +160,18 @@ public:
   // A first corner of the vertex: the most clockwise one if the vertex is on the border; none if isolated.
   Index corner(Index v) const { return m_corner[v]; }
 
+  // The most clockwise corner of the fan of c, if it is bounded by the border; no_index if it closes.
+  Index first_on_border(Index c) const
+  {
+    Index first = c;
+    for (Index d = corner_cw(c); d != no_index; d = corner_cw(d))
+    {
+      if (d == c) return no_index;
+      first = d;
+    }
+    return first;
+  }
+
   // First corners of the further fans of a vertex in which several fans meet (a pinched vertex).
   template <class Function>
   void for_each_fan(Index v, const Function& f) const
