@@ -26,19 +26,18 @@ inline double distance(const Point_2& p, const Point_2& q)
   return std::hypot(p.x() - q.x(), p.y() - q.y());
 }
 
-/// The parameter in (0, 1) of the foot of p on the line through a leg, or -1 if the foot is not inside the leg.
+/// The parameter in (0, 1) of the foot of p on the line through a leg, or -1 if the foot is not
+/// inside the leg.
 inline double inner_foot(const Point_2& p, const Point_2& a, const Point_2& b)
 {
-  if(a == b)
-    return -1;
+  if (a == b) return -1;
   const double t = ((p - a) * (b - a)) / (b - a).squared_length();
   return (t > 0 && t < 1) ? t : -1;
 }
 
 inline double segment_distance(const Point_2& p, const Point_2& a, const Point_2& b)
 {
-  if(inner_foot(p, a, b) < 0)
-    return (std::min)(distance(p, a), distance(p, b));
+  if (inner_foot(p, a, b) < 0) return (std::min)(distance(p, a), distance(p, b));
   const Vector_2 d = b - a, v = p - a;
   return std::abs(d.x() * v.y() - d.y() * v.x()) / std::hypot(d.x(), d.y());
 }
@@ -46,7 +45,10 @@ inline double segment_distance(const Point_2& p, const Point_2& a, const Point_2
 /// A convex flat region.
 struct Plane_distance
 {
-  double operator()(std::size_t, const Point_2& p, const Leg& leg) const { return segment_distance(p, leg.a, leg.b); }
+  double operator()(std::size_t, const Point_2& p, const Leg& leg) const
+  {
+    return segment_distance(p, leg.a, leg.b);
+  }
 };
 
 /// The L of `l_shape`: straight, or round its reflex corner, which sees all of it.
@@ -57,11 +59,10 @@ struct L_shape_distance
     const Point_2 corner(1, 1);
     double result = distance(p, corner) + segment_distance(corner, leg.a, leg.b);
     const double t = inner_foot(p, leg.a, leg.b);
-    if(t > 0 && sees(p, leg.a + t * (leg.b - leg.a)))
+    if (t > 0 && sees(p, leg.a + t * (leg.b - leg.a)))
       result = (std::min)(result, segment_distance(p, leg.a, leg.b));
-    for(const Point_2& end : {leg.a, leg.b})
-      if(sees(p, end))
-        result = (std::min)(result, distance(p, end));
+    for (const Point_2& end : {leg.a, leg.b})
+      if (sees(p, end)) result = (std::min)(result, distance(p, end));
     return result;
   }
 
@@ -69,10 +70,8 @@ private:
   static bool sees(const Point_2& p, const Point_2& q)
   {
     const Point_2 corner(1, 1);
-    if(p.x() > 1 && q.y() > 1)
-      return CGAL::orientation(p, q, corner) == CGAL::RIGHT_TURN;
-    if(q.x() > 1 && p.y() > 1)
-      return CGAL::orientation(q, p, corner) == CGAL::RIGHT_TURN;
+    if (p.x() > 1 && q.y() > 1) return CGAL::orientation(p, q, corner) == CGAL::RIGHT_TURN;
+    if (q.x() > 1 && p.y() > 1) return CGAL::orientation(q, p, corner) == CGAL::RIGHT_TURN;
     return true;
   }
 };
@@ -85,15 +84,17 @@ struct Prism_distance
   double operator()(std::size_t, const Point_2& p, const Leg& leg) const
   {
     double result = std::numeric_limits<double>::infinity();
-    for(int turn = -1; turn <= 1; ++turn)
-      result = (std::min)(result, segment_distance(Point_2(p.x() + turn * period, p.y()), leg.a, leg.b));
+    for (int turn = -1; turn <= 1; ++turn)
+      result =
+        (std::min)(result, segment_distance(Point_2(p.x() + turn * period, p.y()), leg.a, leg.b));
     return result;
   }
 
   double period;
 };
 
-/// The cone of a `Cone`: straight in the unfolding if the angle between is below pi, else through the apex.
+/// The cone of a `Cone`: straight in the unfolding if the angle between is below pi, else through
+/// the apex.
 struct Cone_distance
 {
   explicit Cone_distance(const Cone& cone) : cone(cone) {}
@@ -103,39 +104,42 @@ struct Cone_distance
     const double radius = std::hypot(p.x(), p.y());
     double result = radius + segment_distance(Point_2(0, 0), leg.a, leg.b);
     const int turns = cone.is_open ? 0 : 1;
-    for(int turn = -turns; turn <= turns; ++turn)
+    for (int turn = -turns; turn <= turns; ++turn)
     {
       // The target in the plane of the leg's patch, reached by going round the apex by `angle`.
       const double sectors = static_cast<double>(patch) - static_cast<double>(leg.patch);
-      const double angle = std::atan2(p.y(), p.x()) + sectors * cone.sector_angle() + turn * cone.total_angle;
+      const double angle =
+        std::atan2(p.y(), p.x()) + sectors * cone.sector_angle() + turn * cone.total_angle;
       const Point_2 image(radius * std::cos(angle), radius * std::sin(angle));
       const double t = inner_foot(image, leg.a, leg.b);
-      if(t > 0 && is_straight(angle, leg.a + t * (leg.b - leg.a)))
+      if (t > 0 && is_straight(angle, leg.a + t * (leg.b - leg.a)))
         result = (std::min)(result, segment_distance(image, leg.a, leg.b));
-      for(const Point_2& end : {leg.a, leg.b})
-        if(is_straight(angle, end))
-          result = (std::min)(result, distance(image, end));
+      for (const Point_2& end : {leg.a, leg.b})
+        if (is_straight(angle, end)) result = (std::min)(result, distance(image, end));
     }
     return result;
   }
 
-  static bool is_straight(double angle, const Point_2& q) { return std::abs(angle - std::atan2(q.y(), q.x())) < CGAL_PI; }
+  static bool is_straight(double angle, const Point_2& q)
+  {
+    return std::abs(angle - std::atan2(q.y(), q.x())) < CGAL_PI;
+  }
 
   Cone cone;
 };
 
-/// The boundary of a convex polyhedron: all unfoldings along sequences of distinct sides (a shortest path meets
-/// each side at most once), with the straight lines that stay inside their sequence.
+/// The boundary of a convex polyhedron: all unfoldings along sequences of distinct sides (a
+/// shortest path meets each side at most once), with the straight lines that stay inside their
+/// sequence.
 class Polyhedron_distance
 {
 public:
   explicit Polyhedron_distance(const Polyhedron_sides& polyhedron) : polyhedron_(polyhedron)
   {
     const std::size_t count = polyhedron.sides.size();
-    for(std::size_t i = 0; i < count; ++i)
-      uv_.push_back(polyhedron.uv(i));
+    for (std::size_t i = 0; i < count; ++i) uv_.push_back(polyhedron.uv(i));
     unfoldings_.resize(count * count);
-    for(std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
       std::vector<bool> visited(count, false);
       visited[i] = true;
@@ -147,15 +151,14 @@ public:
   double operator()(std::size_t patch, const Point_2& p, const Leg& leg) const
   {
     double result = std::numeric_limits<double>::infinity();
-    for(const Unfolding& unfolding : unfoldings_[leg.patch * uv_.size() + patch])
+    for (const Unfolding& unfolding : unfoldings_[leg.patch * uv_.size() + patch])
     {
       const Point_2 image = unfolding.image(p);
       const double t = inner_foot(image, leg.a, leg.b);
-      if(t > 0 && unfolding.contains(leg.a + t * (leg.b - leg.a), image))
+      if (t > 0 && unfolding.contains(leg.a + t * (leg.b - leg.a), image))
         result = (std::min)(result, segment_distance(image, leg.a, leg.b));
-      for(const Point_2& end : {leg.a, leg.b})
-        if(unfolding.contains(end, image))
-          result = (std::min)(result, distance(image, end));
+      for (const Point_2& end : {leg.a, leg.b})
+        if (unfolding.contains(end, image)) result = (std::min)(result, distance(image, end));
     }
     return result;
   }
@@ -177,28 +180,30 @@ private:
     bool contains(const Point_2& q, const Point_2& p) const
     {
       const Vector_2 d = p - q;
-      for(const std::pair<Point_2, Point_2>& door : doors)
+      for (const std::pair<Point_2, Point_2>& door : doors)
       {
         const Vector_2 right = door.first - q, left = door.second - q;
-        if(d.x() * right.y() - d.y() * right.x() > 1e-14 || d.x() * left.y() - d.y() * left.x() < -1e-14)
+        if (d.x() * right.y() - d.y() * right.x() > 1e-14 ||
+            d.x() * left.y() - d.y() * left.x() < -1e-14)
           return false;
       }
       return true;
     }
   };
 
-  void unfold(std::size_t start, std::size_t side, const Unfolding& unfolding, std::vector<bool>& visited)
+  void unfold(std::size_t start, std::size_t side, const Unfolding& unfolding,
+              std::vector<bool>& visited)
   {
     unfoldings_[start * uv_.size() + side].push_back(unfolding);
     const std::vector<std::size_t>& corners = polyhedron_.sides[side];
-    for(std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t i = 0; i < corners.size(); ++i)
     {
       const std::size_t c0 = corners[i], c1 = corners[(i + 1) % corners.size()];
-      for(std::size_t other = 0; other < uv_.size(); ++other)
+      for (std::size_t other = 0; other < uv_.size(); ++other)
       {
         const std::vector<std::size_t>& others = polyhedron_.sides[other];
-        for(std::size_t j = 0; j < others.size() && !visited[other]; ++j)
-          if(others[j] == c1 && others[(j + 1) % others.size()] == c0)
+        for (std::size_t j = 0; j < others.size() && !visited[other]; ++j)
+          if (others[j] == c1 && others[(j + 1) % others.size()] == c0)
           {
             const Point_2 p0 = unfolding.image(uv_[side][i]);
             const Point_2 p1 = unfolding.image(uv_[side][(i + 1) % corners.size()]);
@@ -210,7 +215,8 @@ private:
                                         (p.y() * q.x() - p.x() * q.y()) / length);
             further.shift = Vector_2(0, 0);
             further.shift = p0 - further.image(q0);
-            further.doors.push_back({p0, p1}); // sides are counterclockwise: seen from inside, p0 is on the right
+            further.doors.push_back(
+              {p0, p1}); // sides are counterclockwise: seen from inside, p0 is on the right
             visited[other] = true;
             unfold(start, other, further, visited);
             visited[other] = false;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random polylines on a generated mesh, made of legs that are straight in the plane of a flat patch.
+// Random polylines on a generated mesh, made of legs that are straight in the plane of a flat
+// patch.
 
 #ifndef GEODESIC_OFFSET_TEST_FLAT_PATHS_H
 #define GEODESIC_OFFSET_TEST_FLAT_PATHS_H
@@ -13,8 +14,8 @@
 
 namespace test {
 
-/// A polyline as the library takes it (`locations`, consecutive ones in a common face) and as the closed forms
-/// take it (`legs`, one for each straight part, however many faces it crosses).
+/// A polyline as the library takes it (`locations`, consecutive ones in a common face) and as the
+/// closed forms take it (`legs`, one for each straight part, however many faces it crosses).
 template <class TriangleMesh>
 struct Flat_path
 {
@@ -36,12 +37,12 @@ public:
   typedef typename Locations::Barycentric_coordinates Barycentric_coordinates;
   typedef test::Flat_path<TriangleMesh> Path;
 
-  Flat_path_generator(const Mesh_data& data, unsigned seed) : data_(data), locations_(data.mesh), random_(seed)
+  Flat_path_generator(const Mesh_data& data, unsigned seed)
+    : data_(data), locations_(data.mesh), random_(seed)
   {
-    for(std::size_t i = 0; i < data.faces.size(); ++i)
+    for (std::size_t i = 0; i < data.faces.size(); ++i)
     {
-      if(data.patches[i] >= faces_of_patch_.size())
-        faces_of_patch_.resize(data.patches[i] + 1);
+      if (data.patches[i] >= faces_of_patch_.size()) faces_of_patch_.resize(data.patches[i] + 1);
       faces_of_patch_[data.patches[i]].push_back(data.faces[i]);
     }
   }
@@ -49,9 +50,8 @@ public:
   /// The coordinates of a location in a patch that contains it.
   Point_2 uv(const Face_location& location, std::size_t patch) const
   {
-    for(face_descriptor f : locations_.incident_faces(location))
-      if(patch_of(f) == patch)
-        return uv_in_face(location, f);
+    for (face_descriptor f : locations_.incident_faces(location))
+      if (patch_of(f) == patch) return uv_in_face(location, f);
     throw std::logic_error("the location is not in the patch");
   }
 
@@ -71,32 +71,32 @@ public:
     const std::vector<face_descriptor>& faces = faces_of_patch_[patch];
     const face_descriptor f = faces[uniform_index(random_, faces.size())];
     halfedge_descriptor h = halfedge(f, data_.mesh);
-    for(std::size_t turns = uniform_index(random_, 3); turns > 0; --turns)
-      h = next(h, data_.mesh);
-    switch(uniform_index(random_, 3))
+    for (std::size_t turns = uniform_index(random_, 3); turns > 0; --turns) h = next(h, data_.mesh);
+    switch (uniform_index(random_, 3))
     {
-    case 0: return Face_location(f, random_barycentric(random_));
-    case 1: return locations_.on_edge(h, uniform(random_, 0.02, 0.98));
-    default: return locations_.at_vertex(target(h, data_.mesh), uniform_index(random_, 8));
+    case 0:
+      return Face_location(f, random_barycentric(random_));
+    case 1:
+      return locations_.on_edge(h, uniform(random_, 0.02, 0.98));
+    default:
+      return locations_.at_vertex(target(h, data_.mesh), uniform_index(random_, 8));
     }
   }
 
   std::size_t random_patch() { return uniform_index(random_, faces_of_patch_.size()); }
 
-  /// A polyline of `count` legs from patch to patch; at every fourth leg it zigzags within one face.
-  /// A closed polyline stays in one patch, which must be convex for the way back to be in it.
+  /// A polyline of `count` legs from patch to patch; at every fourth leg it zigzags within one
+  /// face. A closed polyline stays in one patch, which must be convex for the way back to be in it.
   Path random_path(std::size_t count, bool closed = false)
   {
-    for(std::size_t attempts = 0; attempts < 100; ++attempts)
+    for (std::size_t attempts = 0; attempts < 100; ++attempts)
     {
       std::size_t patch = random_patch();
       const Path path = random_open_path(count, patch, closed);
-      if(path.legs.empty() || (closed && path.legs.size() < 2))
-        continue;
-      if(!closed)
-        return path;
+      if (path.legs.empty() || (closed && path.legs.size() < 2)) continue;
+      if (!closed) return path;
       Path loop = path;
-      if(add_leg(loop, path.locations.front(), patch))
+      if (add_leg(loop, path.locations.front(), patch))
       {
         loop.locations.pop_back(); // a closed polyline does not repeat its first location
         return loop;
@@ -105,15 +105,14 @@ public:
     throw std::logic_error("no path was found");
   }
 
-  /// Appends the straight leg to `target` within `patch`; false (and no change) if it is not inside the patch.
+  /// Appends the straight leg to `target` within `patch`; false (and no change) if it is not inside
+  /// the patch.
   bool add_leg(Path& path, const Face_location& target, std::size_t patch) const
   {
     const Point_2 a = uv(path.locations.back(), patch), b = uv(target, patch);
-    if(a == b)
-      return false;
+    if (a == b) return false;
     std::vector<Face_location> steps;
-    if(!walk(path.locations.back(), target, a, b, patch, steps))
-      return false;
+    if (!walk(path.locations.back(), target, a, b, patch, steps)) return false;
     path.locations.insert(path.locations.end(), steps.begin(), steps.end());
     path.legs.push_back(Leg{patch, a, b});
     return true;
@@ -121,9 +120,8 @@ public:
 
   bool is_in_patch(const Face_location& location, std::size_t patch) const
   {
-    for(face_descriptor f : locations_.incident_faces(location))
-      if(patch_of(f) == patch)
-        return true;
+    for (face_descriptor f : locations_.incident_faces(location))
+      if (patch_of(f) == patch) return true;
     return false;
   }
 
@@ -143,9 +141,8 @@ private:
   // Another patch at the location if there is one.
   std::size_t leave(const Face_location& location, std::size_t patch) const
   {
-    for(face_descriptor f : locations_.incident_faces(location))
-      if(patch_of(f) != patch)
-        return patch_of(f);
+    for (face_descriptor f : locations_.incident_faces(location))
+      if (patch_of(f) != patch) return patch_of(f);
     return patch;
   }
 
@@ -154,88 +151,73 @@ private:
   {
     Path path;
     path.locations.push_back(random_location(patch));
-    for(std::size_t attempts = 0; path.legs.size() < count && attempts < 50 * count; ++attempts)
+    for (std::size_t attempts = 0; path.legs.size() < count && attempts < 50 * count; ++attempts)
     {
       const Face_location last = path.locations.back();
       const bool zigzag = path.legs.size() % 4 == 3;
-      if(zigzag && !one_patch)
-        patch = patch_of(last.first);
+      if (zigzag && !one_patch) patch = patch_of(last.first);
       const Face_location target = (zigzag && patch_of(last.first) == patch)
                                      ? Face_location(last.first, random_barycentric(random_))
                                      : random_location(patch);
-      if(add_leg(path, target, patch) && !one_patch)
-        patch = leave(target, patch);
+      if (add_leg(path, target, patch) && !one_patch) patch = leave(target, patch);
     }
     return path;
   }
 
   // The locations after `from` on the straight way to `to`, where it meets edges, and `to`.
-  bool walk(const Face_location& from,
-            const Face_location& to,
-            const Point_2& a,
-            const Point_2& b,
-            std::size_t patch,
-            std::vector<Face_location>& steps) const
+  bool walk(const Face_location& from, const Face_location& to, const Point_2& a, const Point_2& b,
+            std::size_t patch, std::vector<Face_location>& steps) const
   {
     Face_location current = from;
     Barycentric_coordinates w;
-    for(std::size_t count = 0; count < 100000; ++count)
+    for (std::size_t count = 0; count < 100000; ++count)
     {
       bool advanced = false;
-      for(face_descriptor f : locations_.incident_faces(current))
+      for (face_descriptor f : locations_.incident_faces(current))
       {
-        if(patch_of(f) != patch)
-          continue;
-        if(locations_.express(to, f, w))
+        if (patch_of(f) != patch) continue;
+        if (locations_.express(to, f, w))
         {
           steps.push_back(Face_location(f, w));
           return true;
         }
       }
-      for(face_descriptor f : locations_.incident_faces(current))
+      for (face_descriptor f : locations_.incident_faces(current))
       {
-        if(patch_of(f) != patch || (count > 0 && f == current.first))
-          continue;
+        if (patch_of(f) != patch || (count > 0 && f == current.first)) continue;
         Face_location exit;
-        if(!exit_of(current, f, a, b, exit))
-          continue;
+        if (!exit_of(current, f, a, b, exit)) continue;
         // The face just crossed is the one that the exit is described in.
         steps.push_back(exit);
         current = exit;
         advanced = true;
         break;
       }
-      if(!advanced)
-        return false;
+      if (!advanced) return false;
     }
     return false;
   }
 
   // Where the ray from the current location towards b leaves the face f, if it enters f at all.
-  bool exit_of(const Face_location& current,
-               face_descriptor f,
-               const Point_2& a,
-               const Point_2& b,
+  bool exit_of(const Face_location& current, face_descriptor f, const Point_2& a, const Point_2& b,
                Face_location& exit) const
   {
     Barycentric_coordinates w;
     locations_.express(current, f, w);
     const std::array<Point_2, 3>& corners = data_.uv[data_.face_number(f)];
-    for(std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
     {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3; // the edge from i to j, opposite k
-      if(w[k] == 0)
-        continue; // the location is on this edge
+      if (w[k] == 0) continue;                            // the location is on this edge
       const bool i_right = CGAL::orientation(a, b, corners[i]) == CGAL::RIGHT_TURN;
       const bool j_left = CGAL::orientation(a, b, corners[j]) == CGAL::LEFT_TURN;
-      if(!i_right || !j_left)
-        continue;
+      if (!i_right || !j_left) continue;
       const Vector_2 ab = b - a;
       const Vector_2 ai = corners[i] - a, aj = corners[j] - a;
-      const double ci = std::abs(ab.x() * ai.y() - ab.y() * ai.x()), cj = std::abs(ab.x() * aj.y() - ab.y() * aj.x());
+      const double ci = std::abs(ab.x() * ai.y() - ab.y() * ai.x()),
+                   cj = std::abs(ab.x() * aj.y() - ab.y() * aj.x());
       const double t = ci / (ci + cj);
-      if(!(t > 0 && t < 1))
-        return false;
+      if (!(t > 0 && t < 1)) return false;
       exit.first = f;
       exit.second = {{0, 0, 0}};
       exit.second[i] = 1 - t;

@@ -40,8 +40,8 @@ inline std::size_t uniform_index(Random& random, std::size_t count)
   return static_cast<std::size_t>(uniform(random) * static_cast<double>(count));
 }
 
-/// Triangles with, for each corner, its coordinates in the plane of the flat patch that the triangle belongs to.
-/// Within one patch the surface is isometric to that plane.
+/// Triangles with, for each corner, its coordinates in the plane of the flat patch that the
+/// triangle belongs to. Within one patch the surface is isometric to that plane.
 struct Soup
 {
   std::vector<Point_3> points;
@@ -49,8 +49,7 @@ struct Soup
   std::vector<std::size_t> patches;
   std::vector<std::array<Point_2, 3>> uv;
 
-  void add_triangle(const std::array<std::size_t, 3>& corners,
-                    std::size_t patch = 0,
+  void add_triangle(const std::array<std::size_t, 3>& corners, std::size_t patch = 0,
                     const std::array<Point_2, 3>& coordinates = std::array<Point_2, 3>())
   {
     triangles.push_back(corners);
@@ -59,7 +58,8 @@ struct Soup
   }
 };
 
-/// Builds a soup from flat triangles and parallelograms; those that share two corners share the points between them.
+/// Builds a soup from flat triangles and parallelograms; those that share two corners share the
+/// points between them.
 class Patch_assembler
 {
 public:
@@ -74,43 +74,48 @@ public:
     return soup_.points.size() - 1;
   }
 
-  /// Corners in counterclockwise order; the fourth of a parallelogram is implied by the others but must be given.
-  void add_patch(const std::vector<std::size_t>& corners, const std::vector<Point_2>& corner_uv, std::size_t patch)
+  /// Corners in counterclockwise order; the fourth of a parallelogram is implied by the others but
+  /// must be given.
+  void add_patch(const std::vector<std::size_t>& corners, const std::vector<Point_2>& corner_uv,
+                 std::size_t patch)
   {
-    static const std::vector<Point_2> reference_triangle = {Point_2(0, 0), Point_2(1, 0), Point_2(0, 1)};
-    static const std::vector<Point_2> reference_square = {Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0, 1)};
+    static const std::vector<Point_2> reference_triangle = {Point_2(0, 0), Point_2(1, 0),
+                                                            Point_2(0, 1)};
+    static const std::vector<Point_2> reference_square = {Point_2(0, 0), Point_2(1, 0),
+                                                          Point_2(1, 1), Point_2(0, 1)};
     const std::size_t size = corners.size();
     const std::vector<Point_2>& reference = (size == 3) ? reference_triangle : reference_square;
     const std::size_t last = size - 1; // the corner at (0, 1)
 
     std::vector<Local_point> local;
-    for(std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < size; ++i)
       local.push_back({reference[i], corner_uv[i], corners[i]});
-    for(std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < size; ++i)
     {
       const std::size_t j = (i + 1) % size;
-      for(const Edge_point& e : edge_points(corners[i], corners[j]))
+      for (const Edge_point& e : edge_points(corners[i], corners[j]))
       {
         const double t = (corners[i] < corners[j]) ? e.t : 1 - e.t;
-        local.push_back({between(reference[i], reference[j], t), between(corner_uv[i], corner_uv[j], t), e.id});
+        local.push_back(
+          {between(reference[i], reference[j], t), between(corner_uv[i], corner_uv[j], t), e.id});
       }
     }
     const Point_3 origin = soup_.points[corners[0]];
     const Vector_3 side_s = soup_.points[corners[1]] - origin;
     const Vector_3 side_t = soup_.points[corners[last]] - origin;
-    for(std::size_t i = 0; i < points_per_patch_; ++i)
+    for (std::size_t i = 0; i < points_per_patch_; ++i)
     {
       double s = uniform(random_, 0.01, 0.99);
       double t = uniform(random_, 0.01, 0.99);
-      if(size == 3 && s + t > 1)
+      if (size == 3 && s + t > 1)
       {
         s = 1 - s;
         t = 1 - t;
       }
-      if(size == 3 && s + t > 0.995)
-        continue;
+      if (size == 3 && s + t > 0.995) continue;
       const Vector_2 u = s * (corner_uv[1] - corner_uv[0]) + t * (corner_uv[last] - corner_uv[0]);
-      local.push_back({Point_2(s, t), corner_uv[0] + u, add_corner(origin + s * side_s + t * side_t)});
+      local.push_back(
+        {Point_2(s, t), corner_uv[0] + u, add_corner(origin + s * side_s + t * side_t)});
     }
     triangulate(local, patch);
   }
@@ -138,15 +143,16 @@ private:
   {
     const std::pair<std::size_t, std::size_t> key = std::minmax(i, j);
     const auto found = edges_.find(key);
-    if(found != edges_.end())
-      return found->second;
+    if (found != edges_.end()) return found->second;
     std::vector<Edge_point> result;
     const Point_3 p = soup_.points[key.first];
     const Point_3 q = soup_.points[key.second];
-    for(std::size_t k = 0; k < points_per_edge_; ++k)
+    for (std::size_t k = 0; k < points_per_edge_; ++k)
     {
-      // A multiple of 2^-20, so that t, 1 - t and their sum are exact and the reference points exactly collinear.
-      const double cell = (static_cast<double>(k) + uniform(random_, 0.1, 0.9)) / static_cast<double>(points_per_edge_);
+      // A multiple of 2^-20, so that t, 1 - t and their sum are exact and the reference points
+      // exactly collinear.
+      const double cell = (static_cast<double>(k) + uniform(random_, 0.1, 0.9)) /
+                          static_cast<double>(points_per_edge_);
       const double t = std::floor(cell * 1048576.0) / 1048576.0;
       result.push_back({t, add_corner(p + t * (q - p))});
     }
@@ -158,13 +164,13 @@ private:
     typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel> Vertex_base;
     typedef CGAL::Triangulation_data_structure_2<Vertex_base> Structure;
     CGAL::Delaunay_triangulation_2<Kernel, Structure> triangulation;
-    for(std::size_t i = 0; i < local.size(); ++i)
+    for (std::size_t i = 0; i < local.size(); ++i)
       triangulation.insert(local[i].reference)->info() = i;
-    for(auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
+    for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
     {
       std::array<std::size_t, 3> corners;
       std::array<Point_2, 3> coordinates;
-      for(int k = 0; k < 3; ++k)
+      for (int k = 0; k < 3; ++k)
       {
         const Local_point& p = local[f->vertex(k)->info()];
         corners[static_cast<std::size_t>(k)] = p.id;
@@ -185,16 +191,16 @@ inline Soup rotated(Soup soup, unsigned seed)
 {
   Random random(seed);
   double q[4], norm = 0;
-  for(double& c : q)
+  for (double& c : q)
   {
     c = uniform(random, -1, 1);
     norm += c * c;
   }
-  for(double& c : q)
-    c /= std::sqrt(norm);
+  for (double& c : q) c /= std::sqrt(norm);
   const Vector_3 axis(q[1], q[2], q[3]);
-  const Vector_3 shift(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5));
-  for(Point_3& p : soup.points)
+  const Vector_3 shift(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5),
+                       uniform(random, -0.5, 0.5));
+  for (Point_3& p : soup.points)
   {
     const Vector_3 v = p - CGAL::ORIGIN;
     const Vector_3 twice = 2 * CGAL::cross_product(axis, v);
@@ -203,8 +209,8 @@ inline Soup rotated(Soup soup, unsigned seed)
   return soup;
 }
 
-/// A mesh built from a soup, with the soup's intrinsic coordinates for each face, in the order of the
-/// face's barycentric coordinates (as `Polygon_mesh_processing::Face_location` orders them).
+/// A mesh built from a soup, with the soup's intrinsic coordinates for each face, in the order of
+/// the face's barycentric coordinates (as `Polygon_mesh_processing::Face_location` orders them).
 template <class TriangleMesh>
 struct Generated_mesh
 {
@@ -218,31 +224,26 @@ struct Generated_mesh
   explicit Generated_mesh(const Soup& soup) : patches(soup.patches)
   {
     auto points = get(CGAL::vertex_point, mesh);
-    for(const Point_3& p : soup.points)
+    for (const Point_3& p : soup.points)
     {
       vertices.push_back(add_vertex(mesh));
       put(points, vertices.back(), p);
     }
-    for(std::size_t i = 0; i < soup.triangles.size(); ++i)
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {
       std::array<vertex_descriptor, 3> corners;
-      for(std::size_t k = 0; k < 3; ++k)
-        corners[k] = vertices[soup.triangles[i][k]];
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = vertices[soup.triangles[i][k]];
       const face_descriptor f = CGAL::Euler::add_face(corners, mesh);
-      if(f == Graph_traits::null_face())
-        throw std::runtime_error("the soup is not manifold");
+      if (f == Graph_traits::null_face()) throw std::runtime_error("the soup is not manifold");
       faces.push_back(f);
       face_numbers[f] = i;
       std::size_t first = 0;
-      while(corners[first] != source(halfedge(f, mesh), mesh))
-        ++first;
+      while (corners[first] != source(halfedge(f, mesh), mesh)) ++first;
       std::array<Point_2, 3> coordinates;
-      for(std::size_t k = 0; k < 3; ++k)
-        coordinates[k] = soup.uv[i][(first + k) % 3];
+      for (std::size_t k = 0; k < 3; ++k) coordinates[k] = soup.uv[i][(first + k) % 3];
       uv.push_back(coordinates);
     }
-    if(faces.empty())
-      throw std::runtime_error("the soup has no triangle");
+    if (faces.empty()) throw std::runtime_error("the soup has no triangle");
   }
   Generated_mesh(const Generated_mesh&) = delete;
   Generated_mesh& operator=(const Generated_mesh&) = delete;

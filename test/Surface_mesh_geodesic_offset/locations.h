@@ -16,8 +16,8 @@
 
 namespace test {
 
-/// Functions on the face locations of a mesh; all of them combinatorial: a location is on an edge or at a vertex
-/// where its coordinates are exactly zero.
+/// Functions on the face locations of a mesh; all of them combinatorial: a location is on an edge
+/// or at a vertex where its coordinates are exactly zero.
 template <class TriangleMesh>
 class Locations
 {
@@ -42,27 +42,26 @@ public:
   {
     const std::array<vertex_descriptor, 3> c = corners(location.first);
     std::vector<std::pair<vertex_descriptor, double>> result;
-    for(std::size_t k = 0; k < 3; ++k)
-      if(location.second[k] != 0)
-        result.push_back({c[k], location.second[k]});
+    for (std::size_t k = 0; k < 3; ++k)
+      if (location.second[k] != 0) result.push_back({c[k], location.second[k]});
     return result;
   }
 
   /// The location with the given weights, if all weighted vertices are corners of `f`.
-  bool express(const Face_location& location, face_descriptor f, Barycentric_coordinates& result) const
+  bool express(const Face_location& location, face_descriptor f,
+               Barycentric_coordinates& result) const
   {
-    if(location.first == f)
+    if (location.first == f)
     {
       result = location.second;
       return true;
     }
     const std::array<vertex_descriptor, 3> c = corners(f);
     result = {{0, 0, 0}};
-    for(const std::pair<vertex_descriptor, double>& s : support(location))
+    for (const std::pair<vertex_descriptor, double>& s : support(location))
     {
       const auto found = std::find(c.begin(), c.end(), s.first);
-      if(found == c.end())
-        return false;
+      if (found == c.end()) return false;
       result[static_cast<std::size_t>(found - c.begin())] = s.second;
     }
     return true;
@@ -74,8 +73,8 @@ public:
     std::vector<face_descriptor> result;
     const vertex_descriptor v = support(location).front().first;
     Barycentric_coordinates ignored;
-    for(halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh_))
-      if(!is_border(h, mesh_) && express(location, face(h, mesh_), ignored))
+    for (halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh_))
+      if (!is_border(h, mesh_) && express(location, face(h, mesh_), ignored))
         result.push_back(face(h, mesh_));
     return result;
   }
@@ -84,11 +83,9 @@ public:
   face_descriptor common_face(const Face_location& a, const Face_location& b) const
   {
     Barycentric_coordinates ignored;
-    if(a.first == b.first || express(b, a.first, ignored))
-      return a.first;
-    for(face_descriptor f : incident_faces(a))
-      if(express(b, f, ignored))
-        return f;
+    if (a.first == b.first || express(b, a.first, ignored)) return a.first;
+    for (face_descriptor f : incident_faces(a))
+      if (express(b, f, ignored)) return f;
     return Graph_traits::null_face();
   }
 
@@ -96,13 +93,11 @@ public:
   Face_location at_vertex(vertex_descriptor v, std::size_t turn = 0) const
   {
     std::vector<face_descriptor> around;
-    for(halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh_))
-      if(!is_border(h, mesh_))
-        around.push_back(face(h, mesh_));
+    for (halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh_))
+      if (!is_border(h, mesh_)) around.push_back(face(h, mesh_));
     Face_location result(around.at(turn % around.size()), Barycentric_coordinates{{0, 0, 0}});
     const std::array<vertex_descriptor, 3> c = corners(result.first);
-    for(std::size_t k = 0; k < 3; ++k)
-      result.second[k] = c[k] == v ? 1 : 0;
+    for (std::size_t k = 0; k < 3; ++k) result.second[k] = c[k] == v ? 1 : 0;
     return result;
   }
 
@@ -111,12 +106,10 @@ public:
   {
     Face_location result(face(h, mesh_), Barycentric_coordinates{{0, 0, 0}});
     const std::array<vertex_descriptor, 3> c = corners(result.first);
-    for(std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      if(c[k] == source(h, mesh_))
-        result.second[k] = 1 - t;
-      if(c[k] == target(h, mesh_))
-        result.second[k] = t;
+      if (c[k] == source(h, mesh_)) result.second[k] = 1 - t;
+      if (c[k] == target(h, mesh_)) result.second[k] = t;
     }
     return result;
   }
@@ -126,9 +119,8 @@ public:
     const std::array<vertex_descriptor, 3> c = corners(location.first);
     const auto points = get(CGAL::vertex_point, mesh_);
     double xyz[3] = {0, 0, 0};
-    for(std::size_t k = 0; k < 3; ++k)
-      for(int i = 0; i < 3; ++i)
-        xyz[i] += location.second[k] * get(points, c[k])[i];
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) xyz[i] += location.second[k] * get(points, c[k])[i];
     return Point_3(xyz[0], xyz[1], xyz[2]);
   }
 
@@ -141,13 +133,12 @@ inline std::array<double, 3> random_barycentric(Random& random, double margin = 
 {
   std::array<double, 3> result;
   double sum = 0;
-  for(double& w : result)
+  for (double& w : result)
   {
     w = margin - std::log(uniform(random, 1e-9, 1));
     sum += w;
   }
-  for(double& w : result)
-    w /= sum;
+  for (double& w : result) w /= sum;
   return result;
 }
 
@@ -156,9 +147,9 @@ double bounding_box_diagonal(const TriangleMesh& mesh)
 {
   CGAL::Bbox_3 box;
   const auto points = get(CGAL::vertex_point, mesh);
-  for(auto v : vertices(mesh))
-    box += get(points, v).bbox();
-  return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+  for (auto v : vertices(mesh)) box += get(points, v).bbox();
+  return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) +
+                   CGAL::square(box.z_span()));
 }
 
 } // namespace test

@@ -39,9 +39,9 @@ class Scratch_directory
 public:
   Scratch_directory()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "geodesic_offset_test.XXXXXX").string();
-    if(mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("no temporary directory");
+    std::string name =
+      (std::filesystem::temp_directory_path() / "geodesic_offset_test.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
     path_ = name;
   }
   ~Scratch_directory()
@@ -57,7 +57,7 @@ public:
   std::set<std::string> files() const
   {
     std::set<std::string> result;
-    for(const auto& entry : std::filesystem::recursive_directory_iterator(path_))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_))
       result.insert(entry.path().string());
     return result;
   }
@@ -72,22 +72,22 @@ struct Program_result
   std::string output, errors;
 };
 
-/// Runs the program and waits for it. Its output and errors go through files outside of the scratch directory.
-inline Program_result run_program(const std::string& program, const std::vector<std::string>& arguments)
+/// Runs the program and waits for it. Its output and errors go through files outside of the scratch
+/// directory.
+inline Program_result run_program(const std::string& program,
+                                  const std::vector<std::string>& arguments)
 {
   const Scratch_directory streams;
   const std::string output = (streams / "output").string(), errors = (streams / "errors").string();
   std::vector<char*> argv;
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  for(std::string& word : words)
-    argv.push_back(word.data());
+  for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
   const pid_t child = fork();
-  if(child < 0)
-    throw std::runtime_error("fork failed");
-  if(child == 0)
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0)
   {
     const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

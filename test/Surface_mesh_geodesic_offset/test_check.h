@@ -29,19 +29,17 @@ public:
     return report;
   }
 
-  bool check(bool ok, const char* expression, const char* file, int line, const std::string& detail = "")
+  bool check(bool ok, const char* expression, const char* file, int line,
+             const std::string& detail = "")
   {
     ++checks_;
-    if(ok)
-      return true;
+    if (ok) return true;
     ++failures_;
-    if(++failures_at_[std::make_pair(std::string(file), line)] <= maximum_printed_)
+    if (++failures_at_[std::make_pair(std::string(file), line)] <= maximum_printed_)
     {
       std::cout << "FAILED " << file << ":" << line << ": " << expression;
-      if(!context_.empty())
-        std::cout << "  [" << context_ << "]";
-      if(!detail.empty())
-        std::cout << "  " << detail;
+      if (!context_.empty()) std::cout << "  [" << context_ << "]";
+      if (!detail.empty()) std::cout << "  " << detail;
       std::cout << std::endl;
     }
     return false;
@@ -55,12 +53,12 @@ public:
   /// Prints the totals; the return value of `main`.
   int finish(const std::string& name) const
   {
-    for(const auto& entry : failures_at_)
-      if(entry.second > maximum_printed_)
-        std::cout << entry.first.first << ":" << entry.first.second << ": " << entry.second << " failures in all\n";
+    for (const auto& entry : failures_at_)
+      if (entry.second > maximum_printed_)
+        std::cout << entry.first.first << ":" << entry.first.second << ": " << entry.second
+                  << " failures in all\n";
     std::cout << name << ": " << checks_ << " checks, " << failures_ << " failures" << std::endl;
-    if(checks_ == 0)
-      std::cout << name << ": nothing was checked" << std::endl;
+    if (checks_ == 0) std::cout << name << ": nothing was checked" << std::endl;
     return (failures_ == 0 && checks_ > 0) ? 0 : 1;
   }
 
@@ -86,15 +84,14 @@ public:
   bool add(double actual, double expected)
   {
     ++count_;
-    if(std::isinf(expected) || !std::isfinite(actual))
+    if (std::isinf(expected) || !std::isfinite(actual))
     {
       const bool same = (actual == expected);
-      if(!same)
-        error_ = std::numeric_limits<double>::infinity();
+      if (!same) error_ = std::numeric_limits<double>::infinity();
       return same;
     }
     const double difference = std::abs(actual - expected);
-    if(difference > 0)
+    if (difference > 0)
       error_ = (std::max)(error_, difference / (std::max)(expected, absolute_ / relative_));
     return difference <= relative_ * expected + absolute_;
   }
@@ -116,41 +113,43 @@ inline std::string values(double actual, double expected)
   return text + buffer;
 }
 
-inline bool
-check_close(Worst_error& worst, double actual, double expected, const char* expression, const char* file, int line)
+inline bool check_close(Worst_error& worst, double actual, double expected, const char* expression,
+                        const char* file, int line)
 {
-  return Report::instance().check(worst.add(actual, expected), expression, file, line, values(actual, expected));
+  return Report::instance().check(worst.add(actual, expected), expression, file, line,
+                                  values(actual, expected));
 }
 
 } // namespace test
 
-#define CHECK(condition) ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__)
+#define CHECK(condition)                                                                           \
+  ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__)
 
-#define CHECK_DETAIL(condition, detail)                                                                                \
-  ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__, detail)
+#define CHECK_DETAIL(condition, detail)                                                            \
+  ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__,   \
+                                   detail)
 
-#define CHECK_CLOSE(worst, actual, expected)                                                                           \
+#define CHECK_CLOSE(worst, actual, expected)                                                       \
   ::test::check_close((worst), (actual), (expected), #actual " == " #expected, __FILE__, __LINE__)
 
-#define CHECK_THROWS(expression, exception_type)                                                                       \
-  do                                                                                                                   \
-  {                                                                                                                    \
-    bool thrown_as_expected = false;                                                                                   \
-    std::string what_happened = "nothing was thrown";                                                                  \
-    try                                                                                                                \
-    {                                                                                                                  \
-      expression;                                                                                                      \
-    }                                                                                                                  \
-    catch(const exception_type&)                                                                                       \
-    {                                                                                                                  \
-      thrown_as_expected = true;                                                                                       \
-    }                                                                                                                  \
-    catch(const std::exception& other)                                                                                 \
-    {                                                                                                                  \
-      what_happened = other.what();                                                                                    \
-    }                                                                                                                  \
-    ::test::Report::instance().check(thrown_as_expected, #expression " throws " #exception_type, __FILE__, __LINE__,   \
-                                     what_happened);                                                                   \
-  } while(false)
+#define CHECK_THROWS(expression, exception_type)                                                   \
+  do {                                                                                             \
+    bool thrown_as_expected = false;                                                               \
+    std::string what_happened = "nothing was thrown";                                              \
+    try                                                                                            \
+    {                                                                                              \
+      expression;                                                                                  \
+    }                                                                                              \
+    catch (const exception_type&)                                                                  \
+    {                                                                                              \
+      thrown_as_expected = true;                                                                   \
+    }                                                                                              \
+    catch (const std::exception& other)                                                            \
+    {                                                                                              \
+      what_happened = other.what();                                                                \
+    }                                                                                              \
+    ::test::Report::instance().check(thrown_as_expected, #expression " throws " #exception_type,   \
+                                     __FILE__, __LINE__, what_happened);                           \
+  } while (false)
 
 #endif // GEODESIC_OFFSET_TEST_CHECK_H

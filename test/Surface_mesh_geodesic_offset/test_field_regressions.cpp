@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One regression for each way in which other software is known to fail (public issue trackers, numbers in brackets;
-// CGAL/cgal unless another repository is named).
+// One regression for each way in which other software is known to fail (public issue trackers,
+// numbers in brackets; CGAL/cgal unless another repository is named).
 
 #include "closed_forms.h"
 #include "flat_paths.h"
@@ -23,31 +23,33 @@ typedef Geodesic::Face_location Face_location;
 typedef Generated_mesh<test::Surface_mesh> Data;
 typedef test::Locations<test::Surface_mesh> Locations;
 
-// A source on a vertex up to round-off, of either sign, is at that vertex (9646), seen from each of its faces.
+// A source on a vertex up to round-off, of either sign, is at that vertex (9646), seen from each of
+// its faces.
 void source_at_vertex_up_to_rounding()
 {
-  for(const Soup& soup : {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2), saddle_fan(),
-                          Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2),
+                           saddle_fan(), Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
   {
     const Data data(soup);
     const Locations locations(data.mesh);
-    for(std::size_t number = 0; number < data.vertices.size(); number += 1 + data.vertices.size() / 12)
+    for (std::size_t number = 0; number < data.vertices.size();
+         number += 1 + data.vertices.size() / 12)
     {
       const auto v = data.vertices[number];
       Geodesic exact(data.mesh);
       exact.add_source_point(v);
       exact.build();
-      for(double off : {1e-17, 1e-16, -1e-17, -1e-16, 3e-16})
-        for(std::size_t turn = 0; turn < 4; ++turn)
+      for (double off : {1e-17, 1e-16, -1e-17, -1e-16, 3e-16})
+        for (std::size_t turn = 0; turn < 4; ++turn)
         {
           Face_location location = locations.at_vertex(v, turn);
-          for(std::size_t k = 0; k < 3; ++k)
+          for (std::size_t k = 0; k < 3; ++k)
             location.second[k] = location.second[k] == 1 ? 1 - 2 * off : off;
           Geodesic geodesic(data.mesh);
           geodesic.add_source_point(location);
           geodesic.build();
           Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
-          for(auto w : data.vertices)
+          for (auto w : data.vertices)
             CHECK_CLOSE(worst, geodesic.distance_to_sources(w), exact.distance_to_sources(w));
         }
     }
@@ -59,24 +61,23 @@ void empty_and_duplicate()
 {
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 2), 2));
   const Locations locations(data.mesh);
-  for(bool closed : {false, true})
+  for (bool closed : {false, true})
   {
     Geodesic geodesic(data.mesh);
     try
     {
       geodesic.add_source_polyline(std::vector<Face_location>(), closed);
     }
-    catch(const std::invalid_argument&) // refusing an empty polyline is as good as ignoring it
+    catch (const std::invalid_argument&) // refusing an empty polyline is as good as ignoring it
     {}
     geodesic.build();
-    for(auto v : data.vertices)
-      CHECK(geodesic.distance_to_sources(v) == infinity);
+    for (auto v : data.vertices) CHECK(geodesic.distance_to_sources(v) == infinity);
     const Face_location point(data.faces[5], {{0.2, 0.3, 0.5}});
     geodesic.clear_sources();
     geodesic.add_source_polyline(std::vector<Face_location>(4, point), closed);
     geodesic.build();
     Worst_error worst(1e-12, 2);
-    for(auto v : data.vertices)
+    for (auto v : data.vertices)
       CHECK_CLOSE(worst, geodesic.distance_to_sources(v),
                   std::sqrt(CGAL::squared_distance(data.mesh.point(v), locations.point(point))));
   }
@@ -88,8 +89,7 @@ void no_source()
   const Data data(icosphere(1));
   Geodesic geodesic(data.mesh);
   geodesic.build();
-  for(auto v : data.vertices)
-    CHECK(geodesic.distance_to_sources(v) == infinity);
+  for (auto v : data.vertices) CHECK(geodesic.distance_to_sources(v) == infinity);
   std::vector<Geodesic::Offset_curve> curves;
   geodesic.offset_curves(1., std::back_inserter(curves));
   CHECK(curves.empty());
@@ -101,57 +101,54 @@ void adjacent_and_border_sources()
   const Soup soup = random_rectangle(2, 1, 150, 10, 3);
   const Data data(rotated(soup, 3));
   Random random(3);
-  for(std::size_t i = 0; i < 30; ++i)
+  for (std::size_t i = 0; i < 30; ++i)
   {
     std::vector<std::size_t> sources;
     const std::size_t triangle = uniform_index(random, soup.triangles.size());
-    for(std::size_t k = 0; k < 2 + i % 2; ++k)
-      sources.push_back(soup.triangles[triangle][k]);
-    if(i % 5 == 0) // all border vertices
-      for(std::size_t v = 0; v < soup.points.size(); ++v)
-        if(data.mesh.is_border(data.vertices[v]))
-          sources.push_back(v);
-    if(i == 29) // all vertices
-      for(std::size_t v = 0; v < soup.points.size(); ++v)
-        sources.push_back(v);
+    for (std::size_t k = 0; k < 2 + i % 2; ++k) sources.push_back(soup.triangles[triangle][k]);
+    if (i % 5 == 0) // all border vertices
+      for (std::size_t v = 0; v < soup.points.size(); ++v)
+        if (data.mesh.is_border(data.vertices[v])) sources.push_back(v);
+    if (i == 29) // all vertices
+      for (std::size_t v = 0; v < soup.points.size(); ++v) sources.push_back(v);
     Geodesic geodesic(data.mesh);
-    for(std::size_t v : sources)
-      geodesic.add_source_point(data.vertices[v]);
+    for (std::size_t v : sources) geodesic.add_source_point(data.vertices[v]);
     geodesic.build();
     Worst_error worst(1e-12, 2);
-    for(std::size_t v = 0; v < soup.points.size(); ++v)
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
     {
       double expected = infinity;
-      for(std::size_t s : sources)
-        expected = (std::min)(expected, std::sqrt(CGAL::squared_distance(soup.points[v], soup.points[s])));
+      for (std::size_t s : sources)
+        expected =
+          (std::min)(expected, std::sqrt(CGAL::squared_distance(soup.points[v], soup.points[s])));
       CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[v]), expected);
     }
   }
 }
 
-// Over-eager pruning (3993): many sources on meshes with saddles; no edge may show a jump, and no vertex distance may
-// change when the nearest source is the only one.
+// Over-eager pruning (3993): many sources on meshes with saddles; no edge may show a jump, and no
+// vertex distance may change when the nearest source is the only one.
 void many_sources_on_saddles()
 {
   const Data data(marching_genus_5(10));
   Random random(4);
   std::vector<test::Surface_mesh::Vertex_index> sources;
-  for(std::size_t i = 0; i < 12; ++i)
+  for (std::size_t i = 0; i < 12; ++i)
     sources.push_back(data.vertices[uniform_index(random, data.vertices.size())]);
   std::vector<double> expected(data.vertices.size(), infinity);
   Geodesic all(data.mesh);
-  for(auto s : sources)
+  for (auto s : sources)
   {
     all.add_source_point(s);
     Geodesic one(data.mesh);
     one.add_source_point(s);
     one.build();
-    for(std::size_t i = 0; i < expected.size(); ++i)
+    for (std::size_t i = 0; i < expected.size(); ++i)
       expected[i] = (std::min)(expected[i], one.distance_to_sources(data.vertices[i]));
   }
   all.build();
   Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
-  for(std::size_t i = 0; i < expected.size(); ++i)
+  for (std::size_t i = 0; i < expected.size(); ++i)
     CHECK_CLOSE(worst, all.distance_to_sources(data.vertices[i]), expected[i]);
 }
 
@@ -160,9 +157,8 @@ void isolated_vertices()
 {
   Soup soup = icosphere(1);
   soup.points.insert(soup.points.begin(), Point_3(3, 3, 3));
-  for(auto& t : soup.triangles)
-    for(std::size_t& v : t)
-      ++v;
+  for (auto& t : soup.triangles)
+    for (std::size_t& v : t) ++v;
   soup.points.push_back(Point_3(4, 4, 4));
   const Data data(soup);
   Geodesic geodesic(data.mesh);
@@ -177,7 +173,7 @@ void isolated_vertices()
     geodesic.build();
     CHECK(geodesic.distance_to_sources(data.vertices.front()) == 0);
   }
-  catch(const std::invalid_argument&) // it may be refused
+  catch (const std::invalid_argument&) // it may be refused
   {}
   CHECK(geodesic.distance_to_sources(data.vertices.back()) == infinity);
 }
@@ -188,21 +184,21 @@ void source_and_query_on_one_edge()
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 5), 5));
   const Locations locations(data.mesh);
   Random random(5);
-  for(auto h : halfedges(data.mesh))
+  for (auto h : halfedges(data.mesh))
   {
-    if(is_border(h, data.mesh) || uniform(random) > 0.4)
-      continue;
+    if (is_border(h, data.mesh) || uniform(random) > 0.4) continue;
     const Face_location source = locations.on_edge(h, 0.3);
     Geodesic geodesic(data.mesh);
     geodesic.add_source_point(source);
     geodesic.build(CGAL::parameters::keep_windows(true));
     Worst_error worst(1e-12, 2);
-    for(double t : {0., 0.1, 0.3, 0.5, 1.})
+    for (double t : {0., 0.1, 0.3, 0.5, 1.})
     {
       Face_location query = locations.on_edge(h, t);
-      const double expected = std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(query)));
+      const double expected =
+        std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(query)));
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query), expected);
-      for(auto f : locations.incident_faces(query)) // described from every face
+      for (auto f : locations.incident_faces(query)) // described from every face
       {
         Face_location other(f, {{0, 0, 0}});
         locations.express(query, f, other.second);
@@ -210,11 +206,12 @@ void source_and_query_on_one_edge()
       }
     }
     const Face_location inside(face(h, data.mesh), random_barycentric(random));
-    CHECK_CLOSE(worst, geodesic.distance_to_sources(inside),
-                std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(inside))));
+    CHECK_CLOSE(
+      worst, geodesic.distance_to_sources(inside),
+      std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(inside))));
   }
-  for(auto h : halfedges(data.mesh)) // border edges, source far away
-    if(is_border(opposite(h, data.mesh), data.mesh))
+  for (auto h : halfedges(data.mesh)) // border edges, source far away
+    if (is_border(opposite(h, data.mesh), data.mesh))
     {
       Geodesic geodesic(data.mesh);
       geodesic.add_source_point(data.vertices[20]);
@@ -222,7 +219,8 @@ void source_and_query_on_one_edge()
       const Face_location query = locations.on_edge(h, 0.37);
       Worst_error worst(1e-12, 2);
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query),
-                  std::sqrt(CGAL::squared_distance(data.mesh.point(data.vertices[20]), locations.point(query))));
+                  std::sqrt(CGAL::squared_distance(data.mesh.point(data.vertices[20]),
+                                                   locations.point(query))));
     }
 }
 
@@ -233,120 +231,127 @@ void custom_point_map()
   Data data(soup);
   typedef test::Surface_mesh::Vertex_index Vertex_index;
   auto points = data.mesh.add_property_map<Vertex_index, Point_3>("v:moved").first;
-  for(auto v : data.vertices)
+  for (auto v : data.vertices)
   {
     points[v] = data.mesh.point(v);
     data.mesh.point(v) = Point_3(0, 0, 0);
   }
-  typedef boost::property_map<test::Surface_mesh, boost::vertex_index_t>::const_type Vertex_index_map;
+  typedef boost::property_map<test::Surface_mesh, boost::vertex_index_t>::const_type
+    Vertex_index_map;
   typedef boost::property_map<test::Surface_mesh, boost::face_index_t>::const_type Face_index_map;
   typedef test::Surface_mesh::Property_map<Vertex_index, Point_3> Point_map;
-  CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>,
-                                     Vertex_index_map, Face_index_map, Point_map>
-    geodesic(data.mesh, get(boost::vertex_index, data.mesh), get(boost::face_index, data.mesh), points);
+  CGAL::Surface_mesh_geodesic_offset<
+    CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>, Vertex_index_map,
+    Face_index_map, Point_map>
+    geodesic(data.mesh, get(boost::vertex_index, data.mesh), get(boost::face_index, data.mesh),
+             points);
   geodesic.add_source_point(data.vertices[7]);
   geodesic.build();
   Worst_error worst(1e-12, 2);
-  for(std::size_t i = 0; i < soup.points.size(); ++i)
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
     CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]),
                 std::sqrt(CGAL::squared_distance(soup.points[i], soup.points[7])));
 }
 
-// Segments of length zero and of almost zero, within polylines (libigl 1013, 2535; geometry-central 212).
+// Segments of length zero and of almost zero, within polylines (libigl 1013, 2535; geometry-central
+// 212).
 void short_segments()
 {
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 7), 7));
   Flat_path_generator<test::Surface_mesh> generator(data, 7);
-  for(std::size_t round = 0; round < 20; ++round)
+  for (std::size_t round = 0; round < 20; ++round)
   {
     const auto path = generator.random_path(3);
     std::vector<Face_location> with_short;
-    for(const Face_location& l : path.locations)
+    for (const Face_location& l : path.locations)
     {
       with_short.push_back(l);
-      if(generator.locations().support(l).size() < 3) // keep the next location in a common face
+      if (generator.locations().support(l).size() < 3) // keep the next location in a common face
         continue;
-      for(double off : {0., 1e-17, 1e-13, 1e-9})
-        with_short.push_back(
-          Face_location(l.first, {{l.second[0] - off, l.second[1] + off / 2, l.second[2] + off / 2}}));
+      for (double off : {0., 1e-17, 1e-13, 1e-9})
+        with_short.push_back(Face_location(
+          l.first, {{l.second[0] - off, l.second[1] + off / 2, l.second[2] + off / 2}}));
       with_short.push_back(l);
     }
     Geodesic geodesic(data.mesh);
     geodesic.add_source_polyline(with_short);
     geodesic.build();
-    for(std::size_t i = 0; i < data.vertices.size(); ++i)
+    for (std::size_t i = 0; i < data.vertices.size(); ++i)
     {
       const Leg target = generator.leg_at(generator.locations().at_vertex(data.vertices[i]));
       double expected = infinity;
-      for(const Leg& leg : path.legs)
+      for (const Leg& leg : path.legs)
         expected = (std::min)(expected, segment_distance(target.a, leg.a, leg.b));
       // The short segments reach up to 1e-9 of a face away from the path.
       const double actual = geodesic.distance_to_sources(data.vertices[i]);
-      CHECK_DETAIL(actual <= expected + 1e-14 && actual >= expected - 2e-9, values(actual, expected));
+      CHECK_DETAIL(actual <= expected + 1e-14 && actual >= expected - 2e-9,
+                   values(actual, expected));
     }
   }
 }
 
-// Many sources: distances do not collapse near the source set (PR 9565); every vertex of a section's neighbourhood.
+// Many sources: distances do not collapse near the source set (PR 9565); every vertex of a
+// section's neighbourhood.
 void many_sources()
 {
   const std::size_t n = 30;
   const Data data(planar_grid(n, n, Diagonals::alternating));
   Geodesic geodesic(data.mesh);
-  for(std::size_t j = 0; j <= n; ++j)
-    geodesic.add_source_point(data.vertices[j * (n + 1)]);
+  for (std::size_t j = 0; j <= n; ++j) geodesic.add_source_point(data.vertices[j * (n + 1)]);
   geodesic.build();
   Worst_error worst(1e-12, 0);
-  for(std::size_t i = 0; i < data.vertices.size(); ++i)
-    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]), static_cast<double>(i % (n + 1)));
+  for (std::size_t i = 0; i < data.vertices.size(); ++i)
+    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]),
+                static_cast<double>(i % (n + 1)));
 }
 
-// Marching-cubes meshes with faces of size 1e-7 next to faces of size 0.1 leave nothing infinite (pygeodesic 14), and
-// needles no NaN (geometry-central 36), from whatever vertex: never below the straight line, Lipschitz along edges, and
-// as far from a to b as from b to a.
+// Marching-cubes meshes with faces of size 1e-7 next to faces of size 0.1 leave nothing infinite
+// (pygeodesic 14), and needles no NaN (geometry-central 36), from whatever vertex: never below the
+// straight line, Lipschitz along edges, and as far from a to b as from b to a.
 void tiny_and_needle_faces()
 {
-  const std::pair<const char*, Soup> meshes[] = {{"marching sphere, 8 cells", marching_sphere(8)},
-                                                 {"marching sphere, 12 cells", marching_sphere(12)},
-                                                 {"marching sphere, rotated", rotated(marching_sphere(12), 3)},
-                                                 {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
-                                                 {"needle fan", needle_fan(300)}};
-  for(const auto& mesh : meshes)
+  const std::pair<const char*, Soup> meshes[] = {
+    {"marching sphere, 8 cells", marching_sphere(8)},
+    {"marching sphere, 12 cells", marching_sphere(12)},
+    {"marching sphere, rotated", rotated(marching_sphere(12), 3)},
+    {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
+    {"needle fan", needle_fan(300)}};
+  for (const auto& mesh : meshes)
   {
     Report::instance().set_context(std::string("tiny and needle faces, ") + mesh.first);
     const Data data(mesh.second);
     const std::size_t n = data.vertices.size();
     const double diagonal = bounding_box_diagonal(data.mesh);
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * diagonal;
-    const auto straight = [&](test::Surface_mesh::Vertex_index u, test::Surface_mesh::Vertex_index v) {
-      return std::sqrt(CGAL::squared_distance(data.mesh.point(u), data.mesh.point(v)));
-    };
+    const auto straight =
+      [&](test::Surface_mesh::Vertex_index u, test::Surface_mesh::Vertex_index v)
+    { return std::sqrt(CGAL::squared_distance(data.mesh.point(u), data.mesh.point(v))); };
     std::vector<std::vector<double>> distances; // from i to j
-    for(std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i)
     {
       Geodesic geodesic(data.mesh);
       geodesic.add_source_point(data.vertices[i]);
       geodesic.build();
       distances.emplace_back();
-      for(auto v : data.vertices)
+      for (auto v : data.vertices)
       {
         const double d = geodesic.distance_to_sources(v);
         distances.back().push_back(d);
         CHECK(std::isfinite(d));
         CHECK(d >= straight(data.vertices[i], v) * (1 - 1e-12) - rounding);
       }
-      for(auto e : edges(data.mesh))
+      for (auto e : edges(data.mesh))
       {
         const auto u = data.mesh.vertex(e, 0), v = data.mesh.vertex(e, 1);
         const double d_u = geodesic.distance_to_sources(u), d_v = geodesic.distance_to_sources(v);
-        const double allowed = straight(u, v) + 1e-12 * (std::max)(d_u, d_v) + rounding; // of distances good to 1e-12
+        const double allowed =
+          straight(u, v) + 1e-12 * (std::max)(d_u, d_v) + rounding; // of distances good to 1e-12
         CHECK_DETAIL(std::abs(d_u - d_v) <= allowed, values(d_u, d_v));
       }
     }
     Worst_error worst(1e-12, diagonal);
-    for(std::size_t i = 0; i < n; ++i)
-      for(std::size_t j = 0; j < i; ++j)
-        CHECK_CLOSE(worst, distances[i][j], distances[j][i]);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j) CHECK_CLOSE(worst, distances[i][j], distances[j][i]);
     std::cout << Report::instance().context() << ": worst asymmetry " << worst.error() << std::endl;
   }
 }
@@ -355,17 +360,17 @@ void tiny_and_needle_faces()
 void polyline_over_tiny_faces()
 {
   const Data data(marching_sphere(12));
-  for(unsigned seed = 1; seed <= 5; ++seed)
+  for (unsigned seed = 1; seed <= 5; ++seed)
   {
     const auto sections = random_plane_section(data.mesh, seed);
     Geodesic geodesic(data.mesh);
-    for(const auto& section : sections)
+    for (const auto& section : sections)
       geodesic.add_source_polyline(section.locations, section.closed);
     geodesic.build(CGAL::parameters::keep_windows(true));
-    for(auto v : data.vertices)
+    for (auto v : data.vertices)
       CHECK(std::isfinite(geodesic.distance_to_sources(v)) && geodesic.distance_to_sources(v) >= 0);
-    for(const auto& section : sections)
-      for(const Face_location& l : section.locations)
+    for (const auto& section : sections)
+      for (const Face_location& l : section.locations)
         CHECK(geodesic.distance_to_sources(l) <= 1e-12);
   }
 }
@@ -378,7 +383,8 @@ void not_a_number()
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Face_location bad(data.faces[0], {{nan, 0.5, 0.5}});
   CHECK_THROWS(geodesic.add_source_point(bad), std::invalid_argument);
-  CHECK_THROWS(geodesic.add_source_polyline(std::vector<Face_location>{bad, bad}), std::invalid_argument);
+  CHECK_THROWS(geodesic.add_source_polyline(std::vector<Face_location>{bad, bad}),
+               std::invalid_argument);
   CHECK(geodesic.number_of_sources() == 0);
 }
 
@@ -386,20 +392,21 @@ void not_a_number()
 
 int main()
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"source at a vertex up to rounding", source_at_vertex_up_to_rounding},
-                                                      {"empty and duplicate", empty_and_duplicate},
-                                                      {"no source", no_source},
-                                                      {"adjacent and border sources", adjacent_and_border_sources},
-                                                      {"many sources on saddles", many_sources_on_saddles},
-                                                      {"isolated vertices", isolated_vertices},
-                                                      {"source and query on one edge", source_and_query_on_one_edge},
-                                                      {"custom point map", custom_point_map},
-                                                      {"short segments", short_segments},
-                                                      {"many sources", many_sources},
-                                                      {"tiny and needle faces", tiny_and_needle_faces},
-                                                      {"polyline over tiny faces", polyline_over_tiny_faces},
-                                                      {"not a number", not_a_number}};
-  for(const auto& test : tests)
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"source at a vertex up to rounding", source_at_vertex_up_to_rounding},
+    {"empty and duplicate", empty_and_duplicate},
+    {"no source", no_source},
+    {"adjacent and border sources", adjacent_and_border_sources},
+    {"many sources on saddles", many_sources_on_saddles},
+    {"isolated vertices", isolated_vertices},
+    {"source and query on one edge", source_and_query_on_one_edge},
+    {"custom point map", custom_point_map},
+    {"short segments", short_segments},
+    {"many sources", many_sources},
+    {"tiny and needle faces", tiny_and_needle_faces},
+    {"polyline over tiny faces", polyline_over_tiny_faces},
+    {"not a number", not_a_number}};
+  for (const auto& test : tests)
   {
     const std::size_t failures = Report::instance().failures();
     Report::instance().set_context(test.first);
@@ -407,11 +414,12 @@ int main()
     {
       test.second();
     }
-    catch(const std::exception& e)
+    catch (const std::exception& e)
     {
       CHECK_DETAIL(!"an exception was thrown", e.what());
     }
-    std::cout << test.first << ": " << (Report::instance().failures() == failures ? "passed" : "FAILED") << std::endl;
+    std::cout << test.first << ": "
+              << (Report::instance().failures() == failures ? "passed" : "FAILED") << std::endl;
   }
   return Report::instance().finish("test_field_regressions");
 }

@@ -17,10 +17,16 @@ namespace {
 
 using namespace test;
 
-enum class Sources { vertex, points, polyline, edges };
+enum class Sources
+{
+  vertex,
+  points,
+  polyline,
+  edges
+};
 
-/// The distances of all vertices, in the order of the soup's points, from sources described by soup indices only,
-/// so that they are the same for each mesh type.
+/// The distances of all vertices, in the order of the soup's points, from sources described by soup
+/// indices only, so that they are the same for each mesh type.
 template <class TriangleMesh>
 std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
 {
@@ -31,22 +37,25 @@ std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
   Geodesic geodesic(data.mesh);
 
   // The point with the given weights at the soup's corners of a triangle.
-  const auto location = [&](std::size_t triangle, const std::array<double, 3>& weights) {
+  const auto location = [&](std::size_t triangle, const std::array<double, 3>& weights)
+  {
     typename Geodesic::Face_location result(data.faces[triangle], {{0, 0, 0}});
     const auto corners = locations.corners(data.faces[triangle]);
-    for(std::size_t k = 0; k < 3; ++k)
-      for(std::size_t j = 0; j < 3; ++j)
-        if(corners[k] == data.vertices[soup.triangles[triangle][j]])
-          result.second[k] = weights[j];
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (corners[k] == data.vertices[soup.triangles[triangle][j]]) result.second[k] = weights[j];
     return result;
   };
   const std::size_t triangle = uniform_index(random, soup.triangles.size());
-  switch(sources)
+  switch (sources)
   {
-  case Sources::vertex: geodesic.add_source_point(data.vertices[uniform_index(random, data.vertices.size())]); break;
+  case Sources::vertex:
+    geodesic.add_source_point(data.vertices[uniform_index(random, data.vertices.size())]);
+    break;
   case Sources::points:
     geodesic.add_source_point(location(triangle, random_barycentric(random)));
-    geodesic.add_source_point(location(uniform_index(random, soup.triangles.size()), {{0.25, 0.75, 0}}));
+    geodesic.add_source_point(
+      location(uniform_index(random, soup.triangles.size()), {{0.25, 0.75, 0}}));
     break;
   case Sources::polyline:
     geodesic.add_source_polyline(std::vector<typename Geodesic::Face_location>{
@@ -57,7 +66,7 @@ std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
   {
     std::vector<typename Geodesic::edge_descriptor> edges;
     // Which edge a face's halfedge lies on depends on the mesh type, so take all three.
-    for(auto h : CGAL::halfedges_around_face(halfedge(data.faces[triangle], data.mesh), data.mesh))
+    for (auto h : CGAL::halfedges_around_face(halfedge(data.faces[triangle], data.mesh), data.mesh))
       edges.push_back(edge(h, data.mesh));
     geodesic.add_source_edges(edges);
     break;
@@ -65,8 +74,7 @@ std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
   }
   geodesic.build();
   std::vector<double> result;
-  for(auto v : data.vertices)
-    result.push_back(geodesic.distance_to_sources(v));
+  for (auto v : data.vertices) result.push_back(geodesic.distance_to_sources(v));
   return result;
 }
 
@@ -74,20 +82,21 @@ void run(const std::string& name, const Soup& soup)
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   std::size_t count = 0;
-  for(Sources sources : {Sources::vertex, Sources::points, Sources::polyline, Sources::edges})
-    for(unsigned seed = 1; seed <= 3; ++seed)
+  for (Sources sources : {Sources::vertex, Sources::points, Sources::polyline, Sources::edges})
+    for (unsigned seed = 1; seed <= 3; ++seed)
     {
-      Report::instance().set_context(name + ", sources " + std::to_string(static_cast<int>(sources)) + ", seed " +
+      Report::instance().set_context(name + ", sources " +
+                                     std::to_string(static_cast<int>(sources)) + ", seed " +
                                      std::to_string(seed));
       try
       {
         const std::vector<double> a = distances<test::Surface_mesh>(soup, sources, seed);
         const std::vector<double> b = distances<Polyhedron>(soup, sources, seed);
         CHECK(a.size() == b.size() && a.size() == soup.points.size());
-        for(std::size_t i = 0; i < a.size() && i < b.size(); ++i, ++count)
+        for (std::size_t i = 0; i < a.size() && i < b.size(); ++i, ++count)
           CHECK_DETAIL(a[i] == b[i] && std::isfinite(a[i]), values(a[i], b[i]));
       }
-      catch(const std::exception& e)
+      catch (const std::exception& e)
       {
         CHECK_DETAIL(!"an exception was thrown", e.what());
       }

@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves at ten distances on generated meshes and meshes of the data directory: closed or from boundary to
-// boundary, every point on its level, every separating edge and face segment crossed, smaller distances on the left.
+// Offset curves at ten distances on generated meshes and meshes of the data directory: closed or
+// from boundary to boundary, every point on its level, every separating edge and face segment
+// crossed, smaller distances on the left.
 //
-//   test_offset_curves [MAXIMUM_FACES [NAME_PART]]     for the data directory; default 12000 faces, all names
+//   test_offset_curves [MAXIMUM_FACES [NAME_PART]]     for the data directory; default 12000 faces,
+//   all names
 
 #include "curve_checks.h"
 #include "data_meshes.h"
@@ -34,7 +36,7 @@ struct Totals
 std::map<double, Totals> totals(const std::vector<Offset_curve>& curves)
 {
   std::map<double, Totals> result;
-  for(const Offset_curve& curve : curves)
+  for (const Offset_curve& curve : curves)
   {
     Totals& total = result[curve.distance()];
     ++total.curves;
@@ -48,12 +50,11 @@ std::map<double, Totals> totals(const std::vector<Offset_curve>& curves)
 std::vector<double> ten_levels(const test::Surface_mesh& mesh, const Geodesic& geodesic)
 {
   double largest = 0;
-  for(auto v : vertices(mesh))
-    if(std::isfinite(geodesic.distance_to_sources(v)))
+  for (auto v : vertices(mesh))
+    if (std::isfinite(geodesic.distance_to_sources(v)))
       largest = (std::max)(largest, geodesic.distance_to_sources(v));
   std::vector<double> result;
-  for(int i = 0; i < 10; ++i)
-    result.push_back(largest * (0.013 + 0.1037 * i));
+  for (int i = 0; i < 10; ++i) result.push_back(largest * (0.013 + 0.1037 * i));
   return result;
 }
 
@@ -69,7 +70,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, const AddSourc
     Curve_checker checker(mesh, geodesic, 5);
     const std::vector<double> levels = ten_levels(mesh, geodesic);
     std::vector<Offset_curve> one_by_one;
-    for(double level : levels)
+    for (double level : levels)
     {
       Report::instance().set_context(name + ", level " + std::to_string(level));
       std::vector<Offset_curve> curves;
@@ -86,26 +87,28 @@ void run(const std::string& name, const test::Surface_mesh& mesh, const AddSourc
     add_sources(again);
     again.build_with_offset_curves(levels, std::back_inserter(while_building));
     const auto expected = totals(one_by_one);
-    for(const std::vector<Offset_curve>* curves : {&at_once, &while_building})
+    for (const std::vector<Offset_curve>* curves : {&at_once, &while_building})
     {
       const auto actual = totals(*curves);
       CHECK(actual.size() == expected.size());
-      for(const auto& entry : expected)
+      for (const auto& entry : expected)
       {
         const auto found = actual.find(entry.first);
-        if(!CHECK(found != actual.end()))
-          continue;
-        CHECK(found->second.curves == entry.second.curves && found->second.closed == entry.second.closed);
-        CHECK_DETAIL(std::abs(found->second.length - entry.second.length) <= 1e-10 * entry.second.length,
+        if (!CHECK(found != actual.end())) continue;
+        CHECK(found->second.curves == entry.second.curves &&
+              found->second.closed == entry.second.closed);
+        CHECK_DETAIL(std::abs(found->second.length - entry.second.length) <=
+                       1e-10 * entry.second.length,
                      values(found->second.length, entry.second.length));
       }
     }
-    std::cout << name << ": " << checker.number_of_curves() << " curves, " << checker.number_of_points()
-              << " points off their level by at most " << checker.worst_off_level() << " diagonals, "
-              << checker.number_of_crossed_edges() << " edges and " << checker.number_of_crossed_probes()
+    std::cout << name << ": " << checker.number_of_curves() << " curves, "
+              << checker.number_of_points() << " points off their level by at most "
+              << checker.worst_off_level() << " diagonals, " << checker.number_of_crossed_edges()
+              << " edges and " << checker.number_of_crossed_probes()
               << " segments in faces separated" << std::endl;
   }
-  catch(const std::exception& e)
+  catch (const std::exception& e)
   {
     CHECK_DETAIL(!"an exception was thrown", e.what());
   }
@@ -115,37 +118,39 @@ void run(const std::string& name, const test::Surface_mesh& mesh, const AddSourc
 void run_all_sources(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
 {
   Random random(seed);
-  const auto random_face = [&]() {
-    return *std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
+  const auto random_face = [&]()
+  {
+    return *std::next(faces(mesh).begin(),
+                      static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
   };
   const auto vertex = source(halfedge(random_face(), mesh), mesh);
   const Face_location in_face(random_face(), random_barycentric(random));
   const auto sections = random_plane_section(mesh, seed);
-  const auto add_sections = [&](Geodesic& geodesic) {
-    for(const auto& section : sections)
+  const auto add_sections = [&](Geodesic& geodesic)
+  {
+    for (const auto& section : sections)
       geodesic.add_source_polyline(section.locations, section.closed);
   };
   run(name + ", vertex", mesh, [&](Geodesic& geodesic) { geodesic.add_source_point(vertex); });
-  run(name + ", point in a face", mesh, [&](Geodesic& geodesic) { geodesic.add_source_point(in_face); });
+  run(name + ", point in a face", mesh,
+      [&](Geodesic& geodesic) { geodesic.add_source_point(in_face); });
   run(name + ", plane section", mesh, add_sections);
-  run(name + ", all three", mesh, [&](Geodesic& geodesic) {
-    geodesic.add_source_point(vertex);
-    geodesic.add_source_point(in_face);
-    add_sections(geodesic);
-  });
+  run(name + ", all three", mesh,
+      [&](Geodesic& geodesic)
+      {
+        geodesic.add_source_point(vertex);
+        geodesic.add_source_point(in_face);
+        add_sections(geodesic);
+      });
 }
 
-// One level whose number of curves and total length are known. Levels are cut below themselves by 2^-42 of their value,
-// which counts where the length changes fast, by `growth` a unit of the level.
+// One level whose number of curves and total length are known. Levels are cut below themselves by
+// 2^-42 of their value, which counts where the length changes fast, by `growth` a unit of the
+// level.
 template <class AddSources>
-void check_length(const std::string& name,
-                  const test::Surface_mesh& mesh,
-                  const AddSources& add_sources,
-                  double level,
-                  std::size_t expected_curves,
-                  std::size_t expected_closed,
-                  double expected_length,
-                  double growth = 0)
+void check_length(const std::string& name, const test::Surface_mesh& mesh,
+                  const AddSources& add_sources, double level, std::size_t expected_curves,
+                  std::size_t expected_closed, double expected_length, double growth = 0)
 {
   Report::instance().set_context(name + ", level " + std::to_string(level));
   try
@@ -159,11 +164,12 @@ void check_length(const std::string& name,
     const Totals total = totals(curves)[level];
     CHECK_DETAIL(total.closed == expected_closed, std::to_string(total.closed) + " closed");
     // Joints of curves that meet at a small angle are worse conditioned than distances.
-    CHECK_DETAIL(std::abs(total.length - expected_length) <= 1e-11 * expected_length + 2.5e-13 * level * growth,
+    CHECK_DETAIL(std::abs(total.length - expected_length) <=
+                   1e-11 * expected_length + 2.5e-13 * level * growth,
                  values(total.length, expected_length));
     Curve_checker(mesh, geodesic, 6).check(level, curves);
   }
-  catch(const std::exception& e)
+  catch (const std::exception& e)
   {
     CHECK_DETAIL(!"an exception was thrown", e.what());
   }
@@ -173,34 +179,34 @@ void known_lengths()
 {
   typedef Generated_mesh<test::Surface_mesh> Data;
   const double pi = CGAL_PI;
-  for(unsigned seed : {1u, 2u, 3u})
+  for (unsigned seed : {1u, 2u, 3u})
   {
     const Data data(rotated(random_rectangle(4, 4, 300, 8, seed), seed));
     Flat_path_generator<test::Surface_mesh> generator(data, seed);
     const auto in_middle = [&](double size) { // a location within size / 2 of the centre
-      for(;;)
+      for (;;)
       {
         const Face_location location = generator.random_location(0);
         const Point_2 p = generator.uv(location, 0);
-        if((std::max)(std::abs(p.x() - 2), std::abs(p.y() - 2)) < size / 2)
-          return location;
+        if ((std::max)(std::abs(p.x() - 2), std::abs(p.y() - 2)) < size / 2) return location;
       }
     };
     const Face_location a = in_middle(1);
-    for(double level : {1e-4, 0.1, 0.9, 1.4})
+    for (double level : {1e-4, 0.1, 0.9, 1.4})
       check_length(
-        "circle, seed " + std::to_string(seed), data.mesh, [&](Geodesic& g) { g.add_source_point(a); }, level, 1, 1,
-        2 * pi * level);
+        "circle, seed " + std::to_string(seed), data.mesh,
+        [&](Geodesic& g) { g.add_source_point(a); }, level, 1, 1, 2 * pi * level);
 
     const Face_location b = in_middle(1);
     const double apart = distance(generator.uv(a, 0), generator.uv(b, 0));
-    for(double ratio : {0.3, 0.45, 0.6, 1.5})
+    for (double ratio : {0.3, 0.45, 0.6, 1.5})
     {
       const double level = ratio * apart, lost = ratio > 0.5 ? std::acos(0.5 / ratio) : 0;
-      if(level < 1.45 && apart > 1e-3)
+      if (level < 1.45 && apart > 1e-3)
         check_length(
           "two circles, seed " + std::to_string(seed), data.mesh,
-          [&](Geodesic& g) {
+          [&](Geodesic& g)
+          {
             g.add_source_point(a);
             g.add_source_point(b);
           },
@@ -208,60 +214,68 @@ void known_lengths()
     }
     Flat_path<test::Surface_mesh> path;
     path.locations.push_back(a);
-    if(CHECK(generator.add_leg(path, b, 0)))
-      for(double level : {0.01, 0.3, 1.3})
+    if (CHECK(generator.add_leg(path, b, 0)))
+      for (double level : {0.01, 0.3, 1.3})
         check_length(
           "stadium, seed " + std::to_string(seed), data.mesh,
-          [&](Geodesic& g) { g.add_source_polyline(path.locations); }, level, 1, 1, 2 * apart + 2 * pi * level);
+          [&](Geodesic& g) { g.add_source_polyline(path.locations); }, level, 1, 1,
+          2 * apart + 2 * pi * level);
 
-    for(double level : {0.05, 0.7, 1.9})
+    for (double level : {0.05, 0.7, 1.9})
       check_length(
         "rectangle's boundary, seed " + std::to_string(seed), data.mesh,
-        [&](Geodesic& g) {
+        [&](Geodesic& g)
+        {
           std::vector<test::Surface_mesh::Edge_index> border;
-          for(auto e : edges(data.mesh))
-            if(data.mesh.is_border(e))
-              border.push_back(e);
+          for (auto e : edges(data.mesh))
+            if (data.mesh.is_border(e)) border.push_back(e);
           g.add_source_edges(border);
         },
         level, 1, 1, 4 * (4 - 2 * level));
 
-    for(double turns : {0.4, 1.3, 2.2})
+    for (double turns : {0.4, 1.3, 2.2})
     {
       const Cone cone(8, turns * 2 * pi, 1);
       const Data cone_data(cone.triangulated(30, 4, seed));
       const double inner_radius = std::cos(cone.sector_angle() / 2);
-      for(double level : {0.01, 0.5 * inner_radius, 0.97 * inner_radius})
+      for (double level : {0.01, 0.5 * inner_radius, 0.97 * inner_radius})
         check_length(
           "cone of " + std::to_string(turns) + " turns from its apex", cone_data.mesh,
-          [&](Geodesic& g) { g.add_source_point(cone_data.vertices[0]); }, level, 1, 1, cone.total_angle * level);
+          [&](Geodesic& g) { g.add_source_point(cone_data.vertices[0]); }, level, 1, 1,
+          cone.total_angle * level);
     }
   }
 
   // Levels through vertices and along edges of a regular grid.
   const Data grid(planar_grid(16, 16, Diagonals::alternating));
-  for(double level : {1., 2., 5., std::sqrt(2.), std::sqrt(5.), 7.5})
+  for (double level : {1., 2., 5., std::sqrt(2.), std::sqrt(5.), 7.5})
     check_length(
-      "grid", grid.mesh, [&](Geodesic& g) { g.add_source_point(grid.vertices[8 * 17 + 8]); }, level, 1, 1,
-      2 * pi * level);
-  for(double level : {1., 3., 3.5, 15.})
+      "grid", grid.mesh, [&](Geodesic& g) { g.add_source_point(grid.vertices[8 * 17 + 8]); }, level,
+      1, 1, 2 * pi * level);
+  for (double level : {1., 3., 3.5, 15.})
     check_length(
       "grid's left side", grid.mesh,
-      [&](Geodesic& g) {
+      [&](Geodesic& g)
+      {
         std::vector<test::Surface_mesh::Edge_index> side;
-        for(std::size_t j = 0; j < 16; ++j)
-          side.push_back(grid.mesh.edge(grid.mesh.halfedge(grid.vertices[17 * j], grid.vertices[17 * (j + 1)])));
+        for (std::size_t j = 0; j < 16; ++j)
+          side.push_back(
+            grid.mesh.edge(grid.mesh.halfedge(grid.vertices[17 * j], grid.vertices[17 * (j + 1)])));
         g.add_source_edges(side);
       },
       level, 1, 0, 16);
 
   // The offset of a triangle's sides is a loop inside it that meets no edge.
-  const Data triangle(rotated(random_rectangle(3, 4, 0, 0, 1), 9)); // two right triangles with sides 3, 4, 5
-  for(double level : {0.2, 0.9, 0.999})
+  const Data triangle(
+    rotated(random_rectangle(3, 4, 0, 0, 1), 9)); // two right triangles with sides 3, 4, 5
+  for (double level : {0.2, 0.9, 0.999})
     check_length(
       "triangles' sides", triangle.mesh,
-      [&](Geodesic& g) { g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(
-                           edges(triangle.mesh).begin(), edges(triangle.mesh).end())); },
+      [&](Geodesic& g)
+      {
+        g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(edges(triangle.mesh).begin(),
+                                                                       edges(triangle.mesh).end()));
+      },
       level, 2, 2, 2 * 12 * (1 - level), 2 * 12);
 }
 
@@ -272,7 +286,7 @@ int main(int argc, char* argv[])
   const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 12000;
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
-  if(name_part.empty())
+  if (name_part.empty())
   {
     known_lengths();
     const std::pair<const char*, Soup> generated[] = {
@@ -290,14 +304,15 @@ int main(int argc, char* argv[])
       {"grid", planar_grid(10, 10, Diagonals::alternating)},
       {"L", rotated(l_shape(50, 5, 8), 8)}};
     unsigned seed = 10;
-    for(const auto& mesh : generated)
+    for (const auto& mesh : generated)
       run_all_sources(mesh.first, Generated_mesh<test::Surface_mesh>(mesh.second).mesh, ++seed);
   }
-  for(const std::filesystem::path& file : data_files())
+  for (const std::filesystem::path& file : data_files())
   {
     const std::string name = file.filename().string();
     test::Surface_mesh mesh;
-    if(name.find(name_part) != std::string::npos && read_data_mesh(file, maximum_faces, mesh).empty())
+    if (name.find(name_part) != std::string::npos &&
+        read_data_mesh(file, maximum_faces, mesh).empty())
       run_all_sources(name, mesh, 3);
   }
   return Report::instance().finish("test_offset_curves");

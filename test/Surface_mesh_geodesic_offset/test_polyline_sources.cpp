@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Plane sections as sources against the same sections sampled densely as points: the samples' distance is never
-// smaller (1e-12 relative), and converges to the section's as the sampling is refined.
+// Plane sections as sources against the same sections sampled densely as points: the samples'
+// distance is never smaller (1e-12 relative), and converges to the section's as the sampling is
+// refined.
 
 #include "data_meshes.h"
 #include "flat_paths.h"
@@ -21,30 +22,28 @@ using namespace test;
 typedef std::vector<Section<test::Surface_mesh>> Sections;
 typedef test::Locations<test::Surface_mesh> Locations;
 
-// Distances of all vertices from each segment's two ends and inner points at `samples` equal steps; the longest step.
-std::vector<double> sampled_distances(const test::Surface_mesh& mesh,
-                                      const Sections& sections,
-                                      std::size_t samples,
-                                      double& longest_step)
+// Distances of all vertices from each segment's two ends and inner points at `samples` equal steps;
+// the longest step.
+std::vector<double> sampled_distances(const test::Surface_mesh& mesh, const Sections& sections,
+                                      std::size_t samples, double& longest_step)
 {
   const Locations locations(mesh);
   Geodesic geodesic(mesh);
   longest_step = 0;
-  for(const auto& section : sections)
-    for(std::size_t i = 0; i < section.number_of_segments(); ++i)
+  for (const auto& section : sections)
+    for (std::size_t i = 0; i < section.number_of_segments(); ++i)
     {
       const Point_3 a = locations.point(section.between(locations, i, 0));
       const Point_3 b = locations.point(section.between(locations, i, 1));
-      longest_step =
-        (std::max)(longest_step, std::sqrt(CGAL::squared_distance(a, b)) / static_cast<double>(samples));
-      for(std::size_t k = 0; k <= samples; ++k)
+      longest_step = (std::max)(longest_step, std::sqrt(CGAL::squared_distance(a, b)) /
+                                                static_cast<double>(samples));
+      for (std::size_t k = 0; k <= samples; ++k)
         geodesic.add_source_point(
           section.between(locations, i, static_cast<double>(k) / static_cast<double>(samples)));
     }
   geodesic.build();
   std::vector<double> result;
-  for(auto v : vertices(mesh))
-    result.push_back(geodesic.distance_to_sources(v));
+  for (auto v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
   return result;
 }
 
@@ -54,7 +53,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
   const Sections sections = random_plane_section(mesh, seed);
   std::size_t segments = 0;
   Geodesic geodesic(mesh);
-  for(const auto& section : sections)
+  for (const auto& section : sections)
   {
     geodesic.add_source_polyline(section.locations, section.closed);
     segments += section.number_of_segments();
@@ -66,33 +65,33 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * scale;
   double largest_excess = 0; // of the section's distance over the samples'
   std::vector<double> gaps;
-  for(std::size_t samples : {1, 4, 16, 64})
+  for (std::size_t samples : {1, 4, 16, 64})
   {
     double longest_step, gap = 0;
     const std::vector<double> sampled = sampled_distances(mesh, sections, samples, longest_step);
     std::size_t i = 0;
-    for(auto v : vertices(mesh))
+    for (auto v : vertices(mesh))
     {
       const double exact = geodesic.distance_to_sources(v), approximate = sampled[i++];
       CHECK(std::isinf(exact) == std::isinf(approximate) && !std::isnan(exact));
-      if(std::isinf(exact))
-        continue;
+      if (std::isinf(exact)) continue;
       CHECK_DETAIL(exact <= approximate * (1 + 1e-12) + rounding, values(exact, approximate));
       // The sample nearest to the foot of a shortest path is at most half a step away from it.
-      CHECK_DETAIL(approximate <= exact + longest_step / 2 * (1 + 1e-12) + rounding, values(exact, approximate));
+      CHECK_DETAIL(approximate <= exact + longest_step / 2 * (1 + 1e-12) + rounding,
+                   values(exact, approximate));
       largest_excess = (std::max)(largest_excess, exact - approximate);
       gap = (std::max)(gap, approximate - exact);
     }
     gaps.push_back(gap);
   }
-  // Between linear (vertices near the section) and quadratic (vertices far from it) in the step: 64 times the
-  // samples, so at the very least eight times closer.
+  // Between linear (vertices near the section) and quadratic (vertices far from it) in the step: 64
+  // times the samples, so at the very least eight times closer.
   CHECK_DETAIL(gaps.back() <= gaps.front() / 8 + rounding, values(gaps.back(), gaps.front()));
-  std::cout << Report::instance().context() << ": " << num_vertices(mesh) << " vertices, " << segments
-            << " segments; the section's distance exceeds the samples' by " << largest_excess
+  std::cout << Report::instance().context() << ": " << num_vertices(mesh) << " vertices, "
+            << segments << " segments; the section's distance exceeds the samples' by "
+            << largest_excess
             << ", the samples' exceeds the section's, at 1, 4, 16, 64 a segment, by";
-  for(double gap : gaps)
-    std::cout << ' ' << gap;
+  for (double gap : gaps) std::cout << ' ' << gap;
   std::cout << std::endl;
 }
 
@@ -102,7 +101,7 @@ void run_guarded(const std::string& name, const test::Surface_mesh& mesh, unsign
   {
     run(name, mesh, seed);
   }
-  catch(const std::exception& e)
+  catch (const std::exception& e)
   {
     CHECK_DETAIL(!"an exception was thrown", e.what());
   }
@@ -126,19 +125,20 @@ int main()
     {"rectangle", random_rectangle(2, 1, 300, 10, 6)},
     {"jittered grid", jittered_grid(16, 12, 7)},
     {"L", l_shape(80, 5, 8)}};
-  for(const auto& mesh : generated)
-    for(unsigned seed : {1u, 2u})
-      run_guarded(mesh.first, Generated_mesh<test::Surface_mesh>(rotated(mesh.second, seed)).mesh, seed);
+  for (const auto& mesh : generated)
+    for (unsigned seed : {1u, 2u})
+      run_guarded(mesh.first, Generated_mesh<test::Surface_mesh>(rotated(mesh.second, seed)).mesh,
+                  seed);
 
-  for(const char* name : {"eight.off", "anchor.off", "elephant.off", "sphere966.off", "cube-meshed.off", "head.off",
-                          "rotor.off", "mask_cone.off", "patch-01.off", "blobby.off"})
+  for (const char* name :
+       {"eight.off", "anchor.off", "elephant.off", "sphere966.off", "cube-meshed.off", "head.off",
+        "rotor.off", "mask_cone.off", "patch-01.off", "blobby.off"})
   {
     test::Surface_mesh mesh;
-    const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
-    if(reason.empty())
-      run_guarded(name, mesh, 3);
-    else
-      std::cout << name << ": skipped, " << reason << std::endl;
+    const std::string reason =
+      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    if (reason.empty()) run_guarded(name, mesh, 3);
+    else std::cout << name << ": skipped, " << reason << std::endl;
   }
   return Report::instance().finish("test_polyline_sources");
 }

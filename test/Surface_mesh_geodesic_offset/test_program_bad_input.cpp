@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program on bad input: exit code 2 for wrong usage and 1 for bad files, exactly one line of errors, no file left.
+// The program on bad input: exit code 2 for wrong usage and 1 for bad files, exactly one line of
+// errors, no file left.
 //
 //   test_program_bad_input PROGRAM
 
@@ -23,11 +24,12 @@ typedef std::vector<std::string> Arguments;
 class Bad_input
 {
 public:
-  explicit Bad_input(const std::string& program) : program_(program), good_((scratch_ / "good.off").string())
+  explicit Bad_input(const std::string& program)
+    : program_(program), good_((scratch_ / "good.off").string())
   {
     const Soup soup = icosphere(1);
     CGAL::IO::write_polygon_soup(good_, soup.points, soup.triangles);
-    for(const char* format : {"off", "obj", "ply", "stl"})
+    for (const char* format : {"off", "obj", "ply", "stl"})
     {
       const auto file = scratch_ / (std::string("whole.") + format);
       CGAL::IO::write_polygon_soup(file.string(), soup.points, soup.triangles);
@@ -50,9 +52,9 @@ private:
   Arguments with_outputs(Arguments arguments) const
   {
     const std::pair<const char*, const char*> outputs[] = {
-      {"--output", "out.polylines.txt"}, {"--output", "out.vtk"},   {"--output", "out.obj"},
+      {"--output", "out.polylines.txt"}, {"--output", "out.vtk"},  {"--output", "out.obj"},
       {"--field", "field.ply"},          {"--picture", "out.png"}, {"--stats", "stats.json"}};
-    for(const auto& output : outputs)
+    for (const auto& output : outputs)
     {
       arguments.push_back(output.first);
       arguments.push_back((scratch_ / output.second).string());
@@ -61,18 +63,21 @@ private:
   }
 
   // Exit code, one line of errors, and the same files as before.
-  void expect(int exit_code, const std::string& what, const Arguments& arguments, bool add_outputs = true)
+  void expect(int exit_code, const std::string& what, const Arguments& arguments,
+              bool add_outputs = true)
   {
     Report::instance().set_context(what);
     const std::set<std::string> before = scratch_.files();
-    const Program_result result = run_program(program_, add_outputs ? with_outputs(arguments) : arguments);
+    const Program_result result =
+      run_program(program_, add_outputs ? with_outputs(arguments) : arguments);
     CHECK_DETAIL(result.exit_code == exit_code, "exit code " + std::to_string(result.exit_code));
-    const std::size_t lines = static_cast<std::size_t>(std::count(result.errors.begin(), result.errors.end(), '\n'));
-    CHECK_DETAIL(lines == 1 && result.errors.size() > 10 && result.errors.back() == '\n', result.errors);
+    const std::size_t lines =
+      static_cast<std::size_t>(std::count(result.errors.begin(), result.errors.end(), '\n'));
+    CHECK_DETAIL(lines == 1 && result.errors.size() > 10 && result.errors.back() == '\n',
+                 result.errors);
     CHECK(scratch_.files() == before);
-    for(const std::string& file : scratch_.files())
-      if(before.count(file) == 0)
-        std::filesystem::remove(file);
+    for (const std::string& file : scratch_.files())
+      if (before.count(file) == 0) std::filesystem::remove(file);
     std::cout << what << ": " << result.errors << std::flush;
   }
 
@@ -80,13 +85,16 @@ private:
   void sanity()
   {
     Report::instance().set_context("good input");
-    const Program_result result =
-      run_program(program_, with_outputs({good_, "--source-vertex", "0", "--distance", "0.5", "--quiet"}));
+    const Program_result result = run_program(
+      program_, with_outputs({good_, "--source-vertex", "0", "--distance", "0.5", "--quiet"}));
     CHECK_DETAIL(result.exit_code == 0, result.errors);
     CHECK(result.errors.empty());
-    for(const char* file : {"out.polylines.txt", "out.vtk", "out.obj", "field.ply", "out.png", "stats.json"})
+    for (const char* file :
+         {"out.polylines.txt", "out.vtk", "out.obj", "field.ply", "out.png", "stats.json"})
     {
-      CHECK_DETAIL(std::filesystem::exists(scratch_ / file) && std::filesystem::file_size(scratch_ / file) > 0, file);
+      CHECK_DETAIL(std::filesystem::exists(scratch_ / file) &&
+                     std::filesystem::file_size(scratch_ / file) > 0,
+                   file);
       std::filesystem::remove(scratch_ / file);
     }
   }
@@ -98,41 +106,50 @@ private:
     expect(usage, "two meshes", {good_, good_, "--source-vertex", "0", "--distance", "1"});
     expect(usage, "no source", {good_, "--distance", "1"});
     expect(usage, "no levels for the output", {good_, "--source-vertex", "0"});
-    expect(usage, "unknown option", {good_, "--source-vertex", "0", "--distance", "1", "--unknown", "3"});
+    expect(usage, "unknown option",
+           {good_, "--source-vertex", "0", "--distance", "1", "--unknown", "3"});
     expect(usage, "unknown flag", {good_, "--source-vertex", "0", "--distance", "1", "--sources"});
     expect(usage, "abbreviated option", {good_, "--source-vert", "0", "--distance", "1"});
-    expect(usage, "option without its value", {good_, "--source-vertex", "0", "--distance", "1", "--spacing"}, false);
-    for(const char* distance : {"0", "-1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
-      for(const char* option : {"--distance", "--spacing", "--maximum-distance", "--tolerance"})
+    expect(usage, "option without its value",
+           {good_, "--source-vertex", "0", "--distance", "1", "--spacing"}, false);
+    for (const char* distance :
+         {"0", "-1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
+      for (const char* option : {"--distance", "--spacing", "--maximum-distance", "--tolerance"})
       {
         Arguments arguments = {good_, "--source-vertex", "0", std::string(option) + "=" + distance};
-        if(std::string(option) == "--maximum-distance" || std::string(option) == "--tolerance")
+        if (std::string(option) == "--maximum-distance" || std::string(option) == "--tolerance")
           arguments.insert(arguments.end(), {"--distance", "0.5"});
         expect(usage, std::string(option) + " '" + distance + "'", arguments);
       }
-    expect(usage, "distance and spacing", {good_, "--source-vertex", "0", "--distance", "1", "--spacing", "1"});
-    for(const char* count : {"0", "-1", "1.5", "x"})
+    expect(usage, "distance and spacing",
+           {good_, "--source-vertex", "0", "--distance", "1", "--spacing", "1"});
+    for (const char* count : {"0", "-1", "1.5", "x"})
       expect(usage, std::string("count '") + count + "'",
              {good_, "--source-vertex", "0", "--spacing", "0.1", std::string("--count=") + count});
-    for(const char* index : {"-1", "x", "1.5", "nan", "", "99999999999999999999999"})
+    for (const char* index : {"-1", "x", "1.5", "nan", "", "99999999999999999999999"})
       expect(usage, std::string("source vertex '") + index + "'",
              {good_, std::string("--source-vertex=") + index, "--distance", "1"});
-    for(const char* point : {"nan,0,0", "0,0", "0,0,0,0", "a,b,c", "inf,0,0", ""})
+    for (const char* point : {"nan,0,0", "0,0", "0,0,0,0", "a,b,c", "inf,0,0", ""})
       expect(usage, std::string("source point '") + point + "'",
              {good_, std::string("--source-point=") + point, "--distance", "1"});
-    for(const char* plane : {"nan,0,1,0", "0,0,0,1", "0,0,1", "0,0,1,0,0", "x,0,1,0"})
+    for (const char* plane : {"nan,0,1,0", "0,0,0,1", "0,0,1", "0,0,1,0,0", "x,0,1,0"})
       expect(usage, std::string("source plane '") + plane + "'",
              {good_, std::string("--source-plane=") + plane, "--distance", "1"});
-    for(const char* angle : {"nan", "-5", "270", "x"})
+    for (const char* angle : {"nan", "-5", "270", "x"})
       expect(usage, std::string("sharp edges '") + angle + "'",
              {good_, std::string("--source-sharp-edges=") + angle, "--distance", "1"});
-    for(const char* output : {"out.xyz", "out", ".vtk.gz"})
+    for (const char* output : {"out.xyz", "out", ".vtk.gz"})
       expect(usage, std::string("output '") + output + "'",
-             {good_, "--source-vertex", "0", "--distance", "1", "--output", (scratch_ / output).string()});
+             {good_, "--source-vertex", "0", "--distance", "1", "--output",
+              (scratch_ / output).string()});
     expect(usage, "field of a wrong type",
-           {good_, "--source-vertex", "0", "--distance", "1", "--field", (scratch_ / "field.off").string()}, false);
+           {good_, "--source-vertex", "0", "--distance", "1", "--field",
+            (scratch_ / "field.off").string()},
+           false);
     expect(usage, "picture of a wrong type",
-           {good_, "--source-vertex", "0", "--distance", "1", "--picture", (scratch_ / "picture.jpg").string()}, false);
+           {good_, "--source-vertex", "0", "--distance", "1", "--picture",
+            (scratch_ / "picture.jpg").string()},
+           false);
   }
 
   void expect_bad_mesh(const std::string& what, const std::string& file)
@@ -149,11 +166,11 @@ private:
     expect_bad_mesh("unknown format", (scratch_ / "mesh.xyz").string());
 
     Random random(1);
-    for(const std::filesystem::path& whole : whole_)
+    for (const std::filesystem::path& whole : whole_)
     {
       const std::string format = whole.extension().string(), bytes = read_file(whole);
-      CHECK(run_program(program_, {whole.string(), "--source-vertex", "0", "--distance", "0.5", "--stats",
-                                   (scratch_ / "ignored.json").string(), "--quiet"})
+      CHECK(run_program(program_, {whole.string(), "--source-vertex", "0", "--distance", "0.5",
+                                   "--stats", (scratch_ / "ignored.json").string(), "--quiet"})
               .exit_code == 0);
       std::filesystem::remove(scratch_ / "ignored.json");
       const auto bad = scratch_ / ("bad" + format);
@@ -161,26 +178,26 @@ private:
       expect_bad_mesh("empty" + format, bad.string());
       write_file(bad, "\n");
       expect_bad_mesh("an empty line in" + format, bad.string());
-      for(double part : {0.003, 0.1, 0.5, 0.9})
+      for (double part : {0.003, 0.1, 0.5, 0.9})
       {
         // Cut within a line, where one was begun: an .obj file cut between lines is a whole file.
         std::size_t size = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
-        while(size > 1 && (bytes[size - 1] == '\n' || bytes[size] == '\n' || bytes[size - 1] == ' '))
+        while (size > 1 &&
+               (bytes[size - 1] == '\n' || bytes[size] == '\n' || bytes[size - 1] == ' '))
           --size;
         write_file(bad, bytes.substr(0, size));
-        if(format != ".obj")
+        if (format != ".obj")
           expect_bad_mesh("truncated after " + std::to_string(part) + format, bad.string());
       }
-      for(std::size_t size : {7, 300, 20000})
+      for (std::size_t size : {7, 300, 20000})
       {
         std::string noise(size, ' ');
-        for(char& c : noise)
-          c = static_cast<char>(uniform_index(random, 256));
+        for (char& c : noise) c = static_cast<char>(uniform_index(random, 256));
         write_file(bad, noise);
         expect_bad_mesh("random bytes" + format, bad.string());
       }
       std::string header = bytes.substr(0, bytes.find('\n') + 1);
-      for(std::size_t i = 0; i < 1000; ++i)
+      for (std::size_t i = 0; i < 1000; ++i)
         header += static_cast<char>(uniform_index(random, 256));
       write_file(bad, header);
       expect_bad_mesh("random bytes after the first line" + format, bad.string());
@@ -200,7 +217,7 @@ private:
       {"text for a coordinate", "OFF\n3 1 0\n0 0 0\none 0 0\n0 1 0\n3 0 1 2\n"},
       {"only collapsed faces", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n"},
       {"only collinear faces", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"}};
-    for(const auto& file : off_files)
+    for (const auto& file : off_files)
     {
       write_file(bad, file.second);
       expect_bad_mesh(file.first, bad.string());
@@ -225,26 +242,28 @@ private:
 
     const auto polyline = scratch_ / "curve.polylines.txt";
     expect(input, "missing polyline", with_source("--source-polyline", polyline.string()));
-    const std::pair<const char*, const char*> polylines[] = {{"empty polyline file", ""},
-                                                             {"polyline of no points", "0\n"},
-                                                             {"truncated polyline", "3 0 0 1 0 1 0 1 0"},
-                                                             {"NaN in a polyline", "2 0 0 1 nan 1 0\n"},
-                                                             {"text in a polyline", "2 0 0 1 a b c\n"},
-                                                             {"polyline of -2 points", "-2 0 0 1 0 1 0\n"}};
-    for(const auto& file : polylines)
+    const std::pair<const char*, const char*> polylines[] = {
+      {"empty polyline file", ""},
+      {"polyline of no points", "0\n"},
+      {"truncated polyline", "3 0 0 1 0 1 0 1 0"},
+      {"NaN in a polyline", "2 0 0 1 nan 1 0\n"},
+      {"text in a polyline", "2 0 0 1 a b c\n"},
+      {"polyline of -2 points", "-2 0 0 1 0 1 0\n"}};
+    for (const auto& file : polylines)
     {
       write_file(polyline, file.second);
       expect(input, file.first, with_source("--source-polyline", polyline.string()));
     }
     std::string noise = "7";
     Random random(2);
-    for(std::size_t i = 0; i < 500; ++i)
-      noise += static_cast<char>(uniform_index(random, 256));
+    for (std::size_t i = 0; i < 500; ++i) noise += static_cast<char>(uniform_index(random, 256));
     write_file(polyline, noise);
-    expect(input, "random bytes in a polyline", with_source("--source-polyline", polyline.string()));
+    expect(input, "random bytes in a polyline",
+           with_source("--source-polyline", polyline.string()));
 
     expect(input, "output in a missing directory",
-           {good_, "--source-vertex", "0", "--distance", "0.5", "--output", (scratch_ / "missing/out.vtk").string()});
+           {good_, "--source-vertex", "0", "--distance", "0.5", "--output",
+            (scratch_ / "missing/out.vtk").string()});
   }
 
   std::string program_;
@@ -257,7 +276,7 @@ private:
 
 int main(int argc, char* argv[])
 {
-  if(argc != 2 || !std::filesystem::exists(argv[1]))
+  if (argc != 2 || !std::filesystem::exists(argv[1]))
   {
     std::cerr << "usage: test_program_bad_input PROGRAM\n";
     return 2;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The same source said in different ways gives the same distances; removal, cut-off, unreachable parts, bad arguments.
+// The same source said in different ways gives the same distances; removal, cut-off, unreachable
+// parts, bad arguments.
 
 #include "closed_forms.h"
 #include "flat_paths.h"
@@ -31,35 +32,30 @@ std::vector<double> distances(const test::Surface_mesh& mesh, const AddSources& 
   add_sources(geodesic);
   geodesic.build();
   std::vector<double> result;
-  for(Vertex_index v : vertices(mesh))
-    result.push_back(geodesic.distance_to_sources(v));
+  for (Vertex_index v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
   return result;
 }
 
-void check_same(const std::string& what,
-                const test::Surface_mesh& mesh,
-                const std::vector<double>& a,
-                const std::vector<double>& b)
+void check_same(const std::string& what, const test::Surface_mesh& mesh,
+                const std::vector<double>& a, const std::vector<double>& b)
 {
   Report::instance().set_context(what);
   Worst_error worst(1e-12, bounding_box_diagonal(mesh));
   CHECK(a.size() == b.size());
-  for(std::size_t i = 0; i < a.size(); ++i)
-    CHECK_CLOSE(worst, a[i], b[i]);
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK_CLOSE(worst, a[i], b[i]);
 }
 
 std::vector<double> minimum(const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> result;
-  for(std::size_t i = 0; i < a.size(); ++i)
-    result.push_back((std::min)(a[i], b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back((std::min)(a[i], b[i]));
   return result;
 }
 
 Face_location opposite_description(const Locations& locations, const Face_location& location)
 {
-  for(auto f : locations.incident_faces(location))
-    if(f != location.first)
+  for (auto f : locations.incident_faces(location))
+    if (f != location.first)
     {
       Face_location result(f, {{0, 0, 0}});
       locations.express(location, f, result.second);
@@ -72,15 +68,14 @@ Face_location opposite_description(const Locations& locations, const Face_locati
 std::vector<Halfedge_index> some_halfedges(const test::Surface_mesh& mesh, Random& random)
 {
   std::vector<Halfedge_index> result;
-  while(result.size() < 6)
+  while (result.size() < 6)
   {
-    const Halfedge_index h(static_cast<Halfedge_index::size_type>(uniform_index(random, num_halfedges(mesh))));
-    if(!is_border(h, mesh))
-      result.push_back(h);
+    const Halfedge_index h(
+      static_cast<Halfedge_index::size_type>(uniform_index(random, num_halfedges(mesh))));
+    if (!is_border(h, mesh)) result.push_back(h);
   }
-  for(Halfedge_index h : halfedges(mesh))
-    if(is_border(h, mesh) && result.size() < 9)
-      result.push_back(opposite(h, mesh));
+  for (Halfedge_index h : halfedges(mesh))
+    if (is_border(h, mesh) && result.size() < 9) result.push_back(opposite(h, mesh));
   return result;
 }
 
@@ -88,56 +83,74 @@ void points(const std::string& name, const test::Surface_mesh& mesh, unsigned se
 {
   Random random(seed);
   const Locations locations(mesh);
-  for(Halfedge_index h : some_halfedges(mesh, random))
+  for (Halfedge_index h : some_halfedges(mesh, random))
   {
     const Vertex_index v = target(h, mesh), u = source(h, mesh);
     const std::vector<double> from_v = distances(mesh, [&](Geodesic& g) { g.add_source_point(v); });
     const std::vector<double> from_u = distances(mesh, [&](Geodesic& g) { g.add_source_point(u); });
-    for(std::size_t turn = 0; turn < 3; ++turn)
-      check_same(name + ": a vertex as a face location", mesh, distances(mesh, [&](Geodesic& g) {
-                   g.add_source_point(locations.at_vertex(v, turn));
-                 }),
-                 from_v);
-    check_same(name + ": duplicate vertices", mesh, distances(mesh, [&](Geodesic& g) {
-                 g.add_source_point(v);
-                 g.add_source_point(v);
-                 g.add_source_point(locations.at_vertex(v, 1));
-               }),
+    for (std::size_t turn = 0; turn < 3; ++turn)
+      check_same(
+        name + ": a vertex as a face location", mesh,
+        distances(mesh, [&](Geodesic& g) { g.add_source_point(locations.at_vertex(v, turn)); }),
+        from_v);
+    check_same(name + ": duplicate vertices", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           g.add_source_point(v);
+                           g.add_source_point(v);
+                           g.add_source_point(locations.at_vertex(v, 1));
+                         }),
                from_v);
-    check_same(name + ": adjacent vertices", mesh, distances(mesh, [&](Geodesic& g) {
-                 g.add_source_point(u);
-                 g.add_source_point(v);
-               }),
+    check_same(name + ": adjacent vertices", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           g.add_source_point(u);
+                           g.add_source_point(v);
+                         }),
                minimum(from_u, from_v));
-    check_same(name + ": a polyline of one vertex", mesh, distances(mesh, [&](Geodesic& g) {
-                 g.add_source_polyline(std::vector<Face_location>{locations.at_vertex(v)});
-               }),
-               from_v);
+    check_same(
+      name + ": a polyline of one vertex", mesh,
+      distances(mesh, [&](Geodesic& g)
+                { g.add_source_polyline(std::vector<Face_location>{locations.at_vertex(v)}); }),
+      from_v);
 
-    for(double t : {0.3, 0.5, 1e-9})
+    for (double t : {0.3, 0.5, 1e-9})
     {
       const Face_location on_edge = locations.on_edge(h, t);
-      const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_point(on_edge); });
+      const std::vector<double> expected =
+        distances(mesh, [&](Geodesic& g) { g.add_source_point(on_edge); });
       const Face_location other = opposite_description(locations, on_edge);
       check_same(name + ": a point on an edge, from both faces", mesh,
                  distances(mesh, [&](Geodesic& g) { g.add_source_point(other); }), expected);
-      check_same(name + ": a point on an edge, twice", mesh, distances(mesh, [&](Geodesic& g) {
-                   g.add_source_point(on_edge);
-                   g.add_source_point(other);
-                 }),
+      check_same(name + ": a point on an edge, twice", mesh,
+                 distances(mesh,
+                           [&](Geodesic& g)
+                           {
+                             g.add_source_point(on_edge);
+                             g.add_source_point(other);
+                           }),
                  expected);
     }
     const Face_location inside(face(h, mesh), random_barycentric(random));
-    const std::vector<double> from_inside = distances(mesh, [&](Geodesic& g) { g.add_source_point(inside); });
-    check_same(name + ": duplicate points in a face", mesh, distances(mesh, [&](Geodesic& g) {
-                 g.add_source_point(inside);
-                 g.add_source_point(inside);
-               }),
+    const std::vector<double> from_inside =
+      distances(mesh, [&](Geodesic& g) { g.add_source_point(inside); });
+    check_same(name + ": duplicate points in a face", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           g.add_source_point(inside);
+                           g.add_source_point(inside);
+                         }),
                from_inside);
-    check_same(name + ": a point in a face and a vertex of the face", mesh, distances(mesh, [&](Geodesic& g) {
-                 g.add_source_point(inside);
-                 g.add_source_point(v);
-               }),
+    check_same(name + ": a point in a face and a vertex of the face", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           g.add_source_point(inside);
+                           g.add_source_point(v);
+                         }),
                minimum(from_inside, from_v));
   }
 }
@@ -146,47 +159,54 @@ void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned
 {
   Random random(seed);
   const Locations locations(mesh);
-  for(Halfedge_index h : some_halfedges(mesh, random))
+  for (Halfedge_index h : some_halfedges(mesh, random))
   {
-    // A way through the face of h over all kinds of places, starting at a vertex and ending on an edge.
-    const std::vector<Face_location> way = {locations.at_vertex(source(h, mesh), 2),
-                                            Face_location(face(h, mesh), random_barycentric(random)),
-                                            locations.on_edge(h, 0.4), locations.on_edge(next(h, mesh), 0.7)};
-    const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_polyline(way); });
+    // A way through the face of h over all kinds of places, starting at a vertex and ending on an
+    // edge.
+    const std::vector<Face_location> way = {
+      locations.at_vertex(source(h, mesh), 2),
+      Face_location(face(h, mesh), random_barycentric(random)), locations.on_edge(h, 0.4),
+      locations.on_edge(next(h, mesh), 0.7)};
+    const std::vector<double> expected =
+      distances(mesh, [&](Geodesic& g) { g.add_source_polyline(way); });
 
     std::vector<Face_location> repeated;
-    for(const Face_location& l : way)
-      repeated.insert(repeated.end(), 3, l);
+    for (const Face_location& l : way) repeated.insert(repeated.end(), 3, l);
     check_same(name + ": repeated points", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(repeated); }), expected);
 
     std::vector<Face_location> described;
-    for(const Face_location& l : way)
-      described.push_back(opposite_description(locations, l));
+    for (const Face_location& l : way) described.push_back(opposite_description(locations, l));
     check_same(name + ": points described from the other faces", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(described); }), expected);
 
     const std::vector<Face_location> reversed(way.rbegin(), way.rend());
-    check_same(name + ": reversed", mesh, distances(mesh, [&](Geodesic& g) { g.add_source_polyline(reversed); }),
+    check_same(name + ": reversed", mesh,
+               distances(mesh, [&](Geodesic& g) { g.add_source_polyline(reversed); }), expected);
+
+    check_same(name + ": segment by segment", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           for (std::size_t i = 0; i + 1 < way.size(); ++i)
+                             g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
+                         }),
                expected);
 
-    check_same(name + ": segment by segment", mesh, distances(mesh, [&](Geodesic& g) {
-                 for(std::size_t i = 0; i + 1 < way.size(); ++i)
-                   g.add_source_polyline(std::vector<Face_location>{way[i], way[i + 1]});
-               }),
-               expected);
-
-    check_same(name + ": there and back, with its points added", mesh, distances(mesh, [&](Geodesic& g) {
-                 std::vector<Face_location> there_and_back = way;
-                 there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
-                 g.add_source_polyline(there_and_back);
-                 for(const Face_location& l : way)
-                   g.add_source_point(l);
-               }),
+    check_same(name + ": there and back, with its points added", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           std::vector<Face_location> there_and_back = way;
+                           there_and_back.insert(there_and_back.end(), way.rbegin(), way.rend());
+                           g.add_source_polyline(there_and_back);
+                           for (const Face_location& l : way) g.add_source_point(l);
+                         }),
                expected);
 
     std::vector<Face_location> loop = {way[1], way[2], way[3]};
-    const std::vector<double> closed = distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, true); });
+    const std::vector<double> closed =
+      distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop, true); });
     loop.push_back(loop.front());
     check_same(name + ": closed, or with the first point repeated", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(loop); }), closed);
@@ -199,51 +219,58 @@ void edge_sets(const std::string& name, const test::Surface_mesh& mesh, unsigned
 {
   Random random(seed);
   const Locations locations(mesh);
-  for(Halfedge_index first : some_halfedges(mesh, random))
+  for (Halfedge_index first : some_halfedges(mesh, random))
   {
     // A walk along edges, turning left and right.
     std::vector<Edge_index> edges;
     std::vector<Face_location> along = {locations.at_vertex(source(first, mesh))};
     Halfedge_index h = first;
-    for(int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i)
     {
       edges.push_back(edge(h, mesh));
       along.push_back(locations.at_vertex(target(h, mesh), 3));
-      h = (i % 2 == 0 || is_border(opposite(next(h, mesh), mesh), mesh)) ? next(h, mesh)
-                                                                         : next(opposite(next(h, mesh), mesh), mesh);
+      h = (i % 2 == 0 || is_border(opposite(next(h, mesh), mesh), mesh))
+            ? next(h, mesh)
+            : next(opposite(next(h, mesh), mesh), mesh);
     }
-    const std::vector<double> expected = distances(mesh, [&](Geodesic& g) { g.add_source_edges(edges); });
+    const std::vector<double> expected =
+      distances(mesh, [&](Geodesic& g) { g.add_source_edges(edges); });
     check_same(name + ": edges and the polyline along them", mesh,
                distances(mesh, [&](Geodesic& g) { g.add_source_polyline(along); }), expected);
-    check_same(name + ": edges twice, one source each", mesh, distances(mesh, [&](Geodesic& g) {
-                 for(Edge_index e : edges)
-                   g.add_source_edges(std::vector<Edge_index>{e, e});
-               }),
+    check_same(name + ": edges twice, one source each", mesh,
+               distances(mesh,
+                         [&](Geodesic& g)
+                         {
+                           for (Edge_index e : edges)
+                             g.add_source_edges(std::vector<Edge_index>{e, e});
+                         }),
                expected);
     Report::instance().set_context(name + ": vertices of source edges");
-    for(Edge_index e : edges)
-      CHECK(expected[source(halfedge(e, mesh), mesh)] == 0 && expected[target(halfedge(e, mesh), mesh)] == 0);
+    for (Edge_index e : edges)
+      CHECK(expected[source(halfedge(e, mesh), mesh)] == 0 &&
+            expected[target(halfedge(e, mesh), mesh)] == 0);
   }
 }
 
 // The whole boundary of a rectangle as a source: the distance is that to the nearest side.
 void boundary_sources()
 {
-  for(unsigned seed : {1u, 2u, 3u})
+  for (unsigned seed : {1u, 2u, 3u})
   {
     const Soup soup = random_rectangle(2, 1, 200, 8, seed);
     const Data data(rotated(soup, seed));
     std::vector<Edge_index> border;
-    for(Edge_index e : edges(data.mesh))
-      if(is_border(e, data.mesh))
-        border.push_back(e);
-    const std::vector<double> actual = distances(data.mesh, [&](Geodesic& g) { g.add_source_edges(border); });
+    for (Edge_index e : edges(data.mesh))
+      if (is_border(e, data.mesh)) border.push_back(e);
+    const std::vector<double> actual =
+      distances(data.mesh, [&](Geodesic& g) { g.add_source_edges(border); });
     Report::instance().set_context("all boundary edges, seed " + std::to_string(seed));
     Worst_error worst(1e-12, 2);
-    for(std::size_t i = 0; i < actual.size(); ++i)
+    for (std::size_t i = 0; i < actual.size(); ++i)
     {
       const double x = soup.points[i].x(), y = soup.points[i].y();
-      CHECK_CLOSE(worst, actual[i], (std::max)(0., (std::min)((std::min)(x, 2 - x), (std::min)(y, 1 - y))));
+      CHECK_CLOSE(worst, actual[i],
+                  (std::max)(0., (std::min)((std::min)(x, 2 - x), (std::min)(y, 1 - y))));
     }
   }
 }
@@ -252,19 +279,21 @@ void removal()
 {
   const Data data(rotated(random_rectangle(2, 1, 150, 8, 5), 5));
   const Vertex_index u = data.vertices[10], v = data.vertices[100];
-  const std::vector<double> from_u = distances(data.mesh, [&](Geodesic& g) { g.add_source_point(u); });
-  const std::vector<double> from_v = distances(data.mesh, [&](Geodesic& g) { g.add_source_point(v); });
+  const std::vector<double> from_u =
+    distances(data.mesh, [&](Geodesic& g) { g.add_source_point(u); });
+  const std::vector<double> from_v =
+    distances(data.mesh, [&](Geodesic& g) { g.add_source_point(v); });
 
   Geodesic geodesic(data.mesh);
   CHECK(geodesic.number_of_sources() == 0 && !geodesic.is_built());
   const std::size_t first = geodesic.add_source_point(u);
   const std::size_t second = geodesic.add_source_point(v);
   CHECK(first != second && geodesic.number_of_sources() == 2);
-  const auto all = [&]() {
+  const auto all = [&]()
+  {
     geodesic.build();
     std::vector<double> result;
-    for(Vertex_index w : vertices(data.mesh))
-      result.push_back(geodesic.distance_to_sources(w));
+    for (Vertex_index w : vertices(data.mesh)) result.push_back(geodesic.distance_to_sources(w));
     return result;
   };
   check_same("both sources", data.mesh, all(), minimum(from_u, from_v));
@@ -293,7 +322,7 @@ void maximum_distance()
 {
   const std::size_t n = 20;
   const Data data(planar_grid(n, n, Diagonals::alternating));
-  for(double maximum : {5., 1., 0.3, 13.0000001, 100.})
+  for (double maximum : {5., 1., 0.3, 13.0000001, 100.})
   {
     Report::instance().set_context("maximum distance " + std::to_string(maximum));
     Geodesic geodesic(data.mesh);
@@ -301,24 +330,21 @@ void maximum_distance()
     geodesic.build(CGAL::parameters::maximum_distance(maximum));
     Worst_error worst(1e-12, 0);
     std::size_t reached = 0, at_maximum = 0;
-    for(std::size_t i = 0; i < data.vertices.size(); ++i)
+    for (std::size_t i = 0; i < data.vertices.size(); ++i)
     {
       const double x = static_cast<double>(i % (n + 1)), y = static_cast<double>(i / (n + 1));
       const double exact = std::hypot(x, y);
-      if((x == 0 || y == 0) && exact == maximum)
-        ++at_maximum;
-      // Distances that equal the maximum but for rounding may fall on either side, except along the edges of the
-      // grid, where nothing is rounded.
+      if ((x == 0 || y == 0) && exact == maximum) ++at_maximum;
+      // Distances that equal the maximum but for rounding may fall on either side, except along the
+      // edges of the grid, where nothing is rounded.
       const bool is_near = std::abs(exact - maximum) < 1e-12 * maximum && x != 0 && y != 0;
       const double actual = geodesic.distance_to_sources(data.vertices[i]);
-      if(is_near && std::isinf(actual))
-        continue;
+      if (is_near && std::isinf(actual)) continue;
       reached += exact <= maximum ? 1 : 0;
       CHECK_CLOSE(worst, actual, (exact <= maximum || is_near) ? exact : infinity);
     }
     CHECK(reached > 0);
-    if(maximum == 5 || maximum == 1)
-      CHECK(at_maximum == 2);
+    if (maximum == 5 || maximum == 1) CHECK(at_maximum == 2);
     geodesic.build();
     CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices.back())));
   }
@@ -328,12 +354,13 @@ void maximum_distance()
   geodesic.build(CGAL::parameters::geodesic(5., true));
   const Locations locations(data.mesh);
   Random random(3);
-  for(auto f : faces(data.mesh))
+  for (auto f : faces(data.mesh))
   {
     const Face_location l(f, random_barycentric(random));
     const double exact = std::sqrt(CGAL::squared_distance(locations.point(l), Point_3(0, 0, 0)));
     const double actual = geodesic.distance_to_sources(l);
-    CHECK_DETAIL(exact <= 5 ? std::abs(actual - exact) < 1e-12 * exact : std::isinf(actual), values(actual, exact));
+    CHECK_DETAIL(exact <= 5 ? std::abs(actual - exact) < 1e-12 * exact : std::isinf(actual),
+                 values(actual, exact));
   }
 }
 
@@ -343,7 +370,7 @@ void unreachable()
   Soup soup = icosphere(1);
   const std::size_t sphere = soup.points.size();
   const Soup torus = test::torus(12, 8, 5, 1);
-  for(const auto& t : torus.triangles)
+  for (const auto& t : torus.triangles)
     soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
   soup.points.insert(soup.points.end(), torus.points.begin(), torus.points.end());
   const std::size_t both = soup.points.size();
@@ -354,16 +381,17 @@ void unreachable()
   Geodesic geodesic(data.mesh);
   geodesic.add_source_point(data.vertices[3]);
   geodesic.build(CGAL::parameters::keep_windows(true));
-  for(std::size_t i = 0; i < data.vertices.size(); ++i)
+  for (std::size_t i = 0; i < data.vertices.size(); ++i)
     CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[i])) == (i < sphere));
-  for(std::size_t i = 0; i < data.faces.size(); i += 7)
+  for (std::size_t i = 0; i < data.faces.size(); i += 7)
   {
     const bool on_sphere = soup.triangles[i][0] < sphere;
-    CHECK(std::isfinite(geodesic.distance_to_sources(Face_location(data.faces[i], {{0.25, 0.5, 0.25}}))) == on_sphere);
+    CHECK(std::isfinite(geodesic.distance_to_sources(
+            Face_location(data.faces[i], {{0.25, 0.5, 0.25}}))) == on_sphere);
   }
   geodesic.add_source_point(data.vertices[both - 1]);
   geodesic.build();
-  for(std::size_t i = 0; i < data.vertices.size(); ++i)
+  for (std::size_t i = 0; i < data.vertices.size(); ++i)
     CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[i])) == (i < both));
 }
 
@@ -381,7 +409,7 @@ void bad_arguments()
   geodesic.add_source_point(data.vertices[0]);
   geodesic.build();
   std::vector<Geodesic::Offset_curve> curves;
-  for(double bad : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+  for (double bad : {0., -1., std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS(geodesic.offset_curves(bad, std::back_inserter(curves)), std::invalid_argument);
   CHECK(curves.empty());
   CHECK(std::abs(geodesic.distance_to_sources(data.vertices.back()) - std::hypot(6., 6.)) < 1e-12);
@@ -393,7 +421,7 @@ void run_guarded(void (*test)())
   {
     test();
   }
-  catch(const std::exception& e)
+  catch (const std::exception& e)
   {
     CHECK_DETAIL(!"an exception was thrown", e.what());
   }
@@ -403,27 +431,30 @@ void run_guarded(void (*test)())
 
 int main()
 {
-  const std::pair<const char*, Soup> meshes[] = {{"rectangle", rotated(random_rectangle(2, 1, 120, 8, 1), 1)},
-                                                 {"grid", planar_grid(10, 8, Diagonals::alternating)},
-                                                 {"box", rotated(box_sides(1, 0.7, 0.4).triangulated(25, 3, 2), 2)},
-                                                 {"saddle", Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)},
-                                                 {"icosphere", icosphere(2)},
-                                                 {"genus 5", marching_genus_5(8)},
-                                                 {"L", l_shape(50, 4, 4)}};
-  for(const auto& mesh : meshes)
+  const std::pair<const char*, Soup> meshes[] = {
+    {"rectangle", rotated(random_rectangle(2, 1, 120, 8, 1), 1)},
+    {"grid", planar_grid(10, 8, Diagonals::alternating)},
+    {"box", rotated(box_sides(1, 0.7, 0.4).triangulated(25, 3, 2), 2)},
+    {"saddle", Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)},
+    {"icosphere", icosphere(2)},
+    {"genus 5", marching_genus_5(8)},
+    {"L", l_shape(50, 4, 4)}};
+  for (const auto& mesh : meshes)
   {
     const Data data(mesh.second);
-    for(void (*body)(const std::string&, const test::Surface_mesh&, unsigned) : {&points, &polylines, &edge_sets})
+    for (void (*body)(const std::string&, const test::Surface_mesh&, unsigned) :
+         {&points, &polylines, &edge_sets})
       try
       {
         body(mesh.first, data.mesh, 17);
       }
-      catch(const std::exception& e)
+      catch (const std::exception& e)
       {
         CHECK_DETAIL(!"an exception was thrown", e.what());
       }
   }
-  for(void (*body)() : {&boundary_sources, &removal, &maximum_distance, &unreachable, &bad_arguments})
+  for (void (*body)() :
+       {&boundary_sources, &removal, &maximum_distance, &unreachable, &bad_arguments})
     run_guarded(body);
   return Report::instance().finish("test_source_kinds");
 }

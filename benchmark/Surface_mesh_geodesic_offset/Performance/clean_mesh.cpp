@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turns a scanned polygon soup into a manifold triangle mesh: merges duplicate points, orients, splits what is not
-// manifold, removes degenerate faces, keeps the largest component and no isolated vertex. Prints "x y z diagonal" of the bounding box: its centre and
-// the length of its diagonal.
+// Turns a scanned polygon soup into a manifold triangle mesh: merges duplicate points, orients,
+// splits what is not manifold, removes degenerate faces, keeps the largest component and no
+// isolated vertex. Prints "x y z diagonal" of the bounding box: its centre and the length of its
+// diagonal.
 //
 //   clean_mesh IN OUT.off
 
@@ -28,14 +29,14 @@ int main(int argc, char* argv[])
   namespace PMP = CGAL::Polygon_mesh_processing;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-  if(argc != 3)
+  if (argc != 3)
   {
     std::cerr << "usage: clean_mesh IN OUT.off\n";
     return 2;
   }
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
-  if(!CGAL::IO::read_polygon_soup(argv[1], points, polygons) || polygons.empty())
+  if (!CGAL::IO::read_polygon_soup(argv[1], points, polygons) || polygons.empty())
   {
     std::cerr << "cannot read " << argv[1] << '\n';
     return 1;
@@ -48,12 +49,11 @@ int main(int argc, char* argv[])
   PMP::triangulate_faces(mesh);
   PMP::remove_degenerate_faces(mesh);
   PMP::keep_largest_connected_components(mesh, 1);
-  for(Mesh::Vertex_index v : vertices(mesh))
-    if(mesh.is_isolated(v))
-      mesh.remove_vertex(v);
+  for (Mesh::Vertex_index v : vertices(mesh))
+    if (mesh.is_isolated(v)) mesh.remove_vertex(v);
   mesh.collect_garbage();
   std::cerr << "kept " << num_vertices(mesh) << " vertices, " << num_faces(mesh) << " faces\n";
-  if(!CGAL::IO::write_polygon_mesh(argv[2], mesh, CGAL::parameters::stream_precision(17)))
+  if (!CGAL::IO::write_polygon_mesh(argv[2], mesh, CGAL::parameters::stream_precision(17)))
   {
     std::cerr << "cannot write " << argv[2] << '\n';
     return 1;
@@ -61,6 +61,7 @@ int main(int argc, char* argv[])
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   std::cout.precision(17);
   std::cout << (box.xmin() + box.xmax()) / 2 << ' ' << (box.ymin() + box.ymax()) / 2 << ' '
-            << (box.zmin() + box.zmax()) / 2 << ' ' << std::hypot(box.x_span(), box.y_span(), box.z_span()) << '\n';
+            << (box.zmin() + box.zmax()) / 2 << ' '
+            << std::hypot(box.x_span(), box.y_span(), box.z_span()) << '\n';
   return 0;
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs a computation in a process of its own and measures its time and the memory it needs beyond what was there (POSIX).
+// Runs a computation in a process of its own and measures its time and the memory it needs beyond
+// what was there (POSIX).
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_MEASURED_RUN_H
 #define GEODESIC_OFFSET_BENCHMARK_MEASURED_RUN_H
@@ -10,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __GLIBC__
-#include <malloc.h>
+#  include <malloc.h>
 #endif
 
 #include <chrono>
@@ -42,11 +43,10 @@ inline std::size_t peak_resident_bytes()
 
 inline void write_all(int file, const void* data, std::size_t size)
 {
-  for(const char* at = static_cast<const char*>(data); size > 0;)
+  for (const char* at = static_cast<const char*>(data); size > 0;)
   {
     const ssize_t written = write(file, at, size);
-    if(written <= 0)
-      _exit(1);
+    if (written <= 0) _exit(1);
     at += written;
     size -= static_cast<std::size_t>(written);
   }
@@ -54,19 +54,18 @@ inline void write_all(int file, const void* data, std::size_t size)
 
 inline bool read_all(int file, void* data, std::size_t size)
 {
-  for(char* at = static_cast<char*>(data); size > 0;)
+  for (char* at = static_cast<char*>(data); size > 0;)
   {
     const ssize_t count = read(file, at, size);
-    if(count <= 0)
-      return false;
+    if (count <= 0) return false;
     at += count;
     size -= static_cast<std::size_t>(count);
   }
   return true;
 }
 
-/// `computation(distances, windows)` fills its arguments; what it leaves in this process is lost but for those.
-/// Throws `std::runtime_error` if it fails.
+/// `computation(distances, windows)` fills its arguments; what it leaves in this process is lost
+/// but for those. Throws `std::runtime_error` if it fails.
 template <class Computation>
 Measured_run measured_run(const Computation& computation)
 {
@@ -74,12 +73,10 @@ Measured_run measured_run(const Computation& computation)
   malloc_trim(0); // memory that was freed before must not hide what the computation needs
 #endif
   int channel[2];
-  if(pipe(channel) != 0)
-    throw std::runtime_error("pipe failed");
+  if (pipe(channel) != 0) throw std::runtime_error("pipe failed");
   const pid_t child = fork();
-  if(child < 0)
-    throw std::runtime_error("fork failed");
-  if(child == 0)
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0)
   {
     try
     {
@@ -98,7 +95,7 @@ Measured_run measured_run(const Computation& computation)
       write_all(channel[1], run.distances.data(), count * sizeof(double));
       _exit(0);
     }
-    catch(...)
+    catch (...)
     {
       _exit(1);
     }
@@ -110,7 +107,7 @@ Measured_run measured_run(const Computation& computation)
                   read_all(channel[0], &run.peak_bytes, sizeof(run.peak_bytes)) &&
                   read_all(channel[0], &run.windows, sizeof(run.windows)) &&
                   read_all(channel[0], &count, sizeof(count));
-  if(complete)
+  if (complete)
   {
     run.distances.resize(count);
     complete = read_all(channel[0], run.distances.data(), count * sizeof(double));
@@ -118,7 +115,7 @@ Measured_run measured_run(const Computation& computation)
   close(channel[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  if(!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw std::runtime_error("the computation failed");
   return run;
 }

@@ -133,10 +133,11 @@ private:
     if (s.edge)
     {
       const int k = s.edge == 1 ? 0 : s.edge == 2 ? 1 : 2;
-      FT ta = frame.along(k, s.a), tb = frame.along(k, s.b);
+      const Index h = 3 * s.face + Index(k);
+      FT ta = position_on_edge(s.first, h), tb = position_on_edge(s.second, h);
       const bool forward = ta < tb;
       if (!forward) std::swap(ta, tb);
-      m_out.add_edge_windows(3 * s.face + k, ta, tb, forward ? left : right, forward ? right : left);
+      m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
       return;
     }
     const Point t = (FT(1) / length(s.b - s.a)) * (s.b - s.a);
@@ -152,6 +153,13 @@ private:
       const Point back = CGAL::is_negative(height) ? n : FT(-1) * n;
       m_out.seed_corner(s.face, frame, k, CGAL::abs(height), back, CGAL::is_negative(height) ? right : left);
     }
+  }
+
+  // Exactly 0 or the length at a vertex.
+  FT position_on_edge(const Surface_point_& p, Index h) const
+  {
+    if (p.kind == Surface_point_::VERTEX) return p.element == m_mesh.source(h) ? FT(0) : m_mesh[h].length;
+    return p.element == h ? p.x : FT(m_mesh[h].length - p.x);
   }
 
   // Direction of the segment at its second end (back along it) or its first end, as a ray at a mesh vertex.
