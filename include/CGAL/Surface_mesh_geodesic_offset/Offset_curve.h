@@ -7,9 +7,11 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_surface.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_tracer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_piece.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <vector>
 

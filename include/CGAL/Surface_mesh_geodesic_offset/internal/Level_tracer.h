@@ -15,6 +15,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Level_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_piece.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,31 +24,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// A part of an offset curve in one face, in the face's frame: an arc round `center`, counterclockwise, or a segment.
-template <class FT>
-struct Level_piece
-{
-  Index face;
-  bool is_straight;
-  Point_in_face<FT> center; // of a segment: unit direction from the source
-  FT radius;                // of a segment: distance of its line from the frame's origin along that direction
-  Point_in_face<FT> start, end;
-  Root root;
-  Index pseudo_source;                // no_index if none
-  unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
-};
-
-// A crossing of the level with an edge of the face. The level's curve starts in this face where, counterclockwise along
-// the face's boundary, the distance rises above the level.
-template <class FT>
-struct Level_gate
-{
-  Point_in_face<FT> point;
-  unsigned char edge; // halfedge of the face
-  bool is_start;
-  Index id;
-};
 
 template <class FT>
 class Level_tracer
@@ -384,6 +360,7 @@ private:
     Chain chain{no_index, no_index, {}};
     Point p = start;
     bool closed = false;
+    std::size_t last_arc = i;
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16 && run.valid && run.gate == std::size_t(-1); ++guard)
     {
       if (guard > 0 && run.arc == i && run.from <= t && t <= run.to)
@@ -391,12 +368,12 @@ private:
         run.end = start;
         closed = true;
       }
-      if (!chain.pieces.empty() && m_last_arc != run.arc)
+      if (!chain.pieces.empty() && last_arc != run.arc)
       {
-        refine_joint(m_last_arc, run.arc, p);
+        refine_joint(last_arc, run.arc, p);
         chain.pieces.back().end = p;
       }
-      m_last_arc = run.arc;
+      last_arc = run.arc;
       add_piece(run, p, chain);
       p = run.end;
       if (guard > 0 && length(p - start) <= m_tie) closed = true;
@@ -418,7 +395,6 @@ private:
 
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_face_size, m_cover_depth, m_tie, m_step, m_refine, m_point;
-  std::size_t m_last_arc = 0;
   std::vector<Level_arc<FT>> m_arcs;
   Half_plane<FT> m_outside[3];
   std::vector<Gate> m_gates;
