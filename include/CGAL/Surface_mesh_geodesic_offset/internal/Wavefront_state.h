@@ -48,7 +48,7 @@ public:
   enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
 
   Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)
-    : mesh(mesh), maximum(maximum_distance), field(field), queue(0.5 * CGAL::to_double(mesh.mean_edge_length())),
+    : mesh(mesh), maximum(maximum_distance), field(field), queue(0.25 * CGAL::to_double(mesh.mean_edge_length())),
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0)
   {
     field.distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
