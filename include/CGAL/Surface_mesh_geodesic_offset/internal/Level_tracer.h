@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Level_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_extent.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,16 +40,10 @@ public:
     std::vector<Piece> pieces;
   };
 
-  // Chains of pieces that connect all gates, and all loops. Appends to `chains`.
-  void operator()(const Face_field<FT>& field, const FT& level, const std::vector<Gate>& gates, bool search_loops,
-                  std::vector<Chain>& chains)
+  // The face to be cut.
+  void set_face(const Face_field<FT>& field)
   {
     m_field = &field;
-    m_level = level;
-    m_arcs.clear();
-    for (std::size_t i = 0; i < field.windows().size(); ++i)
-      if (field.lowest(i) < level)
-        m_arcs.emplace_back(field.windows()[i], level);
     const Face_frame<FT>& frame = field.frame();
     for (int k = 0; k < 3; ++k)
     {
@@ -56,6 +51,27 @@ public:
       m_outside[k] = {n, dot(n, frame.corner(k))};
     }
     m_face_size = (std::max)({frame.edge_length(0), frame.edge_length(1), frame.edge_length(2)});
+    m_extents.clear();
+    for (const Face_window<FT>& w : field.windows()) m_extents.push_back(extent_of(w, frame, FT(1e-5) * m_face_size));
+  }
+
+  // Chains of pieces that connect all gates, and all loops. Appends to `chains`.
+  //
+  // Only windows that the level passes through take part: the distance is continuous, so a visible arc ends where another
+  // window gives the level, too, never at one that is nearer all over.
+  void operator()(const FT& level, const std::vector<Gate>& gates, bool search_loops,
+                  std::vector<Chain>& chains)
+  {
+    m_level = level;
+    m_arcs.clear();
+    m_boxes.clear();
+    const Face_field<FT>& field = *m_field;
+    for (std::size_t i = 0; i < field.windows().size(); ++i)
+      if (field.lowest(i) < level && m_extents[i].highest >= level)
+      {
+        m_arcs.emplace_back(field.windows()[i], level);
+        m_boxes.push_back(m_extents[i].box);
+      }
     const FT magnitude = m_face_size + level;
     m_cover_depth = Number_policy<FT>::rounding(256) * magnitude;
     m_tie = Number_policy<FT>::rounding(1 << 16) * magnitude;
@@ -167,8 +183,12 @@ private:
       run.end = m_gates[gate].point;
       run.gate = gate;
     }
+    Box_in_face<FT> box(start);
+    box.add(run.end);
+    if (!a.is_straight()) box.widen(length(run.end - start)); // less than a half turn
+    box.intersect(m_boxes[i]);
     for (std::size_t j = 0; j < m_arcs.size(); ++j)
-      if (j != i) cut_by(j, run);
+      if (j != i && m_boxes[j].meets(box)) cut_by(j, run);
     run.length = length(run.end - start);
     run.valid = run.gate != std::size_t(-1) || run.length > m_step;
     // Another arc that touches this one at the start may have come out from under it, or go under it, so closely that
@@ -182,7 +202,7 @@ private:
   bool is_covered(std::size_t i, const Point& p) const
   {
     for (std::size_t j = 0; j < m_arcs.size(); ++j)
-      if (j != i && covers(j, p)) return true;
+      if (j != i && m_boxes[j].contains(p) && covers(j, p)) return true;
     return false;
   }
 
@@ -211,7 +231,7 @@ private:
     {
       for (std::size_t i = 0; i < m_arcs.size(); ++i)
       {
-        if (i == without) continue;
+        if (i == without || !m_boxes[i].contains(p)) continue;
         const Level_arc<FT>& a = m_arcs[i];
         if (CGAL::abs(a.excess(p)) > tie || a.outside_cone(p) > tie) continue;
         FT t = a.parameter(p);
@@ -355,6 +375,9 @@ private:
     if (!(t >= FT(0) && t < FT(1)) || is_traversed(i, t)) return;
     for (int k = 0; k < 3; ++k)
       if (m_outside[k].value(start) < m_tie) return;
+    // a loop may lie hidden under windows that the level does not pass through
+    std::size_t nearest;
+    if (m_field->distance(start, nearest) < m_level - m_tie) return;
     Run run = run_of(i, t, start);
     const std::size_t mark = m_traversed.size();
     Chain chain{no_index, no_index, {}};
@@ -395,7 +418,9 @@ private:
 
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_face_size, m_cover_depth, m_tie, m_step, m_refine, m_point;
-  std::vector<Level_arc<FT>> m_arcs;
+  std::vector<Window_extent<FT>> m_extents; // of the face's windows
+  std::vector<Level_arc<FT>> m_arcs;        // of the level
+  std::vector<Box_in_face<FT>> m_boxes;
   Half_plane<FT> m_outside[3];
   std::vector<Gate> m_gates;
   std::vector<Traversed> m_traversed;

@@ -109,6 +109,7 @@ private:
     if (first >= last) return;
     const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
     find_gates(field, first, last);
+    m_tracer.set_face(field);
     for (std::size_t i = first; i < last; ++i)
     {
       m_gates.clear();
@@ -116,7 +117,7 @@ private:
         if (g.level == i) m_gates.push_back(g.gate);
       if (m_gates.empty() && !loops) continue;
       m_chains.clear();
-      m_tracer(field, cut_level(i), m_gates, loops, m_chains);
+      m_tracer(cut_level(i), m_gates, loops, m_chains);
       for (Chain& c : m_chains) store(c, i);
     }
   }
