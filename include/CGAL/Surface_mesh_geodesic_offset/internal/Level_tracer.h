@@ -350,15 +350,16 @@ private:
       try_loop(i, FT(0), a.point(FT(0)), chains);
       for (std::size_t j = 0; j < m_arcs.size(); ++j)
       {
-        if (i == j) continue;
+        if (i == j || !m_boxes[i].meets(m_boxes[j])) continue;
         const Level_arc<FT>& b = m_arcs[j];
         Point p;
         const bool meets = b.is_straight()
                              ? a.enter_half_plane(Half_plane<FT>{b.forward(), b.radius()}.opposite(), p)
                              : a.meet_disk(b.image(), b.radius(), true, p);
-        if (meets && a.is_ahead(p)) try_loop(i, a.parameter(p), p, chains);
-        if (a.enter_half_plane(b.left().opposite(), p) && a.is_ahead(p)) try_loop(i, a.parameter(p), p, chains);
-        if (a.enter_half_plane(b.right().opposite(), p) && a.is_ahead(p)) try_loop(i, a.parameter(p), p, chains);
+        // the joint of two arcs of a loop lies on both
+        if (meets && m_boxes[i].contains(p) && m_boxes[j].contains(p) && a.is_ahead(p) && a.outside_cone(p) <= m_tie &&
+            b.outside_cone(p) <= m_tie)
+          try_loop(i, a.parameter(p), p, chains);
       }
     }
   }
