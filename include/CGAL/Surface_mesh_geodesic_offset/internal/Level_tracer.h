@@ -401,7 +401,7 @@ private:
       add_piece(run, p, chain);
       p = run.end;
       if (guard > 0 && length(p - start) <= m_tie) closed = true;
-      if (closed) break;
+      if (closed || (std::min)({m_outside[0].value(p), m_outside[1].value(p), m_outside[2].value(p)}) < -m_tie) break;
       run = best_run(p, run.arc, false);
     }
     // what is left between a gate and an arc that rounding has moved off it is no loop
