@@ -40,6 +40,7 @@ struct Face_window
                       // STARTS_AT_CORNER: the corner
 
   bool is_parallel() const { return bits & 1u; }
+  Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
   Point image() const { return {x, y}; }
 
   // Direction of the ray through the point p, not normalised.

@@ -9,21 +9,13 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_cone.h>
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// The half-plane { p : n . p < m }, n a unit vector.
-template <class FT>
-struct Half_plane
-{
-  Point_in_face<FT> n;
-  FT m;
-  FT value(const Point_in_face<FT>& p) const { return dot(n, p) - m; }
-  Half_plane opposite() const { return {FT(-1) * n, -m}; }
-};
 
 template <class FT>
 class Level_arc
@@ -31,14 +23,9 @@ class Level_arc
 public:
   typedef Point_in_face<FT> Point;
 
-  Level_arc(const Face_window<FT>& w, const FT& level) : m_window(&w), m_radius(level - w.sigma)
+  Level_arc(const Face_window<FT>& w, const Window_cone<FT>& cone, const FT& level)
+    : m_window(&w), m_cone(&cone), m_radius(level - w.sigma)
   {
-    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
-    const FT ll = length(l), lr = length(r);
-    // right of the left ray, left of the right ray
-    const Point nl = (FT(1) / ll) * quarter_turn(l), nr = (FT(-1) / lr) * quarter_turn(r);
-    m_left = {nl, dot(nl, w.left)};
-    m_right = {nr, dot(nr, w.right)};
   }
 
   const Face_window<FT>& window() const { return *m_window; }
@@ -46,8 +33,8 @@ public:
   bool is_straight() const { return m_window->is_parallel(); }
   Point image() const { return m_window->image(); }
   Point forward() const { return FT(-1) * m_window->image(); } // direction of a parallel-source window's rays
-  const Half_plane<FT>& left() const { return m_left; }
-  const Half_plane<FT>& right() const { return m_right; }
+  const Half_plane<FT>& left() const { return m_cone->left(); }
+  const Half_plane<FT>& right() const { return m_cone->right(); }
 
   // The parameter runs along the chord, 0 on the right ray and 1 on the left one.
   Point point(const FT& t) const
@@ -57,6 +44,29 @@ public:
     if (is_straight()) return c + (m_radius - dot(forward(), c)) * forward();
     const Point u = c - image();
     return image() + (m_radius / length(u)) * u;
+  }
+
+  Point start() const
+  {
+    if (is_straight()) return point(FT(0));
+    return image() + m_radius * m_cone->right_direction();
+  }
+  Point end() const
+  {
+    if (is_straight()) return point(FT(1));
+    return image() + m_radius * m_cone->left_direction();
+  }
+
+  // The bounding box of the part in the face, with a margin.
+  Box_in_face<FT> box(const FT& margin) const
+  {
+    Box_in_face<FT> b(start());
+    b.add(end());
+    // an arc of less than a half turn rises over its chord c by at most c^2 / (4 r)
+    const Point c = end() - start();
+    b.widen(is_straight() ? margin : FT(margin + dot(c, c) / (FT(4) * m_radius)));
+    b.intersect(m_cone->box());
+    return b;
   }
 
   FT parameter(const Point& p) const
@@ -85,7 +95,7 @@ public:
   // How far a point p is from the cone (negative inside).
   FT outside_cone(const Point& p) const
   {
-    FT out = (std::max)(m_left.value(p), m_right.value(p));
+    FT out = (std::max)(left().value(p), right().value(p));
     if (is_straight() && m_window->origin == STARTS_IN_FACE) out = (std::max)(out, FT(-m_window->distance_at(p)));
     return out;
   }
@@ -141,8 +151,8 @@ public:
 
 private:
   const Face_window<FT>* m_window;
+  const Window_cone<FT>* m_cone;
   FT m_radius;
-  Half_plane<FT> m_left, m_right;
 };
 
 } // namespace internal

@@ -109,12 +109,14 @@ private:
     if (first >= last) return;
     const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
     find_gates(field, first, last);
+    std::stable_sort(m_face_gates.begin(), m_face_gates.end(),
+                     [](const Face_gate& a, const Face_gate& b) { return a.level < b.level; });
+    auto next = m_face_gates.begin();
     m_tracer.set_face(field);
     for (std::size_t i = first; i < last; ++i)
     {
       m_gates.clear();
-      for (const Face_gate& g : m_face_gates)
-        if (g.level == i) m_gates.push_back(g.gate);
+      for (; next != m_face_gates.end() && next->level <= i; ++next) m_gates.push_back(next->gate);
       if (m_gates.empty() && !loops) continue;
       m_chains.clear();
       m_tracer(cut_level(i), m_gates, loops, m_chains);
