@@ -6,21 +6,29 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Curve_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_surface.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Inner_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <chrono>
+#include <array>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -85,9 +93,7 @@ private:
   typedef Geodesic_offset::internal::Point_in_face<FT> Point_in_face;
   typedef Geodesic_offset::internal::Number_policy<FT> Policy;
   typedef Geodesic_offset::internal::Source_set<FT> Source_set;
-  typedef Geodesic_offset::internal::Geodesic_field<FT> Geodesic_field;
-  typedef Geodesic_offset::internal::Initial_windows<FT> Initial_windows;
-  typedef Geodesic_offset::internal::Offset_extraction<FT> Offset_extraction;
+  typedef Geodesic_offset::internal::Geodesic_build<Traits> Build;
   typedef Geodesic_offset::internal::Path_tracing<FT> Path_tracing;
   typedef Geodesic_offset::internal::Index Index;
 
@@ -95,17 +101,8 @@ public:
   /// an offset curve
   typedef Geodesic_offset_curve<Surface> Offset_curve;
 
-  /// counts of the last `build()` or `build_with_offset_curves()`
-  struct Statistics
-  {
-    std::size_t windows_created = 0;    ///< windows put into the list of a halfedge
-    std::size_t windows_propagated = 0; ///< windows unfolded across a face
-    std::size_t windows_peak = 0;       ///< largest number of windows held at one time
-    std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
-    std::size_t pieces = 0;             ///< pieces of offset curves, before neighbours across edges are told apart
-    double propagation_seconds = 0;
-    double offset_seconds = 0;
-  };
+  /// counts and times of a build
+  typedef Geodesic_offset_statistics Statistics;
   /// @}
 
   /// \name Construction
@@ -201,28 +198,43 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
   {
-    auto fresh = std::make_shared<Built>(unfolded(), m_sources, np);
-    const auto nothing = [](Index) {};
-    propagate(*fresh, nothing);
+    const std::shared_ptr<Build> fresh = new_build(np);
+    fresh->propagate(m_traits);
     m_built = fresh;
   }
 
   /// does the same and at once cuts the offset curves at the given levels, in one propagation.
   ///
-  /// Without `maximum_distance`, distances beyond the largest level are computed, too. Levels beyond the maximum distance
-  /// give no curves.
-  /// \param levels a range of distances, or an `Offset_levels` object
-  /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
-  /// \throws std::invalid_argument if a distance is not a positive finite number.
+  /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
+  /// curves it crosses. Without `maximum_distance`, distances beyond the largest level are computed, too. Levels beyond
+  /// the maximum distance give no curves.
+  /// \param levels a distance, a range of distances, or an `Offset_levels` object
+  /// \param out an output iterator for `Offset_curve`
+  /// \param selection the side of polylines, and the form at their ends
+  /// \throws std::invalid_argument if a distance is not a positive finite number, or if a selection by inside and outside is
+  ///         asked for and there is an open polyline, or a closed one that does not divide the surface. Then the last
+  ///         build is still there.
   template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
-                                          const NamedParameters& np = parameters::default_values())
+                                          const NamedParameters& np = parameters::default_values(),
+                                          const Offset_selection& selection = Offset_selection())
+  {
+    build_with_offset_curves_by_distance(levels, writer_to(out), np, selection);
+    return out;
+  }
+
+  /// the same with a callback: `f(distance, curves)` is called once for each distance, in increasing order, with a
+  /// `const FT&` and a `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited, it is
+  /// called up to the largest one that has curves.
+  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  void build_with_offset_curves_by_distance(const Levels& levels, const Function& f,
+                                            const NamedParameters& np = parameters::default_values(),
+                                            const Offset_selection& selection = Offset_selection())
   {
     const Offset_levels<FT> wanted(as_levels(levels));
-    auto fresh = std::make_shared<Built>(unfolded(), m_sources, np);
-    out = propagate_and_cut(*fresh, wanted, out);
+    const std::shared_ptr<Build> fresh = new_build(np);
+    propagate_and_cut(*fresh, wanted, selection, f);
     m_built = fresh;
-    return out;
   }
 
   /// whether distances have been computed.
@@ -245,9 +257,27 @@ public:
   /// \throws std::invalid_argument if the location is not valid
   FT distance_to_sources(const Face_location& location) const
   {
-    const Built& b = built_with_windows();
-    const FT d = Path_tracing(unfolded(), b.initial, b.field).distance(classified(location));
-    return d > b.maximum ? Policy::infinity() : d;
+    Geodesic_offset::internal::Root root;
+    return distance_at(location, root);
+  }
+
+  /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
+  /// their right. Infinity if the vertex is unreachable or beyond the maximum distance. Not a number where the nearest
+  /// source has no sides: points, sets of edges, and beyond the ends of open polylines. Takes constant time.
+  double signed_distance_to_sources(vertex_descriptor v) const
+  {
+    const Index i = m_surface->index_of(v);
+    return with_sign(built().field.distance[i], built().field.root[i]);
+  }
+
+  /// the same for any point of the surface. Takes time linear in the number of windows of its face.
+  /// \throws std::logic_error if the windows were not kept
+  /// \throws std::invalid_argument if the location is not valid
+  double signed_distance_to_sources(const Face_location& location) const
+  {
+    Geodesic_offset::internal::Root root;
+    const FT d = distance_at(location, root);
+    return with_sign(d, root);
   }
 
   /// puts the distances of all vertices into a map.
@@ -255,44 +285,46 @@ public:
   template <class VertexDistanceMap>
   void vertex_distances(VertexDistanceMap map) const
   {
-    const Built& b = built();
+    const Build& b = built();
     for (vertex_descriptor v : vertices(m_surface->tm)) put(map, v, b.field.distance[m_surface->index_of(v)]);
   }
 
-  /// the offset curves at one distance.
-  /// \sa `offset_curves(const Levels&, OutputIterator) const`
-  template <class OutputIterator>
-  OutputIterator offset_curves(const FT& distance, OutputIterator out) const
-  {
-    return offset_curves(std::vector<FT>(1, distance), out);
-  }
-
-  /// the offset curves at several distances. From kept windows, if there are any; else distances are propagated once more,
+  /// the offset curves at one or several distances. From kept windows, if there are any; else distances are propagated once more,
   /// up to the largest level and once for all levels.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
-  /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below itself. Levels beyond the largest distance of the surface, or beyond the maximum distance of
-  /// the build, give no curves.
-  /// \param levels a range of distances, or an `Offset_levels` object
+  /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below
+  /// itself. Levels beyond the largest distance of the surface, or beyond the maximum distance of the build, give no curves.
+  /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
-  /// \throws std::invalid_argument if a distance is not a positive finite number.
+  /// \param selection the side of polylines, and the form at their ends
+  /// \throws std::invalid_argument as `build_with_offset_curves()`
   template <class Levels, class OutputIterator>
-  OutputIterator offset_curves(const Levels& levels, OutputIterator out) const
+  OutputIterator offset_curves(const Levels& levels, OutputIterator out,
+                               const Offset_selection& selection = Offset_selection()) const
+  {
+    offset_curves_by_distance(levels, writer_to(out), selection);
+    return out;
+  }
+
+  /// the same with a callback as that of `build_with_offset_curves_by_distance()`.
+  template <class Levels, class Function>
+  void offset_curves_by_distance(const Levels& levels, const Function& f,
+                                 const Offset_selection& selection = Offset_selection()) const
   {
     const Offset_levels<FT> wanted(as_levels(levels));
-    const Built& b = built();
+    const Build& b = built();
     if (b.kept)
     {
-      Offset_extraction extraction(unfolded(), b.initial, b.field, wanted);
-      for (Index f = 0; f < unfolded().number_of_faces(); ++f)
-        if (unfolded().source(3 * f) != Geodesic_offset::internal::no_index) extraction(f);
-      return output(extraction, wanted, out);
+      const auto output = curve_output(b, wanted, selection, f);
+      b.cut(wanted, output);
+      output.finish();
+      return;
     }
-    Built again(b);
-    again.field = Geodesic_field();
-    if (!wanted.is_unlimited() && wanted.size() > 0)
-      again.maximum = (std::min)(again.maximum, wanted[wanted.size() - 1]);
-    return propagate_and_cut(again, wanted, out);
+    FT maximum = b.maximum;
+    if (!wanted.is_unlimited() && wanted.size() > 0) maximum = (std::min)(maximum, wanted[wanted.size() - 1]);
+    Build again(unfolded(), b.sources, maximum, false);
+    propagate_and_cut(again, wanted, selection, f);
   }
 
   /// a shortest path from a point to its nearest source, as `Face_location`s: the point itself, a point on each edge that
@@ -302,7 +334,7 @@ public:
   template <class OutputIterator>
   OutputIterator shortest_path_to_sources(const Face_location& location, OutputIterator out) const
   {
-    const Built& b = built_with_windows();
+    const Build& b = built_with_windows();
     const Path_tracing trace(unfolded(), b.initial, b.field);
     trace(classified(location),
           [&](Index f, const Point_in_face& p, int edge) { *out++ = m_surface->location(f, p, edge); });
@@ -311,33 +343,6 @@ public:
   /// @}
 
 private:
-  // The result of a propagation, with what it started from.
-  struct Built
-  {
-    template <class NamedParameters>
-    Built(const Geodesic_offset::internal::Unfolded_mesh<FT>& mesh, const Source_set& sources,
-          const NamedParameters& np)
-      : initial(sources.initial_windows(mesh)),
-        maximum(parameters::choose_parameter(
-          parameters::get_parameter(np, internal_np::geodesic_maximum_distance), Policy::infinity())),
-        kept(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_keep_windows), false))
-    {
-      if (!(maximum >= FT(0)))
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: the maximum distance is negative or not a number");
-    }
-
-    Built(const Built& other) : initial(other.initial), maximum(other.maximum), kept(other.kept) {}
-
-    Initial_windows initial;
-    FT maximum;
-    bool kept;
-    Geodesic_field field;
-    Statistics statistics;
-  };
-
-  typedef std::chrono::steady_clock Clock;
-  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
-
   const Geodesic_offset::internal::Unfolded_mesh<FT>& unfolded() const { return m_surface->unfolded; }
 
   Surface_point classified(const Face_location& l) const
@@ -345,72 +350,91 @@ private:
     return Geodesic_offset::internal::classify<FT>(unfolded(), m_surface->index_of(l.first), l.second);
   }
 
-  static const Offset_levels<FT>& as_levels(const Offset_levels<FT>& levels) { return levels; }
-  template <class Range>
-  static Offset_levels<FT> as_levels(const Range& distances)
+  template <class Levels>
+  static Offset_levels<FT> as_levels(const Levels& levels)
   {
-    return Offset_levels<FT>(distances);
+    if constexpr (std::is_convertible<Levels, FT>::value)
+      return Offset_levels<FT>(std::array<FT, 1>{FT(levels)});
+    else
+      return Offset_levels<FT>(levels);
   }
 
-  const Built& built() const
+  template <class OutputIterator>
+  static auto writer_to(OutputIterator& out)
+  {
+    return [&out](const FT&, std::vector<Offset_curve>&& curves) {
+      out = std::move(curves.begin(), curves.end(), out);
+    };
+  }
+
+  const Build& built() const
   {
     if (!m_built) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
     return *m_built;
   }
 
-  const Built& built_with_windows() const
+  const Build& built_with_windows() const
   {
     if (!built().kept)
       throw std::logic_error("Surface_mesh_geodesic_offset: this query needs build(parameters::keep_windows(true))");
     return *m_built;
   }
 
-  template <class Consumer>
-  void propagate(Built& b, Consumer& consumer) const
+  template <class NamedParameters>
+  std::shared_ptr<Build> new_build(const NamedParameters& np) const
   {
-    const Clock::time_point start = Clock::now();
-    Geodesic_offset::internal::Wavefront<Traits> front(unfolded(), b.initial, m_traits, b.maximum, b.kept, b.field);
-    front.run(consumer);
-    b.statistics.windows_created = front.counts().windows_created;
-    b.statistics.windows_propagated = front.counts().windows_propagated;
-    b.statistics.windows_peak = b.field.lists.peak();
-    b.statistics.propagation_seconds = seconds_since(start);
-    if (!b.kept) b.field.release_lists();
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const FT maximum = choose_parameter(get_parameter(np, internal_np::geodesic_maximum_distance), Policy::infinity());
+    if (!(maximum >= FT(0)))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the maximum distance is negative or not a number");
+    const bool keep = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
+    return std::make_shared<Build>(unfolded(), m_sources, maximum, keep);
   }
 
-  template <class OutputIterator>
-  OutputIterator propagate_and_cut(Built& b, const Offset_levels<FT>& levels, OutputIterator out) const
+  template <class Function>
+  void propagate_and_cut(Build& b, const Offset_levels<FT>& levels, const Offset_selection& selection,
+                         const Function& f) const
   {
-    Offset_extraction extraction(unfolded(), b.initial, b.field, levels);
-    double seconds = 0;
-    const auto cut = [&](Index f) {
-      const Clock::time_point start = Clock::now();
-      extraction(f);
-      seconds += seconds_since(start);
-    };
-    propagate(b, cut);
-    const Clock::time_point start = Clock::now();
-    out = output(extraction, levels, out);
-    b.statistics.propagation_seconds -= seconds;
-    b.statistics.offset_seconds = seconds + seconds_since(start);
-    b.statistics.pieces = extraction.number_of_pieces();
-    b.statistics.forced_joints = extraction.number_of_forced_joints();
-    return out;
+    const auto output = curve_output(b, levels, selection, f);
+    b.propagate_and_cut(m_traits, levels, output);
+    output.finish();
   }
 
-  template <class OutputIterator>
-  OutputIterator output(Offset_extraction& extraction, const Offset_levels<FT>& levels, OutputIterator out) const
+  template <class Function>
+  auto curve_output(const Build& b, const Offset_levels<FT>& levels, const Offset_selection& selection,
+                    const Function& f) const
   {
-    extraction.for_each_curve([&](std::size_t level, bool closed, auto&& pieces) {
-      *out++ = Offset_curve(m_surface, levels[level], closed, std::move(pieces));
-    });
-    return out;
+    const bool by_inside = selection.side == Offset_side::INSIDE || selection.side == Offset_side::OUTSIDE;
+    std::map<Index, Source_side> inside;
+    if (by_inside) inside = Geodesic_offset::internal::inner_sides(unfolded(), m_traits, b.sources);
+    return Geodesic_offset::internal::Curve_output<Surface, Function>(m_surface, b.initial.primitives, levels, selection,
+                                                                     std::move(inside), f);
+  }
+
+  FT distance_at(const Face_location& location, Geodesic_offset::internal::Root& root) const
+  {
+    const Build& b = built_with_windows();
+    const FT d = Path_tracing(unfolded(), b.initial, b.field).distance(classified(location), root);
+    return d > b.maximum ? Policy::infinity() : d;
+  }
+
+  static double with_sign(const FT& distance, const Geodesic_offset::internal::Root& root)
+  {
+    const double d = CGAL::to_double(distance);
+    if (d == 0 || !Policy::is_finite(distance)) return d;
+    switch (root.side())
+    {
+    case Source_side::LEFT: return -d;
+    case Source_side::RIGHT: return d;
+    default: return std::numeric_limits<double>::quiet_NaN();
+    }
   }
 
   Traits m_traits;
   std::shared_ptr<const Surface> m_surface;
   Source_set m_sources;
-  std::shared_ptr<const Built> m_built;
+  std::shared_ptr<const Build> m_built;
 };
 
 } // namespace CGAL

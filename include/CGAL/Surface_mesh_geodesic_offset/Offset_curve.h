@@ -6,13 +6,16 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_surface.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_piece.h>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <CGAL/enum.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/range/iterator_range.hpp>
+
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,8 +23,11 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief An offset curve: an ordered chain of circular arcs and straight segments, each inside one face, closed or from
-border to border, with the smaller distances on its left seen from the outside of the surface.
+\brief An offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
+
+The curve is closed, or its ends lie on the border of the mesh; a curve that was cut where an `Offset_selection` ends may have
+ends inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside of the
+surface. No curve meets itself or another one of the same distance.
 
 The curve is exact; polylines are made of it only on output. It refers to the mesh, which must outlive it. All member
 functions are const and may be called from several threads.
@@ -32,106 +38,126 @@ template <class Surface_>
 class Geodesic_offset_curve
 {
   typedef Geodesic_offset::internal::Level_piece<typename Surface_::FT> Level_piece;
-  typedef Geodesic_offset::internal::Point_in_face<typename Surface_::FT> Point_2;
+  typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
 public:
   typedef typename Surface_::FT FT;
   typedef typename Surface_::Point_3 Point_3;
   typedef typename Surface_::Face_location Face_location;
 
-  Geodesic_offset_curve(std::shared_ptr<const Surface_> surface, const FT& distance, bool closed,
+  /// a piece of the curve
+  typedef Geodesic_offset_piece<Surface_> Piece;
+
+  Geodesic_offset_curve(std::shared_ptr<const Context> context, const FT& distance, bool closed,
                         std::vector<Level_piece> pieces)
-    : m_surface(std::move(surface)), m_distance(distance), m_closed(closed), m_pieces(std::move(pieces))
+    : m_context(std::move(context)), m_distance(distance), m_closed(closed), m_pieces(std::move(pieces))
   {
   }
 
   /// the distance of all points of the curve from the sources.
   const FT& distance() const { return m_distance; }
 
-  /// whether the curve is closed; otherwise both its ends lie on the border of the mesh.
+  /// whether the curve is closed.
   bool is_closed() const { return m_closed; }
+
+  /// the side on which the points lie that are nearer to the sources than the curve: always the left one.
+  Orientation enclosed_side() const { return LEFT_TURN; }
+
+  /// \name Pieces
+  /// Each piece ends where the next one starts.
+  /// @{
 
   /// the number of arcs and segments.
   std::size_t number_of_pieces() const { return m_pieces.size(); }
 
-  /// the length: of arcs as arcs, not of a polyline. Linear in the number of pieces.
+  /// the i-th piece. \pre `i < number_of_pieces()`
+  Piece piece(std::size_t i) const
+  {
+    CGAL_precondition(i < m_pieces.size());
+    return Piece(*m_context, m_pieces[i]);
+  }
+
+  /// all pieces, in order.
+  auto pieces() const
+  {
+    const auto view = [context = m_context.get()](const Level_piece& p) { return Piece(*context, p); };
+    return boost::make_iterator_range(boost::make_transform_iterator(m_pieces.begin(), view),
+                                      boost::make_transform_iterator(m_pieces.end(), view));
+  }
+  /// @}
+
+  /// \name Measure and Points
+  /// All take time linear in the number of pieces.
+  /// @{
+
+  /// the length: of arcs as arcs, not of a polyline.
   FT length() const
   {
     FT sum(0);
-    for (const Level_piece& p : m_pieces) sum += length(p);
+    for (const Piece& p : pieces()) sum += p.length();
     return sum;
   }
 
-  /// writes points along the curve, as `Face_location`s, such that the polyline through them is nowhere farther
-  /// from the curve than `chord_tolerance`. All points are on the curve. A closed curve repeats its first point at the end.
+  /// the point at a way along the curve from its start; 0 and less is the start, `length()` and more the end.
+  Face_location location(const FT& way) const
+  {
+    FT rest = way;
+    for (const Piece& p : pieces())
+    {
+      const FT l = p.length();
+      if (rest < l) return p.location(rest / l);
+      rest -= l;
+    }
+    return piece(m_pieces.size() - 1).end();
+  }
+
+  /// the same as a point in space.
+  Point_3 point(const FT& way) const { return m_context->surface->point(location(way)); }
+
+  /// calls `f(location, i)` for points along the curve, where `i` is the number of the piece that the point is taken from.
+  /// The polyline through the points is nowhere farther from the curve than `chord_tolerance`: an arc of radius
+  /// \f$ r \f$ is divided into equal parts of angle \f$ s \f$ with \f$ 2 r \sin^2 (s/4) \f$, the height of the arc over the
+  /// chord, at most the tolerance, and both lie in the plane of one face. All points are on the curve. A closed curve repeats
+  /// its first point at the end.
   /// \pre `chord_tolerance > 0`
+  template <class Function>
+  void discretize(const FT& chord_tolerance, const Function& f) const
+  {
+    for (std::size_t i = 0; i < m_pieces.size(); ++i)
+    {
+      const Piece p = piece(i);
+      if (i == 0) f(p.start(), i);
+      const std::size_t n = p.number_of_chords(chord_tolerance);
+      for (std::size_t j = 1; j < n; ++j) f(p.location(FT(double(j)) / FT(double(n))), i);
+      // of the two faces beside an edge, the first and last points name the same
+      f(m_closed && i + 1 == m_pieces.size() ? piece(0).start() : p.end(), i);
+    }
+  }
+
+  /// writes points as by `discretize()`.
+  /// \param out an output iterator for `Face_location`
   template <class OutputIterator>
   OutputIterator face_locations(const FT& chord_tolerance, OutputIterator out) const
   {
-    CGAL_precondition(chord_tolerance > FT(0));
-    for (std::size_t i = 0; i < m_pieces.size(); ++i)
-    {
-      const Level_piece& p = m_pieces[i];
-      if (i == 0) *out++ = m_surface->location(p.face, p.start, p.start_edge);
-      const int n = number_of_chords(p, chord_tolerance);
-      const FT angle = n > 1 ? turn(p) : FT(0);
-      for (int j = 1; j < n; ++j) *out++ = m_surface->location(p.face, rotated(p, angle * FT(double(j)) / FT(double(n))));
-      if (m_closed && i + 1 == m_pieces.size())
-        *out++ = m_surface->location(m_pieces[0].face, m_pieces[0].start, m_pieces[0].start_edge);
-      else
-        *out++ = m_surface->location(p.face, p.end, p.end_edge);
-    }
+    discretize(chord_tolerance, [&](const Face_location& l, std::size_t) { *out++ = l; });
     return out;
   }
 
   /// the same as points in space.
+  /// \param out an output iterator for `Point_3`
   template <class OutputIterator>
   OutputIterator points(const FT& chord_tolerance, OutputIterator out) const
   {
-    std::vector<Face_location> locations;
-    face_locations(chord_tolerance, std::back_inserter(locations));
-    for (const Face_location& l : locations) *out++ = m_surface->point(l);
+    discretize(chord_tolerance, [&](const Face_location& l, std::size_t) { *out++ = m_context->surface->point(l); });
     return out;
   }
 
+  /// a location as a point in space.
+  Point_3 point(const Face_location& location) const { return m_context->surface->point(location); }
+  /// @}
+
 private:
-  static FT length(const Level_piece& p)
-  {
-    if (p.is_straight) return Geodesic_offset::internal::length(p.end - p.start);
-    return p.radius * turn(p);
-  }
-
-  // The angle of an arc, counterclockwise.
-  static FT turn(const Level_piece& p)
-  {
-    const Point_2 a = p.start - p.center, b = p.end - p.center;
-    const double s = CGAL::to_double(Geodesic_offset::internal::cross(a, b));
-    const double c = CGAL::to_double(Geodesic_offset::internal::dot(a, b));
-    const double angle = std::atan2(s, c);
-    // arcs are shorter than a half turn, so a negative angle is rounding of zero ... unless it is a wide one
-    if (angle >= 0) return FT(angle);
-    return angle > -1e-3 ? FT(0) : FT(angle + 2 * CGAL_PI);
-  }
-
-  static int number_of_chords(const Level_piece& p, const FT& tolerance)
-  {
-    if (p.is_straight) return 1;
-    const double r = CGAL::to_double(p.radius), t = CGAL::to_double(tolerance), a = CGAL::to_double(turn(p));
-    // sagitta of a chord over the angle s: r (1 - cos(s / 2))
-    const double s = t < r ? 2 * std::acos(1 - t / r) : CGAL_PI;
-    const double n = std::ceil(a / (std::min)(s > 1e-7 ? s : 1e-7, CGAL_PI / 2));
-    return n > 1 ? int((std::min)(n, 1e6)) : 1;
-  }
-
-  static Point_2 rotated(const Level_piece& p, const FT& angle)
-  {
-    const Point_2 a = p.start - p.center;
-    const double x = CGAL::to_double(angle);
-    const FT c(std::cos(x)), s(std::sin(x));
-    return p.center + Point_2{c * a.x - s * a.y, s * a.x + c * a.y};
-  }
-
-  std::shared_ptr<const Surface_> m_surface;
+  std::shared_ptr<const Context> m_context;
   FT m_distance;
   bool m_closed;
   std::vector<Level_piece> m_pieces;

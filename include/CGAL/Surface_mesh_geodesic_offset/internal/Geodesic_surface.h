@@ -23,6 +23,7 @@ namespace internal {
 template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
 struct Geodesic_surface
 {
+  typedef typename Traits::Kernel Kernel;
   typedef typename Traits::FT FT;
   typedef typename Traits::Point_3 Point_3;
   typedef typename Traits::Triangle_mesh Triangle_mesh;
@@ -38,6 +39,8 @@ struct Geodesic_surface
   {
     face_of.resize(unfolded.number_of_faces());
     for (face_descriptor f : faces(tm)) face_of[get(fim, f)] = f;
+    vertex_of.resize(unfolded.number_of_vertices());
+    for (vertex_descriptor v : vertices(tm)) vertex_of[get(vim, v)] = v;
   }
 
   Index index_of(vertex_descriptor v) const { return Index(get(vim, v)); }
@@ -75,7 +78,8 @@ struct Geodesic_surface
   FaceIndexMap fim;
   VertexPointMap vpm;
   Unfolded_mesh<FT> unfolded;
-  std::vector<face_descriptor> face_of; // by index
+  std::vector<face_descriptor> face_of;     // by index
+  std::vector<vertex_descriptor> vertex_of; // by index
 };
 
 } // namespace internal

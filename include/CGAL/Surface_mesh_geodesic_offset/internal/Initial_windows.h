@@ -65,7 +65,7 @@ public:
 
   void add_point(Index source, const Surface_point_& p)
   {
-    const Root root(add_primitive(source, 0, false), SIDE_NONE);
+    const Root root(add_primitive(source, 0, false), Source_side::NONE);
     if (p.kind == Surface_point_::VERTEX)
     {
       seeds.push_back({p.element, FT(0), Ray(), root});

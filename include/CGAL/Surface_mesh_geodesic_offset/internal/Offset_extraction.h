@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Step 5 of the pipeline: offset curves from finished faces. Each face yields chains of pieces between gates, the
-// crossings of a level with its edges; a gate is shared by the two faces beside the edge, so chains are linked into
-// curves by the gates' numbers alone, never by proximity.
+// crossings of a level with its edges. A level whose faces are all finished is given out and released.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSET_EXTRACTION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSET_EXTRACTION_H
@@ -13,9 +12,13 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Edge_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Interior_maximum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Level_tracer.h>
 
+#include <algorithm>
+#include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,42 +46,31 @@ public:
     m_is_cut[face] = 1;
   }
 
-  // Calls out(level index, closed, pieces) for each curve, by increasing level.
+  // Gives out the levels that are finished if all faces with points nearer than `settled` have been cut: calls
+  // out(level index, curves) with Level_curves, for each level that has any, by increasing level.
   template <class Function>
-  void for_each_curve(const Function& out)
+  void release(const FT& settled, const Function& out)
   {
-    std::vector<std::size_t> order(m_links.size());
-    std::vector<char> used(m_links.size(), 0), entered(m_link_of_gate.size(), 0);
-    for (std::size_t i = 0; i < m_links.size(); ++i)
+    while (!m_curves.empty())
     {
-      order[i] = i;
-      if (m_links[i].end != no_index) entered[m_links[i].end] = 1;
-    }
-    // within a level, curves that start on the border first
-    const auto starts_on_border = [&](const Link& l) { return l.start != no_index && !entered[l.start]; };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      if (m_links[a].level != m_links[b].level) return m_links[a].level < m_links[b].level;
-      return starts_on_border(m_links[a]) && !starts_on_border(m_links[b]);
-    });
-    for (std::size_t i : order)
-    {
-      if (used[i]) continue;
-      std::vector<Piece> pieces;
-      const bool open = starts_on_border(m_links[i]);
-      for (std::size_t j = i; j != none && !used[j]; j = m_links[j].end == no_index ? none : m_link_of_gate[m_links[j].end])
-      {
-        used[j] = 1;
-        pieces.insert(pieces.end(), m_pieces.begin() + m_links[j].first, m_pieces.begin() + m_links[j].last);
-      }
-      if (!is_point(pieces, m_levels[m_links[i].level])) out(m_links[i].level, !open, std::move(pieces));
+      const auto first = m_curves.begin();
+      if (!(m_levels[first->first] < settled && first->second.is_complete())) return;
+      give_out(first, out);
     }
   }
 
-  std::size_t number_of_pieces() const { return m_pieces.size(); }
+  // Gives out all levels that are left, once all faces have been cut.
+  template <class Function>
+  void release_all(const Function& out)
+  {
+    while (!m_curves.empty()) give_out(m_curves.begin(), out);
+  }
+
+  std::size_t number_of_pieces() const { return m_number_of_pieces; }
   std::size_t number_of_forced_joints() const { return m_tracer.number_of_forced_joints(); }
 
 private:
-  static constexpr std::size_t none = std::size_t(-1);
+  typedef std::map<std::size_t, Level_curves<FT>> Curves_of_levels;
 
   struct Crossing
   {
@@ -92,11 +84,13 @@ private:
     std::size_t level;
     Level_gate<FT> gate;
   };
-  struct Link // a chain of pieces
+  template <class Function>
+  void give_out(typename Curves_of_levels::iterator level, const Function& out)
   {
-    Index start, end; // gates
-    std::size_t first, last, level;
-  };
+    m_number_of_pieces += level->second.number_of_pieces();
+    out(level->first, level->second);
+    m_curves.erase(level);
+  }
 
   void cut(Index face)
   {
@@ -120,7 +114,7 @@ private:
       if (m_gates.empty() && !loops) continue;
       m_chains.clear();
       m_tracer(cut_level(i), m_gates, loops, m_chains);
-      for (Chain& c : m_chains) store(c, i);
+      for (const Chain& c : m_chains) m_curves[i].add_chain(c.start, c.end, c.pieces);
     }
   }
 
@@ -175,55 +169,22 @@ private:
       { // what was not found then is not there; the lists may be gone by now
         const auto stored = m_waiting.find(g);
         if (stored == m_waiting.end()) continue;
-        for (const Crossing& c : stored->second) add(c, true);
+        for (const Crossing& c : stored->second)
+        {
+          add(c, true);
+          m_curves[c.level].gate_found();
+        }
         m_waiting.erase(stored);
         continue;
       }
       std::vector<Crossing> found;
       for (std::size_t i = first; i < last; ++i)
         m_crossings(h, field, cut_level(i), [&](const FT& t, bool falling) {
-          found.push_back({i, t, falling, Index(m_link_of_gate.size())});
-          m_link_of_gate.push_back(none);
+          found.push_back({i, t, falling, m_curves[i].new_gate(g == no_index)});
         });
       for (const Crossing& c : found) add(c, false);
       if (g != no_index && !found.empty()) m_waiting.emplace(h, std::move(found));
     }
-  }
-
-  void store(const Chain& c, std::size_t level)
-  {
-    const std::size_t first = m_pieces.size();
-    for (const Piece& p : c.pieces)
-    {
-      if (m_pieces.size() > first && continues(m_pieces.back(), p))
-      {
-        m_pieces.back().end = p.end;
-        m_pieces.back().end_edge = p.end_edge;
-      }
-      else
-        m_pieces.push_back(p);
-    }
-    if (c.start != no_index) m_link_of_gate[c.start] = m_links.size();
-    m_links.push_back({c.start, c.end, first, m_pieces.size(), level});
-  }
-
-  // A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent.
-  static bool is_point(const std::vector<Piece>& pieces, const FT& level)
-  {
-    FT sum(0);
-    for (const Piece& p : pieces) sum += length(p.end - p.start);
-    return sum <= Number_policy<FT>::rounding(1 << 18) * level;
-  }
-
-  // Neighbouring pieces of one image are one arc, as long as it stays shorter than a half turn.
-  static bool continues(const Piece& a, const Piece& b)
-  {
-    if (a.is_straight != b.is_straight || !(a.root == b.root) || a.pseudo_source != b.pseudo_source) return false;
-    if (!a.is_straight && !CGAL::is_positive(cross(a.start - a.center, b.end - a.center))) return false;
-    const FT allowance = Number_policy<FT>::rounding(64) * (CGAL::abs(a.radius) + CGAL::abs(a.center.x) +
-                                                            CGAL::abs(a.center.y));
-    return CGAL::abs(a.radius - b.radius) <= allowance && CGAL::abs(a.center.x - b.center.x) <= allowance &&
-           CGAL::abs(a.center.y - b.center.y) <= allowance;
   }
 
   const Unfolded_mesh<FT>& m_mesh;
@@ -237,9 +198,8 @@ private:
   std::vector<Chain> m_chains;
   std::vector<char> m_is_cut; // per face
   std::unordered_map<Index, std::vector<Crossing>> m_waiting; // by the halfedge of the face that came first
-  std::vector<std::size_t> m_link_of_gate;                    // the chain that starts at the gate
-  std::vector<Link> m_links;
-  std::vector<Piece> m_pieces;
+  Curves_of_levels m_curves;                                  // of the levels that are not finished
+  std::size_t m_number_of_pieces = 0;                         // given out
 };
 
 } // namespace internal

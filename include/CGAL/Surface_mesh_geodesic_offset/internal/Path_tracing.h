@@ -27,10 +27,14 @@ public:
   {
   }
 
-  // Distance of a point, by the fields of the faces around it.
-  FT distance(const Surface_point<FT>& p) const
+  // Distance of a point, by the fields of the faces around it, and where the shortest path ends.
+  FT distance(const Surface_point<FT>& p, Root& root) const
   {
-    if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance[p.element];
+    if (p.kind == Surface_point<FT>::VERTEX)
+    {
+      root = m_field.root[p.element];
+      return m_field.distance[p.element];
+    }
     FT best = Number_policy<FT>::infinity();
     for (Index f : faces_of(m_mesh, p))
     {
@@ -38,7 +42,11 @@ public:
       unsigned edges;
       position_in_face(m_mesh, p, f, q, edges);
       std::size_t i;
-      best = (std::min)(best, Face_field<FT>(m_mesh, m_initial, m_field, f).distance(q, i));
+      const Face_field<FT> field(m_mesh, m_initial, m_field, f);
+      const FT d = field.distance(q, i);
+      if (!(d < best)) continue;
+      best = d;
+      root = field.windows()[i].root;
     }
     return best;
   }

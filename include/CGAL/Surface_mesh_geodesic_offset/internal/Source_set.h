@@ -60,6 +60,19 @@ public:
     return initial;
   }
 
+  // Calls f(id, closed, the set of this source alone) for each polyline.
+  template <class Function>
+  void for_each_polyline(const Function& f) const
+  {
+    for (const auto& s : m_sources)
+    {
+      if (s.second.kind != OPEN_POLYLINE && s.second.kind != CLOSED_POLYLINE) continue;
+      Source_set alone;
+      alone.m_sources.insert(s);
+      f(Index(s.first), s.second.kind == CLOSED_POLYLINE, alone);
+    }
+  }
+
 private:
   struct Source
   {

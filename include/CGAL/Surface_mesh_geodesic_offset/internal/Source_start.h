@@ -71,7 +71,7 @@ public:
       if (is_source[h]) continue;
       is_source[h] = 1;
       const Index primitive = m_out.add_primitive(source, Index(i), true);
-      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, Root(primitive, SIDE_NONE), Root(primitive, SIDE_NONE));
+      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, Root(primitive, Source_side::NONE), Root(primitive, Source_side::NONE));
       if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
       ends.push_back(m_mesh.source(h));
       ends.push_back(m_mesh.target(h));
@@ -80,7 +80,7 @@ public:
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (Index v : ends)
     {
-      const Root root(m_out.add_primitive(source, v, false), SIDE_NONE);
+      const Root root(m_out.add_primitive(source, v, false), Source_side::NONE);
       m_out.seeds.push_back({v, FT(0), Ray(), root});
       m_mesh.for_each_fan(v, [&](Index first) { add_fan_between_edges(v, first, is_source, root); });
     }
@@ -128,7 +128,7 @@ private:
   void add_segment(Index source, const Segment& s)
   {
     const Index primitive = m_out.add_primitive(source, s.part, true);
-    const Root left(primitive, SIDE_LEFT), right(primitive, SIDE_RIGHT);
+    const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
     {
@@ -195,7 +195,7 @@ private:
 
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
   {
-    const Root root(m_out.add_primitive(source, part, false), SIDE_CAP);
+    const Root root(m_out.add_primitive(source, part, false), Source_side::CAP);
     if (p.kind == Surface_point_::VERTEX)
     {
       const Ray r = ray_of(s, at_second);
@@ -213,7 +213,7 @@ private:
   {
     const Surface_point_& p = out.first;
     const Index primitive = m_out.add_primitive(source, out.part, false);
-    const Root left(primitive, SIDE_LEFT), right(primitive, SIDE_RIGHT);
+    const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {
       const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);

@@ -38,14 +38,21 @@ public:
   {
   }
 
-  // consumer(face) is called once for each face that the front has passed, while the lists of its halfedges, and the
-  // distances at its corners, are final and still there.
+  // consumer.take(face) is called once for each face that the front has passed, while the lists of its halfedges, and
+  // the distances at its corners, are final and still there; consumer.settle(distance) whenever all faces with points
+  // nearer than the distance have been taken.
   template <class Consumer>
   void run(Consumer& consumer)
   {
     m_spreading.start();
+    std::size_t settled = 1;
     while (m_state.queue.advance())
     {
+      if (const std::size_t oldest = m_state.unfinished.oldest(m_state.queue.current()); oldest > settled)
+      { // less one bucket, against rounding
+        consumer.settle(FT(double(oldest - 1) * m_state.queue.width()));
+        settled = oldest;
+      }
       Index i;
       if (m_state.queue.pop_face(i))
         try_to_finish(i, consumer);
@@ -115,8 +122,9 @@ private:
   template <class Consumer>
   void finish(Index f, Consumer& consumer)
   {
+    if (m_state.face_state[f] & State::SCHEDULED) m_state.unfinished.remove(f);
     m_state.face_state[f] |= State::FINISHED;
-    consumer(f);
+    consumer.take(f);
     if (m_keep) return;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
   }

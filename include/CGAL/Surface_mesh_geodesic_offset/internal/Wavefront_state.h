@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfinished_faces.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
@@ -49,7 +50,8 @@ public:
 
   Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)
     : mesh(mesh), maximum(maximum_distance), field(field), queue(0.25 * CGAL::to_double(mesh.mean_edge_length())),
-      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0)
+      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
+      unfinished(mesh.number_of_faces())
   {
     field.distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
     field.back.assign(mesh.number_of_vertices(), Ray());
@@ -79,6 +81,7 @@ public:
   {
     if (face_state[f]) return;
     face_state[f] = SCHEDULED;
+    unfinished.add(f, queue.current());
     queue.push_face(queue.current() + 2, f);
   }
 
@@ -155,6 +158,7 @@ public:
   Geodesic_field<FT>& field;
   Bucket_queue queue;
   std::vector<char> vertex_state, face_state;
+  Unfinished_faces unfinished;
   Wavefront_counts counts;
 };
 

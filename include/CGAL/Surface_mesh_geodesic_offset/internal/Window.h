@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
 #include <utility>
@@ -16,24 +17,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// On which side of its source a window started.
-enum Side_of_source : unsigned char
-{
-  SIDE_NONE = 0,  // the source is a point or a set of edges
-  SIDE_LEFT = 1,  // left of the polyline's direction of travel, seen from outside
-  SIDE_RIGHT = 2,
-  SIDE_CAP = 3    // beyond an end of an open polyline
-};
-
 // Where a shortest path ends: a primitive of the source set and the side of it.
 struct Root
 {
   Index value = no_index;
 
   Root() = default;
-  Root(Index primitive, Side_of_source side) : value(primitive << 2 | Index(side)) {}
+  Root(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) {}
   Index primitive() const { return value >> 2; }
-  Side_of_source side() const { return Side_of_source(value & 3u); }
+  Source_side side() const { return Source_side(value & 3u); }
   bool is_valid() const { return value != no_index; }
   friend bool operator==(Root a, Root b) { return a.value == b.value; }
 };

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_OFFSET_STATISTICS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_OFFSET_STATISTICS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetClasses
+/// \brief Counts and times of a propagation and of the offsets that were cut during it.
+struct Geodesic_offset_statistics
+{
+  std::size_t windows_created = 0;    ///< windows put into the list of a halfedge
+  std::size_t windows_propagated = 0; ///< windows unfolded across a face
+  std::size_t windows_peak = 0;       ///< largest number of windows held at one time
+  std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
+  std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
+  double propagation_seconds = 0;     ///< time of the propagation alone
+  double offset_seconds = 0;          ///< time of cutting offsets, without what the caller does with them
+};
+
+} // namespace CGAL
+
+#endif
