@@ -10,16 +10,25 @@
 
 #include <cstddef>
 #include <ostream>
+#include <string>
 
 namespace CGAL {
 namespace IO {
 
-// Writes offset curves as line elements of an .obj file. All curves of one distance are in one group, named
-// `offset_` and the distance, if the range has them in sequence. A closed line ends with the index of its first point.
-//
-// OffsetCurveRange: a range of Surface_mesh_geodesic_offset::Offset_curve.
-// chord_tolerance: the largest distance of a chord from the arc that it stands for; positive.
-// Returns whether the stream is still good.
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves as line elements of an `.obj` file.
+
+All curves of one distance are in one group, named `offset_` and the distance, if the range has them in sequence. A closed
+line ends with the index of its first point.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\param os the stream
+\param curves the curves
+\param chord_tolerance the largest distance of a line from the curve that it stands for; positive
+\return whether the stream is still good.
+*/
 template <class OffsetCurveRange, class FT>
 bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
@@ -27,32 +36,24 @@ bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves, const FT
   const internal::Full_precision precision(os);
   os << "# geodesic offsets\n";
   std::size_t first = 1; // counted from 1 in this format
-  bool has_group = false;
-  double group = 0;
-  for(const auto& curve : curves)
+  std::string group;
+  for (const auto& curve : curves)
   {
-    const double distance = CGAL::to_double(curve.distance());
-    if(!has_group || distance != group)
-    {
-      os << "g offset_" << distance << '\n';
-      has_group = true;
-      group = distance;
-    }
-    auto points = internal::discretized(curve, chord_tolerance);
+    const std::string distance = internal::short_number(CGAL::to_double(curve.distance()));
+    if (distance != group) os << "g offset_" << distance << '\n';
+    group = distance;
+    auto points = internal::discretized(curve, chord_tolerance).points;
     const bool closed = curve.is_closed() && !points.empty();
-    if(closed)
-      points.pop_back();
-    for(const auto& p : points)
+    if (closed) points.pop_back();
+    for (const auto& p : points)
     {
       os << "v ";
       internal::write_coordinates(os, p);
       os << '\n';
     }
     os << 'l';
-    for(std::size_t i = 0; i < points.size(); ++i)
-      os << ' ' << first + i;
-    if(closed)
-      os << ' ' << first;
+    for (std::size_t i = 0; i < points.size(); ++i) os << ' ' << first + i;
+    if (closed) os << ' ' << first;
     os << '\n';
     first += points.size();
   }
@@ -62,4 +63,4 @@ bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves, const FT
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_OBJ_H
+#endif

@@ -13,24 +13,32 @@
 namespace CGAL {
 namespace IO {
 
-// Writes offset curves in CGAL's .polylines.txt format: one line a curve, "n x1 y1 z1 ... xn yn zn".
-// A closed curve repeats its first point.
-//
-// OffsetCurveRange: a range of Surface_mesh_geodesic_offset::Offset_curve.
-// chord_tolerance: the largest distance of a chord from the arc that it stands for; positive.
-// Returns whether the stream is still good.
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves in %CGAL's `.polylines.txt` format: one line a curve, `n x1 y1 z1 ... xn yn zn`.
+
+A closed curve repeats its first point.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\param os the stream
+\param curves the curves
+\param chord_tolerance the largest distance of a line from the curve that it stands for; positive
+\return whether the stream is still good.
+*/
 template <class OffsetCurveRange, class FT>
 bool write_offset_polylines(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
-  const Surface_mesh_geodesic_offset_internal::Full_precision precision(os);
-  for(const auto& curve : curves)
+  namespace internal = Surface_mesh_geodesic_offset_internal;
+  const internal::Full_precision precision(os);
+  for (const auto& curve : curves)
   {
-    const auto points = Surface_mesh_geodesic_offset_internal::discretized(curve, chord_tolerance);
+    const auto points = internal::discretized(curve, chord_tolerance).points;
     os << points.size();
-    for(const auto& p : points)
+    for (const auto& p : points)
     {
       os << ' ';
-      Surface_mesh_geodesic_offset_internal::write_coordinates(os, p);
+      internal::write_coordinates(os, p);
     }
     os << '\n';
   }
@@ -40,4 +48,4 @@ bool write_offset_polylines(std::ostream& os, const OffsetCurveRange& curves, co
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_POLYLINES_H
+#endif

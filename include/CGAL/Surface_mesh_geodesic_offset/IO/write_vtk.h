@@ -10,17 +10,70 @@
 
 #include <cstddef>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace IO {
+namespace Surface_mesh_geodesic_offset_internal {
 
-// Writes offset curves as lines of a legacy VTK file (ASCII, polydata) with two values a line: `distance`, and `closed`
-// (1 or 0). A closed line ends at the point where it begins, which is there once.
-//
-// OffsetCurveRange: a range of Surface_mesh_geodesic_offset::Offset_curve.
-// chord_tolerance: the largest distance of a chord from the arc that it stands for; positive.
-// Returns whether the stream is still good.
+struct Vtk_line
+{
+  std::vector<Coordinates> points;
+  std::vector<std::size_t> sources; // of the points
+  std::vector<int> sides;
+  double distance;
+  bool is_closed;
+};
+
+template <class Curve, class FT>
+Vtk_line vtk_line(const Curve& curve, const FT& chord_tolerance)
+{
+  Vtk_line line;
+  Discretized_curve discrete = discretized(curve, chord_tolerance);
+  line.points = std::move(discrete.points);
+  line.is_closed = curve.is_closed() && !line.points.empty();
+  if (line.is_closed) line.points.pop_back();
+  for (std::size_t i = 0; i < line.points.size(); ++i)
+  {
+    const typename Curve::Piece piece = curve.piece(discrete.pieces[i]);
+    line.sources.push_back(piece.source());
+    line.sides.push_back(int(piece.side()));
+  }
+  line.distance = CGAL::to_double(curve.distance());
+  return line;
+}
+
+// The value of all points; -1 if there are several.
+template <class Number>
+long long common_value(const std::vector<Number>& values)
+{
+  for (const Number& x : values)
+    if (x != values.front()) return -1;
+  return values.empty() ? -1 : static_cast<long long>(values.front());
+}
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves as lines of a legacy VTK file (ASCII, polydata), for ParaView and other users of VTK.
+
+Each curve is one line. A closed one ends with the index of its first point. There are arrays
+- of the lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap, as
+  in `Source_side`). The last two are -1 where a curve belongs to several sources or sides;
+- of the points: `source` and `side`. The point between two pieces has the values of the one before it.
+
+`distance` is the active array. The values of the lines serve to choose curves, as by a threshold; those of the points to
+colour them.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\param os the stream
+\param curves the curves
+\param chord_tolerance the largest distance of a line from the curve that it stands for; positive
+\return whether the stream is still good.
+*/
 template <class OffsetCurveRange, class FT>
 bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
@@ -28,54 +81,56 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT
   const internal::Full_precision precision(os);
 
   // the number of all points stands before the first of them
-  std::vector<std::vector<internal::Coordinates>> lines;
+  std::vector<internal::Vtk_line> lines;
   std::size_t number_of_points = 0, number_of_indices = 0;
-  for(const auto& curve : curves)
+  for (const auto& curve : curves)
   {
-    lines.push_back(internal::discretized(curve, chord_tolerance));
-    number_of_indices += lines.back().size();
-    if(curve.is_closed() && !lines.back().empty())
-      lines.back().pop_back();
-    number_of_points += lines.back().size();
+    lines.push_back(internal::vtk_line(curve, chord_tolerance));
+    number_of_points += lines.back().points.size();
+    number_of_indices += lines.back().points.size() + (lines.back().is_closed ? 1 : 0);
   }
 
   os << "# vtk DataFile Version 3.0\ngeodesic offsets\nASCII\nDATASET POLYDATA\nPOINTS " << number_of_points << " double\n";
-  for(const auto& line : lines)
-    for(const auto& p : line)
+  for (const auto& line : lines)
+    for (const auto& p : line.points)
     {
       internal::write_coordinates(os, p);
       os << '\n';
     }
-  if(lines.empty())
-    return os.good();
+  if (lines.empty()) return os.good();
 
   os << "LINES " << lines.size() << ' ' << lines.size() + number_of_indices << '\n';
   std::size_t first = 0;
-  auto line = lines.begin();
-  for(const auto& curve : curves)
+  for (const auto& line : lines)
   {
-    const std::size_t n = line->size();
-    const bool closed = curve.is_closed() && n != 0;
-    os << n + (closed ? 1 : 0);
-    for(std::size_t i = 0; i < n; ++i)
-      os << ' ' << first + i;
-    if(closed)
-      os << ' ' << first;
+    const std::size_t n = line.points.size();
+    os << n + (line.is_closed ? 1 : 0);
+    for (std::size_t i = 0; i < n; ++i) os << ' ' << first + i;
+    if (line.is_closed) os << ' ' << first;
     os << '\n';
     first += n;
-    ++line;
   }
 
+  // Of several scalars, readers take only the first by themselves; fields they take all.
   os << "CELL_DATA " << lines.size() << "\nSCALARS distance double 1\nLOOKUP_TABLE default\n";
-  for(const auto& curve : curves)
-    os << CGAL::to_double(curve.distance()) << '\n';
-  os << "SCALARS closed int 1\nLOOKUP_TABLE default\n";
-  for(const auto& curve : curves)
-    os << (curve.is_closed() ? 1 : 0) << '\n';
+  for (const auto& line : lines) os << line.distance << '\n';
+  os << "FIELD curves 3\nclosed 1 " << lines.size() << " int\n";
+  for (const auto& line : lines) os << (line.is_closed ? 1 : 0) << '\n';
+  os << "source 1 " << lines.size() << " int\n";
+  for (const auto& line : lines) os << internal::common_value(line.sources) << '\n';
+  os << "side 1 " << lines.size() << " int\n";
+  for (const auto& line : lines) os << internal::common_value(line.sides) << '\n';
+
+  os << "POINT_DATA " << number_of_points << "\nFIELD points 2\nsource 1 " << number_of_points << " int\n";
+  for (const auto& line : lines)
+    for (std::size_t source : line.sources) os << source << '\n';
+  os << "side 1 " << number_of_points << " int\n";
+  for (const auto& line : lines)
+    for (int side : line.sides) os << side << '\n';
   return os.good();
 }
 
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_VTK_H
+#endif

@@ -40,29 +40,44 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Face_window<FT> Window_in_face;
 
+  // set_face() must follow; the object can be used for one face after another.
+  Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_initial(initial), m_field(field)
+  {
+  }
+
   Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
              Index face)
-    : m_face(face), m_frame(mesh, face)
+    : Face_field(mesh, initial, field)
   {
+    set_face(face);
+  }
+
+  void set_face(Index face)
+  {
+    m_face = face;
+    m_frame = Face_frame<FT>(m_mesh, face);
+    m_windows.clear();
+    m_lowest.clear();
     for (int k = 0; k < 3; ++k)
     {
-      const auto& list = field.lists.get(3 * face + k);
+      const auto& list = m_field.lists.get(3 * face + k);
       for (Index i = 0; i < list.taken; ++i) add_window(list.data[i], k);
     }
-    const auto range = local_windows(initial, face);
+    const auto range = local_windows(m_initial, face);
     for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
     m_has_local_sources = range.first != range.second;
     for (int k = 0; k < 3; ++k)
     {
-      const Index v = mesh.source(3 * face + k);
-      const FT& d = field.distance[v];
+      const Index v = m_mesh.source(3 * face + k);
+      const FT& d = m_field.distance[v];
+      m_corner_bends[k] = CGAL::is_zero(d) || (Number_policy<FT>::is_finite(d) && m_mesh.can_be_pseudo_source(v));
       if (!Number_policy<FT>::is_finite(d)) continue;
       const Point& c = m_frame.corner(k);
-      add(Window_in_face{c.x, c.y, d, m_frame.corner((k + 2) % 3), m_frame.corner((k + 1) % 3), field.root[v],
+      add(Window_in_face{c.x, c.y, d, m_frame.corner((k + 2) % 3), m_frame.corner((k + 1) % 3), m_field.root[v],
                          Window<FT>::make_bits(false, CGAL::is_zero(d) ? no_index : v), STARTS_AT_CORNER,
                          (unsigned char)(k)},
           d);
-      m_corner_bends[k] = CGAL::is_zero(d) || mesh.can_be_pseudo_source(v);
     }
   }
 
@@ -121,7 +136,10 @@ private:
     add(f, w.minimum());
   }
 
-  Index m_face;
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  const Geodesic_field<FT>& m_field;
+  Index m_face = no_index;
   Face_frame<FT> m_frame;
   std::vector<Window_in_face> m_windows;
   std::vector<FT> m_lowest;

@@ -67,6 +67,7 @@ class Face_frame
 public:
   typedef Point_in_face<FT> Point;
 
+  Face_frame() = default;
   Face_frame(const Unfolded_mesh<FT>& mesh, Index face)
   {
     const Index h = 3 * face;

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Level_piece.h>
 
 #include <cstddef>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,7 @@ public:
   // A gate, crossed by a chain in each of the two faces beside its edge, or in the one face if it lies on the border.
   Index new_gate(bool on_border)
   {
-    m_link_at.push_back(none);
+    m_link_at.push_back(no_index);
     if (!on_border) ++m_waiting;
     return Index(m_link_at.size() - 1);
   }
@@ -53,8 +54,8 @@ public:
       else
         m_pieces.push_back(p);
     }
-    if (start != no_index) m_link_at[start] = m_links.size();
-    m_links.push_back({start, end, first, m_pieces.size()});
+    if (start != no_index) m_link_at[start] = Index(m_links.size());
+    m_links.push_back({start, end, Index(first), Index(m_pieces.size())});
   }
 
   // Calls out(closed, pieces) for each curve; those that start on the border come first.
@@ -68,12 +69,19 @@ public:
       for (std::size_t i = 0; i < m_links.size(); ++i)
       {
         if (used[i] || (open && (m_links[i].start == no_index || entered[m_links[i].start]))) continue;
-        std::vector<Piece> pieces;
-        for (std::size_t j = i; j != none && !used[j]; j = m_links[j].end == no_index ? none : m_link_at[m_links[j].end])
+        std::size_t number = 0;
+        std::vector<Index> order;
+        for (Index j = Index(i); j != no_index && !used[j];
+             j = m_links[j].end == no_index ? no_index : m_link_at[m_links[j].end])
         {
           used[j] = 1;
-          pieces.insert(pieces.end(), m_pieces.begin() + m_links[j].first, m_pieces.begin() + m_links[j].last);
+          order.push_back(j);
+          number += m_links[j].last - m_links[j].first;
         }
+        std::vector<Piece> pieces;
+        pieces.reserve(number);
+        for (const Index j : order)
+          pieces.insert(pieces.end(), m_pieces.begin() + m_links[j].first, m_pieces.begin() + m_links[j].last);
         if (!is_point(pieces, level)) out(!open, std::move(pieces));
       }
   }
@@ -81,12 +89,10 @@ public:
   std::size_t number_of_pieces() const { return m_pieces.size(); }
 
 private:
-  static constexpr std::size_t none = std::size_t(-1);
-
   struct Link // a chain
   {
     Index start, end; // gates
-    std::size_t first, last;
+    Index first, last; // pieces
   };
 
   // A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent.
@@ -108,10 +114,10 @@ private:
            CGAL::abs(a.center.y - b.center.y) <= allowance;
   }
 
-  std::vector<Piece> m_pieces;
+  std::deque<Piece> m_pieces; // grows without copies
   std::vector<Link> m_links;
-  std::vector<std::size_t> m_link_at; // the chain that starts at a gate
-  std::size_t m_waiting = 0;          // gates that only one face has been cut at, yet
+  std::vector<Index> m_link_at; // the chain that starts at a gate
+  std::size_t m_waiting = 0;    // gates that only one face has been cut at, yet
 };
 
 } // namespace internal

@@ -18,13 +18,13 @@ namespace internal {
 template <class FT>
 struct Level_piece
 {
-  Index face;
-  bool is_straight;
   Point_in_face<FT> center; // of a segment: unit direction from the source
   FT radius;                // of a segment: distance of its line from the frame's origin along that direction
   Point_in_face<FT> start, end;
+  Index face;
   Root root;
-  Index pseudo_source;                // no_index if none
+  Index pseudo_source; // no_index if none
+  bool is_straight;
   unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
 };
 

@@ -51,7 +51,8 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  void set_face(const Face_field<FT>& field)
+  // Levels between these two will be followed in the face of `field`.
+  void set_face(const Face_field<FT>& field, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
     const Face_frame<FT>& frame = field.frame();
@@ -63,7 +64,12 @@ public:
     m_face_size = (std::max)({frame.edge_length(0), frame.edge_length(1), frame.edge_length(2)});
     m_margin = FT(1e-5) * m_face_size;
     m_cones.clear();
-    for (const Face_window<FT>& w : field.windows()) m_cones.emplace_back(w, frame, m_margin);
+    for (std::size_t i = 0; i < field.windows().size(); ++i)
+    {
+      const Face_window<FT>& w = field.windows()[i];
+      const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + m_face_size + m_margin;
+      if (field.lowest(i) < highest_level && bound >= lowest_level) m_cones.push_back({i, {w, frame, m_margin}});
+    }
   }
 
   // `gates` must stay until the next call.
@@ -78,10 +84,10 @@ public:
     m_refine = Number_policy<FT>::rounding(1 << 24) * magnitude;
     m_arcs.clear();
     m_boxes.clear();
-    for (std::size_t i = 0; i < m_cones.size(); ++i)
+    for (const Cone& c : m_cones)
     {
-      if (!(m_field->lowest(i) < level && m_cones[i].highest() >= level)) continue;
-      const Level_arc<FT> arc(m_field->windows()[i], m_cones[i], level);
+      if (!(m_field->lowest(c.window) < level && c.cone.highest() >= level)) continue;
+      const Level_arc<FT> arc(m_field->windows()[c.window], c.cone, level);
       const Box box = arc.box(m_margin);
       if (box.is_empty()) continue;
       m_arcs.push_back(arc);
@@ -203,6 +209,12 @@ public:
   }
 
 private:
+  struct Cone
+  {
+    std::size_t window;
+    Window_cone<FT> cone;
+  };
+
   // Is p nearer to window j than the level, by more than the allowance, and in its cone?
   bool covers(std::size_t j, const Point& p) const
   {
@@ -264,10 +276,10 @@ private:
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_face_size, m_margin;
   FT m_cover_depth, m_tie, m_step, m_refine;
-  std::vector<Window_cone<FT>> m_cones; // of the face's windows
-  std::vector<Level_arc<FT>> m_arcs;    // of the level
-  Box_tree<FT> m_boxes;                 // theirs
-  Half_plane<FT> m_outside[3];          // positive inside
+  std::vector<Cone> m_cones;         // of the windows that can have a level
+  std::vector<Level_arc<FT>> m_arcs; // of the level
+  Box_tree<FT> m_boxes;              // theirs
+  Half_plane<FT> m_outside[3];       // positive inside
   std::vector<Gate>* m_gates = nullptr;
 };
 

@@ -31,8 +31,11 @@ public:
     std::vector<Piece> pieces;
   };
 
-  // The face to be cut.
-  void set_face(const Face_field<FT>& field) { m_runs.set_face(field); }
+  // The face to be cut, and bounds of the levels.
+  void set_face(const Face_field<FT>& field, const FT& lowest, const FT& highest)
+  {
+    m_runs.set_face(field, lowest, highest);
+  }
 
   // Chains of pieces that connect all gates, and all loops. Appends to `chains`.
   void operator()(const FT& level, std::vector<Gate>& gates, bool search_loops, std::vector<Chain>& chains)
@@ -66,8 +69,8 @@ private:
     m_last_traversed[run.arc] = m_traversed.size() - 1;
     const Level_arc<FT>& a = m_runs.arcs()[run.arc];
     const Face_window<FT>& w = a.window();
-    chain.pieces.push_back(Piece{m_runs.field().face(), w.is_parallel(), w.is_parallel() ? a.forward() : w.image(),
-                                 a.radius(), start, run.end, w.root, w.pseudo_source(), 3, 3});
+    chain.pieces.push_back(Piece{w.is_parallel() ? a.forward() : w.image(), a.radius(), start, run.end,
+                                 m_runs.field().face(), w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
   }
 
   bool is_traversed(std::size_t arc, const FT& t) const
@@ -145,7 +148,7 @@ private:
       const Face_window<FT>& w = m_runs.field().windows()[nearest];
       const Point u = CGAL::is_positive(gap) ? (FT(1) / gap) * (end - p) : Point{FT(1), FT(0)};
       const Point n = {u.y, -u.x};
-      chain.pieces.push_back(Piece{m_runs.field().face(), true, n, dot(n, p), p, end, w.root, w.pseudo_source(), 3, 3});
+      chain.pieces.push_back(Piece{n, dot(n, p), p, end, m_runs.field().face(), w.root, w.pseudo_source(), true, 3, 3});
     }
     else
       chain.pieces.back().end = end;

@@ -34,7 +34,7 @@ public:
 
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels)
-    : m_mesh(mesh), m_initial(initial), m_field(field), m_levels(levels), m_crossings(mesh, initial, field),
+    : m_mesh(mesh), m_field(field), m_levels(levels), m_face(mesh, initial, field), m_crossings(mesh, initial, field),
       m_is_cut(mesh.number_of_faces(), 0)
   {
   }
@@ -98,7 +98,8 @@ private:
     range_of(face, near, far);
     std::size_t first = m_levels.first_above(near), last = m_levels.first_above(far);
     if (first == last) return;
-    const Face_field<FT> field(m_mesh, m_initial, m_field, face);
+    m_face.set_face(face);
+    const Face_field<FT>& field = m_face;
     first = (std::max)(first, m_levels.first_above(FT(field.lower_bound() - slack(far))));
     if (first >= last) return;
     const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
@@ -106,7 +107,7 @@ private:
     std::stable_sort(m_face_gates.begin(), m_face_gates.end(),
                      [](const Face_gate& a, const Face_gate& b) { return a.level < b.level; });
     auto next = m_face_gates.begin();
-    m_tracer.set_face(field);
+    m_tracer.set_face(field, cut_level(first), cut_level(last - 1));
     for (std::size_t i = first; i < last; ++i)
     {
       m_gates.clear();
@@ -188,9 +189,9 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
-  const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
   const Offset_levels<FT>& m_levels;
+  Face_field<FT> m_face; // of the face being cut
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;
   std::vector<Face_gate> m_face_gates;

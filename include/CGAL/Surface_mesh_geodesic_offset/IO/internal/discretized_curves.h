@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the writers share: points and numbers of curves, whatever their number type.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DISCRETIZED_CURVES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DISCRETIZED_CURVES_H
@@ -8,28 +10,29 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/iterator/function_output_iterator.hpp>
-
 #include <array>
+#include <cstddef>
 #include <ios>
 #include <limits>
+#include <locale>
 #include <ostream>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace IO {
 namespace Surface_mesh_geodesic_offset_internal {
 
-// Enough digits for a reader to get the same doubles, as long as this object lives.
+// Enough digits for a reader to get the same doubles, and a point for the decimal point, as long as this object lives.
 class Full_precision
 {
-  std::ostream&           m_os;
-  std::streamsize         m_precision;
-  std::ios_base::fmtflags m_flags;
-
 public:
   explicit Full_precision(std::ostream& os)
-    : m_os(os), m_precision(os.precision(std::numeric_limits<double>::max_digits10)), m_flags(os.flags())
+    : m_os(os),
+      m_precision(os.precision(std::numeric_limits<double>::max_digits10)),
+      m_flags(os.flags()),
+      m_locale(os.imbue(std::locale::classic()))
   {
     m_os.unsetf(std::ios_base::floatfield);
   }
@@ -37,22 +40,34 @@ public:
   {
     m_os.precision(m_precision);
     m_os.flags(m_flags);
+    m_os.imbue(m_locale);
   }
   Full_precision(const Full_precision&) = delete;
   Full_precision& operator=(const Full_precision&) = delete;
+
+private:
+  std::ostream& m_os;
+  std::streamsize m_precision;
+  std::ios_base::fmtflags m_flags;
+  std::locale m_locale;
 };
 
-using Coordinates = std::array<double, 3>;
-
-// The points of a curve, whatever their type. A closed curve repeats its first point.
-template <class Curve, class FT>
-std::vector<Coordinates> discretized(const Curve& curve, const FT& chord_tolerance)
+// For the names of layers and groups: 0.3, where the nearest double is 0.29999999999999999.
+inline std::string short_number(double x)
 {
-  std::vector<Coordinates> points;
-  curve.points(chord_tolerance, boost::make_function_output_iterator([&](const auto& p) {
-                 points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-               }));
-  return points;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::digits10);
+  text << x;
+  return text.str();
+}
+
+typedef std::array<double, 3> Coordinates;
+
+template <class Point_3>
+Coordinates coordinates(const Point_3& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
 inline void write_coordinates(std::ostream& os, const Coordinates& p)
@@ -60,8 +75,26 @@ inline void write_coordinates(std::ostream& os, const Coordinates& p)
   os << p[0] << ' ' << p[1] << ' ' << p[2];
 }
 
+// The points of a curve, and the number of the piece that each is taken from. A closed curve repeats its first point.
+struct Discretized_curve
+{
+  std::vector<Coordinates> points;
+  std::vector<std::size_t> pieces;
+};
+
+template <class Curve, class FT>
+Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance)
+{
+  Discretized_curve result;
+  curve.discretize(typename Curve::FT(chord_tolerance), [&](const typename Curve::Face_location& l, std::size_t piece) {
+    result.points.push_back(coordinates(curve.point(l)));
+    result.pieces.push_back(piece);
+  });
+  return result;
+}
+
 } // namespace Surface_mesh_geodesic_offset_internal
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DISCRETIZED_CURVES_H
+#endif

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pieces of offset curves that lie in one plane, as arcs and segments in two coordinates of this plane. What was one arc
+// before the edges of the mesh divided it is one arc again.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_PLANE_PIECES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_PLANE_PIECES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace Surface_mesh_geodesic_offset_internal {
+
+typedef std::array<double, 2> Plane_point;
+
+inline Plane_point moved(const Plane_point& p, double s, const Plane_point& v) { return {p[0] + s * v[0], p[1] + s * v[1]}; }
+
+// A segment, or an arc round a center.
+struct Plane_piece
+{
+  Plane_point start{}, end{};
+  Plane_point center{}; // of a segment: its unit direction
+  double radius = 0;
+  double sweep = 0; // the angle of an arc, positive if counterclockwise; 0: a segment
+
+  bool is_arc() const { return sweep != 0; }
+
+  // A point of an arc; `part` runs from 0 to 1.
+  Plane_point at(double part) const
+  {
+    const double c = std::cos(part * sweep), s = std::sin(part * sweep);
+    const double x = start[0] - center[0], y = start[1] - center[1];
+    return {center[0] + c * x - s * y, center[1] + s * x + c * y};
+  }
+};
+
+// The corners of the face of a piece: source and target of its halfedge, and the third.
+template <class Curve>
+std::array<Coordinates, 3> corners(const Curve& curve, const typename Curve::Piece& piece)
+{
+  typedef typename Curve::FT FT;
+  typedef typename Curve::Face_location Face_location;
+  const auto corner = [&](int i) {
+    return coordinates(curve.point(Face_location(piece.face(), {FT(i == 0), FT(i == 1), FT(i == 2)})));
+  };
+  return {corner(0), corner(1), corner(2)};
+}
+
+// The point between the pieces i - 1 and i. The two faces there give it with different rounding, so all use this one.
+template <class Curve>
+Coordinates joint(const Curve& curve, std::size_t i)
+{
+  const std::size_t n = curve.number_of_pieces();
+  if (i == 0 || (i == n && curve.is_closed())) return coordinates(curve.point(curve.piece(0).start()));
+  return coordinates(curve.point(curve.piece(i - 1).end()));
+}
+
+// The frame of a face in the plane, given by the images of its corners.
+class Frame_in_plane
+{
+public:
+  Frame_in_plane(const Plane_point& a, const Plane_point& b, const Plane_point& c) : m_origin(a)
+  {
+    const double x = b[0] - a[0], y = b[1] - a[1], length = std::hypot(x, y);
+    m_x = {x / length, y / length};
+    m_turn = x * (c[1] - a[1]) - y * (c[0] - a[0]) < 0 ? -1 : 1;
+    m_y = {-m_turn * m_x[1], m_turn * m_x[0]};
+  }
+
+  template <class Vector_2>
+  Plane_point vector(const Vector_2& v) const
+  {
+    return moved(moved({0, 0}, CGAL::to_double(v.x()), m_x), CGAL::to_double(v.y()), m_y);
+  }
+
+  template <class Point_2>
+  Plane_point point(const Point_2& p) const
+  {
+    return moved(vector(p), 1, m_origin);
+  }
+
+  // -1 if the face is seen from behind: then counterclockwise is clockwise.
+  int turn() const { return m_turn; }
+
+private:
+  Plane_point m_origin, m_x, m_y;
+  int m_turn;
+};
+
+// Whether q continues p on the same circle, or on the same line.
+inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
+{
+  const double difference = std::hypot(p.center[0] - q.center[0], p.center[1] - q.center[1]);
+  if (!p.is_arc()) return !q.is_arc() && difference <= 1e-12;
+  const double size = p.radius + (std::max)(std::abs(p.center[0]), std::abs(p.center[1]));
+  return p.sweep * q.sweep > 0 && difference <= 1e-12 * size && std::abs(p.radius - q.radius) <= 1e-12 * size;
+}
+
+// The pieces `first`, ..., `first + count - 1` of a curve, counted round if it is closed.
+// `project` maps coordinates isometrically to a plane in which these pieces lie.
+template <class Curve, class Project>
+std::vector<Plane_piece> plane_pieces(const Curve& curve, std::size_t first, std::size_t count, const Project& project)
+{
+  const std::size_t n = curve.number_of_pieces();
+  std::vector<Plane_piece> pieces;
+  Plane_piece p;
+  p.start = project(joint(curve, first));
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::size_t i = (first + k) % n;
+    const typename Curve::Piece piece = curve.piece(i);
+    const std::array<Coordinates, 3> face = corners(curve, piece);
+    const Frame_in_plane frame(project(face[0]), project(face[1]), project(face[2]));
+    p.end = project(joint(curve, i + 1));
+    p.sweep = frame.turn() * CGAL::to_double(piece.angle());
+    if (p.start == p.end || (piece.is_arc() && p.sweep == 0)) continue; // no longer than rounding
+    if (piece.is_arc())
+    {
+      p.center = frame.point(piece.center());
+      p.radius = CGAL::to_double(piece.radius());
+    }
+    else
+      p.center = frame.vector(piece.supporting_line().to_vector());
+    if (!pieces.empty() && is_continued(pieces.back(), p))
+    {
+      pieces.back().end = p.end;
+      pieces.back().sweep += p.sweep;
+    }
+    else
+      pieces.push_back(p);
+    p.start = p.end;
+  }
+  if (pieces.empty())
+  {
+    p.sweep = 0;
+    pieces.push_back(p);
+  }
+  pieces.back().end = p.end;
+  return pieces;
+}
+
+// All pieces of a curve.
+template <class Curve, class Project>
+std::vector<Plane_piece> plane_pieces(const Curve& curve, const Project& project)
+{
+  std::vector<Plane_piece> pieces = plane_pieces(curve, 0, curve.number_of_pieces(), project);
+  if (curve.is_closed() && pieces.size() > 1 && is_continued(pieces.back(), pieces.front()))
+  {
+    pieces.front().start = pieces.back().start;
+    pieces.front().sweep += pieces.back().sweep;
+    pieces.pop_back();
+  }
+  return pieces;
+}
+
+// Divides an arc into equal parts of at most the given angle; calls f(piece) for each of them, or for the segment.
+template <class Function>
+void for_each_part(const Plane_piece& piece, double largest_sweep, const Function& f)
+{
+  const int n = (std::max)(1, int(std::ceil(std::abs(piece.sweep) / largest_sweep)));
+  Plane_piece part = piece;
+  part.sweep = piece.sweep / n;
+  for (int i = 1; i <= n; ++i)
+  {
+    part.end = i == n ? piece.end : piece.at(double(i) / n);
+    f(part);
+    part.start = part.end;
+  }
+}
+
+} // namespace Surface_mesh_geodesic_offset_internal
+} // namespace IO
+} // namespace CGAL
+
+#endif
