@@ -16,8 +16,10 @@
 #include "geodesic_offset/sources.h"
 #include "geodesic_offset/stats_output.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
 #include <CGAL/assertions_behaviour.h>
 
@@ -29,6 +31,7 @@
 #include <iterator>
 #include <limits>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,7 +56,7 @@ void check_spacing(const Options& options, double diagonal)
                       " would give more than a million offsets of this mesh; --count limits their number");
 }
 
-std::vector<Offset_curve> solve(Geodesic& geodesic, const Options& options)
+std::vector<Offset_curve> cut(Geodesic& geodesic, const Options& options)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
   const auto parameters = CGAL::parameters::geodesic(maximum, false);
@@ -63,17 +66,29 @@ std::vector<Offset_curve> solve(Geodesic& geodesic, const Options& options)
     const auto levels =
       options.count ? CGAL::Offset_levels<double>::equally_spaced(*options.spacing, *options.count)
                     : CGAL::Offset_levels<double>::equally_spaced(*options.spacing);
-    geodesic.build_with_offset_curves(levels, std::back_inserter(curves), parameters);
+    geodesic.build_with_offset_curves(levels, std::back_inserter(curves), parameters, options.selection);
   }
   else if(!options.distances.empty())
   {
-    geodesic.build_with_offset_curves(options.distances, std::back_inserter(curves), parameters);
+    geodesic.build_with_offset_curves(options.distances, std::back_inserter(curves), parameters, options.selection);
   }
   else
     geodesic.build(parameters);
   std::stable_sort(curves.begin(), curves.end(),
                    [](const Offset_curve& a, const Offset_curve& b) { return a.distance() < b.distance(); });
   return curves;
+}
+
+void write_svg(std::ostream& out, const std::string& file, const std::vector<Offset_curve>& curves)
+{
+  try
+  {
+    CGAL::IO::write_offset_SVG(out, curves);
+  }
+  catch(const std::invalid_argument& error)
+  {
+    throw Input_error("cannot write " + quoted(file) + ": " + error.what());
+  }
 }
 
 void write_curves(Output_files& files, const std::string& file, const std::vector<Offset_curve>& curves, double tolerance)
@@ -83,9 +98,28 @@ void write_curves(Output_files& files, const std::string& file, const std::vecto
       CGAL::IO::write_offset_VTK(out, curves, tolerance);
     else if(has_extension(file, ".obj"))
       CGAL::IO::write_offset_OBJ(out, curves, tolerance);
+    else if(has_extension(file, ".dxf"))
+      CGAL::IO::write_offset_DXF(out, curves, tolerance);
+    else if(has_extension(file, ".svg"))
+      write_svg(out, file, curves);
     else
       CGAL::IO::write_offset_polylines(out, curves, tolerance);
   });
+}
+
+std::vector<Offset_curve> solve(Geodesic& geodesic, const Sources& sources, const Options& options)
+{
+  try
+  {
+    return cut(geodesic, options);
+  }
+  catch(const std::invalid_argument&)
+  {
+    // the library knows sources by their numbers, the user by their files
+    if(options.selection.side == CGAL::Offset_side::INSIDE || options.selection.side == CGAL::Offset_side::OUTSIDE)
+      sources.check_insides();
+    throw;
+  }
 }
 
 View view_of(const Options& options, const Mesh& mesh, const Sources& sources)
@@ -151,11 +185,11 @@ void run(const Options& options)
   progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
 
   const Stopwatch solve_time;
-  const std::vector<Offset_curve> curves = solve(geodesic, options);
+  const std::vector<Offset_curve> curves = solve(geodesic, sources, options);
   const Geodesic::Statistics& statistics = geodesic.statistics();
-  const std::vector<double> distances = file_distances(input, geodesic);
+  const File_distances field(input, geodesic, sources.has_polylines());
   std::size_t unreached = 0;
-  for(double distance : distances)
+  for(double distance : field.distances)
     if(distance == infinity)
       ++unreached;
     else
@@ -175,8 +209,7 @@ void run(const Options& options)
   for(const std::string& file : options.outputs)
     write_curves(files, file, curves, tolerance);
   if(!options.field.empty())
-    files.add(options.field,
-              [&](std::ostream& out) { write_field(out, input.soup(), distances); });
+    files.add(options.field, [&](std::ostream& out) { write_field(out, input.soup(), field); });
   if(!options.picture.empty())
   {
     const Image image = picture_of(options, mesh, sources, geodesic, curves);

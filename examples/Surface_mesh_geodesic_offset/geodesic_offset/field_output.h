@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances at the vertices of the file, as a binary PLY file with the vertices and faces of the file.
+// The distances at the vertices of the file, with and without their sides, as a binary PLY file with the vertices and faces of the file.
 
 #ifndef GEODESIC_OFFSET_FIELD_OUTPUT_H
 #define GEODESIC_OFFSET_FIELD_OUTPUT_H
@@ -19,15 +19,27 @@
 namespace geodesic_offset {
 
 // One distance for each vertex of the file. It is infinite where no source reaches and at vertices without faces.
-inline std::vector<double> file_distances(const Mesh_input& input, const Geodesic& geodesic)
+struct File_distances
 {
-  std::vector<double> distances(input.soup().points.size(), infinity);
-  for(std::size_t i = 0; i < distances.size(); ++i)
-    input.for_each_vertex_of(i, [&](Vertex v) {
-      distances[i] = std::min(distances[i], CGAL::to_double(geodesic.distance_to_sources(v)));
-    });
-  return distances;
-}
+  std::vector<double> distances;
+  std::vector<double> signed_distances; // empty if no source has sides
+
+  File_distances(const Mesh_input& input, const Geodesic& geodesic, bool with_sides)
+    : distances(input.soup().points.size(), infinity)
+  {
+    if(with_sides)
+      signed_distances = distances;
+    for(std::size_t i = 0; i < distances.size(); ++i)
+      input.for_each_vertex_of(i, [&](Vertex v) {
+        const double distance = CGAL::to_double(geodesic.distance_to_sources(v));
+        if(!(distance < distances[i]))
+          return;
+        distances[i] = distance;
+        if(with_sides)
+          signed_distances[i] = geodesic.signed_distance_to_sources(v);
+      });
+  }
+};
 
 namespace internal {
 
@@ -48,7 +60,7 @@ inline void append_double(std::vector<char>& bytes, double value)
 
 } // namespace internal
 
-inline void write_field(std::ostream& out, const Soup& soup, const std::vector<double>& distances)
+inline void write_field(std::ostream& out, const Soup& soup, const File_distances& field)
 {
   std::size_t largest = 0;
   for(const Polygon& polygon : soup.polygons)
@@ -58,6 +70,7 @@ inline void write_field(std::ostream& out, const Soup& soup, const std::vector<d
   out << "ply\nformat binary_little_endian 1.0\ncomment geodesic distances\n"
       << "element vertex " << soup.points.size() << "\n"
       << "property double x\nproperty double y\nproperty double z\nproperty double distance\n"
+      << (field.signed_distances.empty() ? "" : "property double signed_distance\n")
       << "element face " << soup.polygons.size() << "\n"
       << "property list " << (small ? "uchar" : "uint") << " int vertex_indices\nend_header\n";
 
@@ -75,7 +88,9 @@ inline void write_field(std::ostream& out, const Soup& soup, const std::vector<d
   {
     for(int c = 0; c < 3; ++c)
       internal::append_double(bytes, soup.points[i][c]);
-    internal::append_double(bytes, distances[i]);
+    internal::append_double(bytes, field.distances[i]);
+    if(!field.signed_distances.empty())
+      internal::append_double(bytes, field.signed_distances[i]);
     flush(block);
   }
   for(const Polygon& polygon : soup.polygons)

@@ -39,6 +39,7 @@ struct Options
   std::optional<std::size_t> count;
   std::optional<double>      maximum_distance;
   std::optional<double>      tolerance;
+  CGAL::Offset_selection     selection;
 
   std::vector<std::string>             outputs;
   std::string                          field;
@@ -90,12 +91,17 @@ inline po::options_description options_description()
     ("spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")
     ("count", word("N"), "no more than N of them")
     ("maximum-distance", word("D"), "compute nothing farther than D")
+    ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
+    ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
+                         "none (default with one side)")
     ("tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)");
 
   po::options_description outputs("Outputs and others");
   outputs.add_options()
-    ("output", words("FILE"), "offsets as .polylines.txt, .vtk or .obj (repeatable)")
-    ("field", word("FILE.ply"), "the input's vertices with their distances, and its faces")
+    ("output", words("FILE"), "offsets as .polylines.txt, .vtk, .obj, .dxf or, if they lie in one plane, .svg "
+                              "(repeatable)")
+    ("field", word("FILE.ply"), "the input's vertices with their distances, signed ones too if there are polylines, "
+                              "and its faces")
     ("picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")
     ("view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")
     ("up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")
@@ -134,11 +140,43 @@ inline std::array<double, 3> direction(const std::string& option, const std::str
   return d;
 }
 
+inline CGAL::Offset_selection selection(const std::string& side, const std::string& end)
+{
+  using CGAL::Offset_end;
+  using CGAL::Offset_side;
+  CGAL::Offset_selection result;
+  if(side == "left")
+    result.side = Offset_side::LEFT;
+  else if(side == "right")
+    result.side = Offset_side::RIGHT;
+  else if(side == "inside")
+    result.side = Offset_side::INSIDE;
+  else if(side == "outside")
+    result.side = Offset_side::OUTSIDE;
+  else if(!side.empty() && side != "both")
+    throw Usage_error("--side must be left, right, both, inside or outside, not " + quoted(side));
+
+  // what lies beyond an end is on neither side
+  result.end = (result.side == Offset_side::BOTH) ? Offset_end::ROUND : Offset_end::BUTT;
+  if(end == "round")
+    result.end = Offset_end::ROUND;
+  else if(end == "butt")
+    result.end = Offset_end::BUTT;
+  else if(!end.empty())
+    throw Usage_error("--end must be round or butt, not " + quoted(end));
+  return result;
+}
+
 inline void check_outputs(const Options& options)
 {
   for(const std::string& output : options.outputs)
-    if(!has_extension(output, ".polylines.txt") && !has_extension(output, ".vtk") && !has_extension(output, ".obj"))
-      throw Usage_error("--output " + quoted(output) + " must end in .polylines.txt, .vtk or .obj");
+  {
+    bool known = false;
+    for(const char* extension : {".polylines.txt", ".vtk", ".obj", ".dxf", ".svg"})
+      known = known || has_extension(output, extension);
+    if(!known)
+      throw Usage_error("--output " + quoted(output) + " must end in .polylines.txt, .vtk, .obj, .dxf or .svg");
+  }
   if(!options.field.empty() && !has_extension(options.field, ".ply"))
     throw Usage_error("--field " + quoted(options.field) + " must end in .ply");
   if(!options.picture.empty() && !has_extension(options.picture, ".png"))
@@ -227,6 +265,8 @@ inline Options checked_options(const po::variables_map& map)
   if(map.count("tolerance"))
     options.tolerance = positive_number("tolerance", map["tolerance"].as<std::string>());
 
+  options.selection = selection(word("side"), word("end"));
+
   options.outputs = words("output");
   options.field   = word("field");
   options.picture = word("picture");
@@ -246,6 +286,9 @@ inline Options checked_options(const po::variables_map& map)
     throw Usage_error("--distance and --spacing exclude each other");
   if(options.count && !options.spacing)
     throw Usage_error("--count needs --spacing");
+  for(const char* option : {"side", "end"})
+    if(map.count(option) && !options.has_levels())
+      throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
   check_outputs(options);
   return options;
 }

@@ -3,7 +3,8 @@
 
 // The section of a mesh by a plane, as polylines on the surface.
 // The sides of the vertices are decided exactly. So the section runs from face to face without gaps, whatever the position
-// of the plane; only the coordinates of its points on the edges are rounded.
+// of the plane; only the coordinates of its points on the edges are rounded. Where the surface passes through the plane, the
+// polylines have the positive side of the plane on their left.
 
 #ifndef GEODESIC_OFFSET_PLANE_SECTION_H
 #define GEODESIC_OFFSET_PLANE_SECTION_H
@@ -72,7 +73,10 @@ public:
     {
       const Halfedge h = m_mesh.halfedge(e);
       if(m_side[m_mesh.source(h)] == 0 && m_side[m_mesh.target(h)] == 0 && !(in_plane(h) && in_plane(m_mesh.opposite(h))))
-        add_segment(node_of(m_mesh.source(h)), node_of(m_mesh.target(h)));
+      {
+        const Halfedge along = (left_side(h) >= left_side(m_mesh.opposite(h))) ? h : m_mesh.opposite(h);
+        add_segment(node_of(m_mesh.source(along)), node_of(m_mesh.target(along)));
+      }
     }
     for(Vertex v : m_mesh.vertices())
       if(m_side[v] == 0 && !m_mesh.is_isolated(v) && m_node_of_vertex.count(v) == 0 && !is_inside_plane(v))
@@ -87,6 +91,9 @@ private:
     return !m_mesh.is_border(h) && m_side[m_mesh.source(h)] == 0 && m_side[m_mesh.target(h)] == 0 &&
            m_side[m_mesh.target(m_mesh.next(h))] == 0;
   }
+
+  // The side of the face left of a halfedge in the plane; 0 if the face is in the plane or there is none
+  int left_side(Halfedge h) const { return m_mesh.is_border(h) ? 0 : m_side[m_mesh.target(m_mesh.next(h))]; }
 
   bool is_inside_plane(Vertex v) const
   {
@@ -139,21 +146,25 @@ private:
   // The segment inside a face with vertices on both sides. Returns 1 for a face in the plane.
   std::size_t cut(Face f)
   {
-    std::vector<std::size_t> ends;
+    std::vector<std::size_t> ends; // where the boundary of the face goes down is the start
+    bool is_down = false;          // of the first end
     int zeros = 0;
     for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
     {
       const int s = m_side[m_mesh.source(h)], t = m_side[m_mesh.target(h)];
       zeros += (t == 0);
-      if(s * t < 0)
-        ends.push_back(node_of(h));
+      if(s * t >= 0)
+        continue;
+      if(ends.empty())
+        is_down = (s > 0);
+      ends.push_back(node_of(h));
     }
     if(ends.size() == 1)
       for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
         if(m_side[v] == 0)
           ends.push_back(node_of(v));
     if(ends.size() == 2)
-      add_segment(ends[0], ends[1]);
+      add_segment(ends[is_down ? 0 : 1], ends[is_down ? 1 : 0]);
     return zeros == 3 ? 1 : 0;
   }
 
@@ -174,6 +185,7 @@ private:
   Surface_polyline walk(const std::size_t first, std::size_t segment, std::vector<bool>& used) const
   {
     Surface_polyline polyline;
+    const bool is_backward = (m_segments[segment][0] != first);
     std::size_t node = first;
     for(;;)
     {
@@ -188,6 +200,8 @@ private:
     polyline.closed = (node == first);
     if(!polyline.closed)
       polyline.locations.push_back(m_nodes[node].location);
+    if(is_backward)
+      std::reverse(polyline.locations.begin(), polyline.locations.end());
     return polyline;
   }
 };

@@ -19,7 +19,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -34,6 +36,7 @@ class Sources
   std::vector<Vertex>           m_vertices;
   std::vector<Face_location>    m_points;
   std::vector<Surface_polyline> m_polylines;
+  std::vector<std::string>      m_polyline_names;
   std::vector<std::vector<Edge>> m_edges;
   std::vector<std::string>      m_remarks;
 
@@ -66,6 +69,30 @@ public:
       geodesic.add_source_polyline(polyline.locations, polyline.closed);
     for(const std::vector<Edge>& edges : m_edges)
       geodesic.add_source_edges(edges);
+  }
+
+  bool has_polylines() const { return !m_polylines.empty(); }
+
+  // Throws Input_error that names a polyline without an inside, if there is one.
+  void check_insides() const
+  {
+    for(std::size_t i = 0; i < m_polylines.size(); ++i)
+    {
+      if(!m_polylines[i].closed)
+        throw Input_error(m_polyline_names[i] + ": an open polyline has no inside");
+      Geodesic alone(m_mesh);
+      alone.add_source_polyline(m_polylines[i].locations, true);
+      try
+      {
+        alone.build_with_offset_curves_by_distance(std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
+                                                   CGAL::parameters::maximum_distance(0.),
+                                                   CGAL::Offset_selection(CGAL::Offset_side::INSIDE));
+      }
+      catch(const std::invalid_argument&)
+      {
+        throw Input_error(m_polyline_names[i] + ": this curve does not divide the surface into an inside and an outside");
+      }
+    }
   }
 
   const std::vector<std::string>& remarks() const { return m_remarks; }
@@ -117,6 +144,7 @@ private:
   void add_polyline(const File_polyline& from, const std::string& file)
   {
     const auto name = [&](std::size_t i) { return "point " + std::to_string(i); };
+    const std::string line = quoted(file) + ", line " + std::to_string(from.line);
     const std::size_t n = from.points.size();
     Surface_polyline polyline;
     polyline.closed = (n > 3 && from.points.front() == from.points.back());
@@ -133,7 +161,7 @@ private:
         continue;
       const Face_location previous = polyline.locations.back();
       if(!m_find_path(previous, location, polyline.locations))
-        throw Input_error(quoted(file) + ", line " + std::to_string(from.line) + ": there is no path on the surface from " +
+        throw Input_error(line + ": there is no path on the surface from " +
                           name(i - 1) + " to " + name(i));
     }
     // closed means that the first location is not repeated
@@ -144,22 +172,28 @@ private:
     if(polyline.locations.size() == 1)
       m_points.push_back(polyline.locations.front());
     else
-      m_polylines.push_back(std::move(polyline));
+      add(std::move(polyline), line);
+  }
+
+  void add(Surface_polyline polyline, const std::string& name)
+  {
+    m_polylines.push_back(std::move(polyline));
+    m_polyline_names.push_back(name);
   }
 
   void add_plane(const std::array<double, 4>& plane, const std::string& mesh_file)
   {
     Plane_section section = Plane_cutter(m_mesh, plane)();
+    const std::string name = "--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
+                             short_number(plane[2]) + ',' + short_number(plane[3]);
     if(section.polylines.empty() && section.touched_vertices.empty())
-      throw Input_error("--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
-                        short_number(plane[2]) + ',' + short_number(plane[3]) +
-                        (section.faces_in_plane == 0 ? " misses " + quoted(mesh_file)
-                                                     : " contains all of " + quoted(mesh_file)));
+      throw Input_error(name + (section.faces_in_plane == 0 ? " misses " + quoted(mesh_file)
+                                                : " contains all of " + quoted(mesh_file)));
     if(section.faces_in_plane != 0)
       m_remarks.push_back(counted(section.faces_in_plane, "face") +
                           " in the plane of a section: the border of this part of the surface is the source");
     for(Surface_polyline& polyline : section.polylines)
-      m_polylines.push_back(std::move(polyline));
+      add(std::move(polyline), name + " on " + quoted(mesh_file));
     m_vertices.insert(m_vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
   }
 

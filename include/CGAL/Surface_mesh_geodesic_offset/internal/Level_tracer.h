@@ -25,20 +25,16 @@ public:
   typedef Level_piece<FT> Piece;
   typedef Level_gate<FT> Gate;
 
-  struct Chain
-  {
-    Index start, end; // gates; no_index for a loop
-    std::vector<Piece> pieces;
-  };
-
   // The face to be cut, and bounds of the levels.
   void set_face(const Face_field<FT>& field, const FT& lowest, const FT& highest)
   {
     m_runs.set_face(field, lowest, highest);
   }
 
-  // Chains of pieces that connect all gates, and all loops. Appends to `chains`.
-  void operator()(const FT& level, std::vector<Gate>& gates, bool search_loops, std::vector<Chain>& chains)
+  // Calls out(start gate, end gate, pieces) for the chains of pieces that connect all gates, and with no_index for all
+  // loops.
+  template <class Function>
+  void operator()(const FT& level, std::vector<Gate>& gates, bool search_loops, const Function& out)
   {
     m_gates = &gates;
     m_runs.set_level(level, gates);
@@ -46,8 +42,8 @@ public:
     m_traversed.clear();
     m_last_traversed.assign(m_runs.arcs().size(), none);
     for (std::size_t i = 0; i < gates.size(); ++i)
-      if (gates[i].is_start) trace_from_gate(i, chains);
-    if (search_loops) trace_loops(chains);
+      if (gates[i].is_start) trace_from_gate(i, out);
+    if (search_loops) trace_loops(out);
   }
 
   std::size_t number_of_forced_joints() const { return m_forced; }
@@ -63,14 +59,14 @@ private:
     std::size_t previous; // of the same arc
   };
 
-  void add_piece(const Run& run, const Point& start, Chain& chain)
+  void add_piece(const Run& run, const Point& start)
   {
     m_traversed.push_back({run.from, run.to, m_last_traversed[run.arc]});
     m_last_traversed[run.arc] = m_traversed.size() - 1;
     const Level_arc<FT>& a = m_runs.arcs()[run.arc];
     const Face_window<FT>& w = a.window();
-    chain.pieces.push_back(Piece{w.is_parallel() ? a.forward() : w.image(), a.radius(), start, run.end,
-                                 m_runs.field().face(), w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
+    m_chain.push_back(Piece{w.is_parallel() ? a.forward() : w.image(), a.radius(), start, run.end,
+                            m_runs.field().face(), w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
   }
 
   bool is_traversed(std::size_t arc, const FT& t) const
@@ -80,101 +76,106 @@ private:
     return false;
   }
 
-  void trace_from_gate(std::size_t gate, std::vector<Chain>& chains)
+  template <class Function>
+  void trace_from_gate(std::size_t gate, const Function& out)
   {
-    Chain chain{(*m_gates)[gate].id, no_index, {}};
+    m_chain.clear();
     Point p = (*m_gates)[gate].point;
     std::size_t arc = none;
     for (std::size_t guard = 0; guard < 4 * m_runs.arcs().size() + 16; ++guard)
     {
       const Run run = m_runs.best_run(p, arc, true);
       if (!run.valid) break;
-      if (!chain.pieces.empty())
+      if (!m_chain.empty())
       {
         m_runs.refine_joint(arc, run.arc, p);
-        chain.pieces.back().end = p;
+        m_chain.back().end = p;
       }
-      add_piece(run, p, chain);
+      add_piece(run, p);
       p = run.end;
       arc = run.arc;
       if (run.gate != none)
       {
-        finish(chain, gate, run.gate, chains);
+        finish(gate, run.gate, out);
         return;
       }
     }
-    force_end(chain, p, gate, chains);
+    force_end(p, gate, out);
   }
 
   // Pieces without extent go; their ends stay, with the neighbours.
-  void drop_points(std::vector<Piece>& pieces) const
+  void drop_points()
   {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t i = 0; i < m_chain.size(); ++i)
     {
-      if (length(pieces[i].end - pieces[i].start) > m_point || (n == 0 && i + 1 == pieces.size()))
-        pieces[n++] = pieces[i];
+      if (length(m_chain[i].end - m_chain[i].start) > m_point || (n == 0 && i + 1 == m_chain.size()))
+        m_chain[n++] = m_chain[i];
       else if (n > 0)
-        pieces[n - 1].end = pieces[i].end;
+        m_chain[n - 1].end = m_chain[i].end;
       else
-        pieces[i + 1].start = pieces[i].start;
+        m_chain[i + 1].start = m_chain[i].start;
     }
-    pieces.resize(n);
+    m_chain.resize(n);
   }
 
-  void finish(Chain& chain, std::size_t start, std::size_t end, std::vector<Chain>& chains)
+  template <class Function>
+  void finish(std::size_t start, std::size_t end, const Function& out)
   {
-    drop_points(chain.pieces);
-    chain.end = (*m_gates)[end].id;
-    (*m_gates)[end].id = no_index; // used
-    chain.pieces.front().start_edge = (*m_gates)[start].edge;
-    chain.pieces.back().end_edge = (*m_gates)[end].edge;
-    chains.push_back(std::move(chain));
+    drop_points();
+    Gate& last = (*m_gates)[end];
+    m_chain.front().start_edge = (*m_gates)[start].edge;
+    m_chain.back().end_edge = last.edge;
+    out((*m_gates)[start].id, last.id, m_chain);
+    last.id = no_index; // used
   }
 
   // No arc could be followed up to a gate. The nearest gate left takes the chain; if it is farther than rounding
   // explains, this is counted.
-  void force_end(Chain& chain, const Point& p, std::size_t start, std::vector<Chain>& chains)
+  template <class Function>
+  void force_end(const Point& p, std::size_t start, const Function& out)
   {
     const std::size_t gate = m_runs.gate_near(p, false, Number_policy<FT>::infinity());
     if (gate == none) return;
     const Point end = (*m_gates)[gate].point;
     const FT gap = length(end - p);
     if (gap > FT(1e-7) * m_runs.face_size()) ++m_forced;
-    if (chain.pieces.empty())
+    if (m_chain.empty())
     {
       std::size_t nearest = 0;
       m_runs.field().distance(p, nearest);
       const Face_window<FT>& w = m_runs.field().windows()[nearest];
       const Point u = CGAL::is_positive(gap) ? (FT(1) / gap) * (end - p) : Point{FT(1), FT(0)};
       const Point n = {u.y, -u.x};
-      chain.pieces.push_back(Piece{n, dot(n, p), p, end, m_runs.field().face(), w.root, w.pseudo_source(), true, 3, 3});
+      m_chain.push_back(Piece{n, dot(n, p), p, end, m_runs.field().face(), w.root, w.pseudo_source(), true, 3, 3});
     }
     else
-      chain.pieces.back().end = end;
-    finish(chain, start, gate, chains);
+      m_chain.back().end = end;
+    finish(start, gate, out);
   }
 
   // Loops that touch no edge lie round a source inside the face, or round a place where the distance is largest. In the
   // latter case all arcs bulge inwards, so the loop has corners, where one arc comes out from under another.
-  void trace_loops(std::vector<Chain>& chains)
+  template <class Function>
+  void trace_loops(const Function& out)
   {
     for (std::size_t i = 0; i < m_runs.arcs().size(); ++i)
     {
       const Level_arc<FT>& a = m_runs.arcs()[i];
-      if (a.window().origin == STARTS_IN_FACE) try_loop(i, FT(0), a.start(), chains);
+      if (a.window().origin == STARTS_IN_FACE) try_loop(i, FT(0), a.start(), out);
       m_runs.boxes().any_of(m_runs.boxes()[i], [&](std::size_t j) {
         const Level_arc<FT>& b = m_runs.arcs()[j];
         Point p;
         if (i != j && m_runs.meet(a, b, true, p) && a.is_ahead(p) && a.outside_cone(p) <= m_runs.tie() &&
             b.outside_cone(p) <= m_runs.tie() && cross(b.tangent(p), a.tangent(p)) < FT(-1e-7))
-          try_loop(i, a.parameter(p), p, chains);
+          try_loop(i, a.parameter(p), p, out);
         return false;
       });
     }
   }
 
-  void try_loop(std::size_t i, const FT& t, const Point& start, std::vector<Chain>& chains)
+  template <class Function>
+  void try_loop(std::size_t i, const FT& t, const Point& start, const Function& out)
   {
     if (!(t >= FT(0) && t < FT(1)) || is_traversed(i, t) || m_runs.depth(start) < m_runs.tie()) return;
     // a loop may lie hidden under windows that the level does not pass through
@@ -182,13 +183,13 @@ private:
     if (m_runs.field().distance(start, nearest) < m_runs.level() - m_runs.tie()) return;
     Run run = m_runs.run_of(i, t, start);
     const std::size_t own = m_traversed.size();
-    Chain chain{no_index, no_index, {}};
+    m_chain.clear();
     Point p = start;
     bool closed = false;
     std::size_t last_arc = i;
     while (run.valid && run.gate == none)
     {
-      if (!chain.pieces.empty() && run.arc == i && run.from <= t && t <= run.to)
+      if (!m_chain.empty() && run.arc == i && run.from <= t && t <= run.to)
       { // back on the first arc
         run.end = start;
         closed = true;
@@ -196,13 +197,13 @@ private:
       // what has been followed before, by this chain or another one, leads to no other end
       else if (is_traversed(run.arc, run.from + (run.to - run.from) / 2))
         break;
-      if (!chain.pieces.empty() && last_arc != run.arc)
+      if (!m_chain.empty() && last_arc != run.arc)
       {
         m_runs.refine_joint(last_arc, run.arc, p);
-        chain.pieces.back().end = p;
+        m_chain.back().end = p;
       }
       last_arc = run.arc;
-      add_piece(run, p, chain);
+      add_piece(run, p);
       p = run.end;
       if (m_traversed.size() > own + 1 && length(p - start) <= m_runs.tie()) closed = true;
       if (closed || m_runs.depth(p) < -m_runs.tie()) break;
@@ -210,16 +211,17 @@ private:
     }
     // what is left between a gate and an arc that rounding has moved off it is no loop
     FT sum(0);
-    for (const Piece& q : chain.pieces) sum += length(q.end - q.start);
+    for (const Piece& q : m_chain) sum += length(q.end - q.start);
     if (!closed || !(sum > FT(1e-6) * (std::min)(m_runs.face_size(), m_runs.level()))) return;
-    chain.pieces.back().end = start;
-    drop_points(chain.pieces);
-    chains.push_back(std::move(chain));
+    m_chain.back().end = start;
+    drop_points();
+    out(no_index, no_index, m_chain);
   }
 
   Level_runs<FT> m_runs;
   std::vector<Gate>* m_gates = nullptr;
-  FT m_point; // pieces up to this length are points
+  FT m_point;                 // pieces up to this length are points
+  std::vector<Piece> m_chain; // being traced
   std::vector<Traversed> m_traversed;
   std::vector<std::size_t> m_last_traversed; // of each arc
   std::size_t m_forced = 0;

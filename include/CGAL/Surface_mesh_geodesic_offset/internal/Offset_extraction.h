@@ -30,7 +30,6 @@ class Offset_extraction
 {
 public:
   typedef Level_piece<FT> Piece;
-  typedef typename Level_tracer<FT>::Chain Chain;
 
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels)
@@ -113,9 +112,9 @@ private:
       m_gates.clear();
       for (; next != m_face_gates.end() && next->level <= i; ++next) m_gates.push_back(next->gate);
       if (m_gates.empty() && !loops) continue;
-      m_chains.clear();
-      m_tracer(cut_level(i), m_gates, loops, m_chains);
-      for (const Chain& c : m_chains) m_curves[i].add_chain(c.start, c.end, c.pieces);
+      m_tracer(cut_level(i), m_gates, loops, [&](Index start, Index end, const std::vector<Piece>& pieces) {
+        m_curves[i].add_chain(start, end, pieces);
+      });
     }
   }
 
@@ -196,7 +195,6 @@ private:
   Level_tracer<FT> m_tracer;
   std::vector<Face_gate> m_face_gates;
   std::vector<Level_gate<FT>> m_gates;
-  std::vector<Chain> m_chains;
   std::vector<char> m_is_cut; // per face
   std::unordered_map<Index, std::vector<Crossing>> m_waiting; // by the halfedge of the face that came first
   Curves_of_levels m_curves;                                  // of the levels that are not finished

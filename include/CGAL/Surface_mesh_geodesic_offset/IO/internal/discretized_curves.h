@@ -53,13 +53,23 @@ private:
 };
 
 // For the names of layers and groups: 0.3, where the nearest double is 0.29999999999999999.
-inline std::string short_number(double x)
+inline std::string short_number(double x, int digits = std::numeric_limits<double>::digits10)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text.precision(std::numeric_limits<double>::digits10);
+  text.precision(digits);
   text << x;
   return text.str();
+}
+
+// As short as a reader needs it to get the same double.
+inline std::string exact_number(double x)
+{
+  std::istringstream text(short_number(x));
+  text.imbue(std::locale::classic());
+  double read = 0;
+  text >> read;
+  return short_number(x, read == x ? std::numeric_limits<double>::digits10 : std::numeric_limits<double>::max_digits10);
 }
 
 typedef std::array<double, 3> Coordinates;
