@@ -139,17 +139,20 @@ public:
     box.add(run.end);
     if (!a.is_straight()) box.widen(length(run.end - start)); // less than a half turn
     box.intersect(m_boxes[i]);
+    m_near.clear();
     m_boxes.any_of(box, [&](std::size_t j) {
-      if (j != i) cut_by(j, run);
+      if (j == i) return false;
+      cut_by(j, run);
+      m_near.push_back(j);
       return false;
     });
     run.length = length(run.end - start);
     run.valid = run.gate != none || run.length > m_step;
-    // Another arc that touches this one at the start may have come out from under it, or go under it, so closely that
-    // neither its entry nor the step ahead has shown it: further along it does.
-    if (run.valid && (is_covered(i, a.point(run.from + (run.to - run.from) / 2)) ||
-                      is_covered(i, a.point(run.from + (run.to - run.from) / 16))))
-      run.valid = false;
+    // Another arc that touches this one may go under it so closely that neither its entry nor the step ahead has shown
+    // it: further along it does.
+    const Point middle = a.point(run.from + (run.to - run.from) / 2), early = a.point(run.from + (run.to - run.from) / 16);
+    for (const std::size_t j : m_near)
+      if (run.valid && (covers(j, middle) || covers(j, early))) run.valid = false;
     return run;
   }
 
@@ -280,6 +283,7 @@ private:
   std::vector<Level_arc<FT>> m_arcs; // of the level
   Box_tree<FT> m_boxes;              // theirs
   Half_plane<FT> m_outside[3];       // positive inside
+  mutable std::vector<std::size_t> m_near;
   std::vector<Gate>* m_gates = nullptr;
 };
 

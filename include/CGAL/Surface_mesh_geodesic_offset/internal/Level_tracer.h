@@ -94,9 +94,12 @@ private:
       add_piece(run, p);
       p = run.end;
       arc = run.arc;
-      if (run.gate != none)
+      // where two arcs tie right at a gate, the run ends at their joint
+      const std::size_t end = run.gate != none ? run.gate : m_runs.gate_near(p, false, m_runs.tie());
+      if (end != none)
       {
-        finish(gate, run.gate, out);
+        m_chain.back().end = (*m_gates)[end].point;
+        finish(gate, end, out);
         return;
       }
     }
