@@ -52,7 +52,7 @@ private:
   Arguments with_outputs(Arguments arguments) const
   {
     const std::pair<const char*, const char*> outputs[] = {
-      {"--output", "out.polylines.txt"}, {"--output", "out.vtk"},  {"--output", "out.obj"},
+      {"--output", "out.polylines.txt"}, {"--output", "out.vtk"}, {"--output", "out.obj"}, {"--output", "out.dxf"},
       {"--field", "field.ply"},          {"--picture", "out.png"}, {"--stats", "stats.json"}};
     for (const auto& output : outputs)
     {
@@ -62,9 +62,9 @@ private:
     return arguments;
   }
 
-  // Exit code, one line of errors, and the same files as before.
+  // Exit code, one line of errors that has all the given words, and the same files as before.
   void expect(int exit_code, const std::string& what, const Arguments& arguments,
-              bool add_outputs = true)
+              bool add_outputs = true, const Arguments& words = {})
   {
     Report::instance().set_context(what);
     const std::set<std::string> before = scratch_.files();
@@ -75,6 +75,8 @@ private:
       static_cast<std::size_t>(std::count(result.errors.begin(), result.errors.end(), '\n'));
     CHECK_DETAIL(lines == 1 && result.errors.size() > 10 && result.errors.back() == '\n',
                  result.errors);
+    for (const std::string& word : words)
+      CHECK_DETAIL(result.errors.find(word) != std::string::npos, word + " is not in: " + result.errors);
     CHECK(scratch_.files() == before);
     for (const std::string& file : scratch_.files())
       if (before.count(file) == 0) std::filesystem::remove(file);
@@ -90,7 +92,7 @@ private:
     CHECK_DETAIL(result.exit_code == 0, result.errors);
     CHECK(result.errors.empty());
     for (const char* file :
-         {"out.polylines.txt", "out.vtk", "out.obj", "field.ply", "out.png", "stats.json"})
+         {"out.polylines.txt", "out.vtk", "out.obj", "out.dxf", "field.ply", "out.png", "stats.json"})
     {
       CHECK_DETAIL(std::filesystem::exists(scratch_ / file) &&
                      std::filesystem::file_size(scratch_ / file) > 0,
@@ -138,7 +140,19 @@ private:
     for (const char* angle : {"nan", "-5", "270", "x"})
       expect(usage, std::string("sharp edges '") + angle + "'",
              {good_, std::string("--source-sharp-edges=") + angle, "--distance", "1"});
-    for (const char* output : {"out.xyz", "out", ".vtk.gz"})
+    for (const char* side : {"", "Left", "middle", "left,right", "1"})
+      expect(usage, std::string("side '") + side + "'",
+             {good_, "--source-vertex", "0", "--distance", "1", std::string("--side=") + side});
+    for (const char* end : {"", "square", "BUTT", "0"})
+      expect(usage, std::string("end '") + end + "'",
+             {good_, "--source-vertex", "0", "--distance", "1", std::string("--end=") + end});
+    const Arguments field = {"--field", (scratch_ / "field.ply").string()};
+    for (const char* option : {"--side=left", "--end=butt"})
+      expect(usage, std::string(option) + " without levels",
+             {good_, "--source-vertex", "0", option, field[0], field[1]}, false);
+    expect(usage, "two sides",
+           {good_, "--source-vertex", "0", "--distance", "1", "--side", "left", "--side", "right"});
+    for (const char* output : {"out.xyz", "out", ".vtk.gz", "out.dxf.txt"})
       expect(usage, std::string("output '") + output + "'",
              {good_, "--source-vertex", "0", "--distance", "1", "--output",
               (scratch_ / output).string()});
@@ -261,9 +275,42 @@ private:
     expect(input, "random bytes in a polyline",
            with_source("--source-polyline", polyline.string()));
 
+    sides_and_planes();
+
     expect(input, "output in a missing directory",
            {good_, "--source-vertex", "0", "--distance", "0.5", "--output",
             (scratch_ / "missing/out.vtk").string()});
+  }
+
+  void sides_and_planes()
+  {
+    const std::string curve = (scratch_ / "side.polylines.txt").string();
+    write_file(curve, "\n2 0 0 1 1 0 0\n");
+    for (const char* side : {"inside", "outside"})
+      expect(input, std::string("an open polyline and the side ") + side,
+             {good_, "--source-polyline", curve, "--distance", "0.5", "--side", side}, true,
+             {curve, "line 2", "open"});
+    // round the hole of a torus there is no inside; which of two curves is to blame is said
+    const Soup torus = test::torus(24, 12);
+    const std::string ring = (scratch_ / "torus.off").string();
+    CGAL::IO::write_polygon_soup(ring, torus.points, torus.triangles);
+    std::string around = "49";
+    for (int i = 0; i <= 48; ++i)
+    {
+      const double angle = (i % 48) * CGAL_PI / 24;
+      around += " " + std::to_string(1.4 * std::cos(angle)) + " " + std::to_string(1.4 * std::sin(angle)) + " 0";
+    }
+    write_file(curve, "4 1.3 0 0.2 1.3 0.2 0.2 1.2 0.1 0.25 1.3 0 0.2\n" + around + "\n");
+    expect(input, "a closed polyline without an inside",
+           {ring, "--source-polyline", curve, "--distance", "0.1", "--side", "inside"}, true,
+           {curve, "line 2", "inside"});
+    std::filesystem::remove(curve);
+    std::filesystem::remove(ring);
+
+    const std::string drawing = (scratch_ / "out.svg").string();
+    expect(input, "a drawing of a mesh that is not planar",
+           {good_, "--source-vertex", "0", "--distance", "0.5", "--output", drawing}, true, {drawing, "plane"});
+    expect(usage, "a drawing without levels", {good_, "--source-vertex", "0", "--output", drawing});
   }
 
   std::string program_;

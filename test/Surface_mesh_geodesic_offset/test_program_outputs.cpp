@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every output of the program, read back and compared with closed forms on a planar mesh and a box;
-// every kind of source and every mesh format.
+// every kind of source and every mesh format. What the readers of other people make of the outputs is
+// in the tests test_program_*.py.
 //
 //   test_program_outputs PROGRAM
 
@@ -94,21 +95,30 @@ std::vector<Polyline> read_vtk(const std::filesystem::path& file)
       in >> count;
       CHECK(count == result.size());
     }
-    else if (word == "SCALARS")
+    else if (word == "POINT_DATA")
     {
-      std::string name, line;
-      in >> name;
-      std::getline(in, line);
-      std::getline(in, line); // LOOKUP_TABLE default
-      for (Polyline& polyline : result)
+      in >> count;
+      CHECK(count == points.size());
+    }
+    else if (word == "distance") // the name of scalars
+    {
+      std::getline(in, word);
+      std::getline(in, word); // LOOKUP_TABLE default
+      for (Polyline& polyline : result) CHECK(static_cast<bool>(in >> polyline.distance));
+      has_distance = true;
+    }
+    else if (word == "closed" || word == "source" || word == "side") // the name of a field
+    {
+      const bool is_closed = word == "closed";
+      in >> size >> count >> word;
+      CHECK(size == 1 && (count == result.size() || count == points.size()) && word == "int");
+      for (std::size_t i = 0; i < count; ++i)
       {
-        double value = -1;
-        CHECK(static_cast<bool>(in >> value));
-        if (name == "distance") polyline.distance = value;
-        if (name == "closed") polyline.closed = (value == 1);
+        int value = -2;
+        CHECK(static_cast<bool>(in >> value) && value >= -1 && value <= 3);
+        if (is_closed && CHECK(i < result.size())) result[i].closed = (value == 1);
       }
-      has_distance = has_distance || name == "distance";
-      has_closed = has_closed || name == "closed";
+      has_closed = has_closed || is_closed;
     }
   }
   CHECK(result.empty() || (has_distance && has_closed));
@@ -149,10 +159,11 @@ struct Field
 {
   std::vector<Point_3> points;
   std::vector<double> distances;
+  std::vector<double> signed_distances; // empty if the file has none
   std::vector<std::vector<std::size_t>> faces;
 };
 
-// Binary little-endian PLY with double x, y, z, distance and a list of int a face.
+// Binary little-endian PLY with double x, y, z, distance, perhaps signed_distance, and a list of int a face.
 Field read_field(const std::filesystem::path& file)
 {
   Field field;
@@ -161,7 +172,7 @@ Field read_field(const std::filesystem::path& file)
   if (!CHECK(end != std::string::npos)) return field;
   std::istringstream header(bytes.substr(0, end));
   std::size_t number_of_vertices = 0, number_of_faces = 0;
-  bool has_distance = false, is_binary = false;
+  bool has_distance = false, has_signed_distance = false, is_binary = false;
   for (std::string line; std::getline(header, line);)
   {
     std::istringstream words(line);
@@ -170,6 +181,7 @@ Field read_field(const std::filesystem::path& file)
     if (key == "element" && name == "vertex") words >> number_of_vertices;
     if (key == "element" && name == "face") words >> number_of_faces;
     has_distance = has_distance || line == "property double distance";
+    has_signed_distance = has_signed_distance || line == "property double signed_distance";
     is_binary = is_binary || line == "format binary_little_endian 1.0";
   }
   CHECK(has_distance && is_binary);
@@ -186,6 +198,11 @@ Field read_field(const std::filesystem::path& file)
     for (double& value : values) read(value);
     field.points.push_back(Point_3(values[0], values[1], values[2]));
     field.distances.push_back(values[3]);
+    if (has_signed_distance)
+    {
+      field.signed_distances.emplace_back();
+      read(field.signed_distances.back());
+    }
   }
   for (std::size_t i = 0; i < number_of_faces && at < last; ++i)
   {
@@ -235,6 +252,7 @@ public:
   {
     all_outputs();
     sources();
+    sides();
     formats();
     unreachable_vertices();
   }
@@ -451,6 +469,56 @@ private:
                   return (std::min)((std::min)(from_polyline(p), from_point(5.3, 6.1)(p)),
                                     (std::min)(from_point(0, 0)(p), from_point(12, 12)(p)));
                 });
+  }
+
+  // One side of a polyline across the whole square, with the signed distance, and of a closed one.
+  void sides()
+  {
+    write_planar("plane.off");
+    write_file(scratch_ / "across.polylines.txt", "2 -1 6.1 0 13 6.1 0\n"); // the upper part is on the left
+    write_file(scratch_ / "square.polylines.txt", "5 4 4 0 8 4 0 8 8 0 4 8 0 4 4 0\n");
+    const auto run_side = [&](const std::string& curve, const Arguments& more)
+    {
+      Report::instance().set_context(curve + (more.empty() ? "" : " " + more.back()));
+      Arguments arguments = {path("plane.off"), "--source-polyline", path(curve), "--distance", "1.5", "--output",
+                             path("side.vtk"), "--field", path("side.ply"), "--stats", path("side.json"), "--quiet"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      run(arguments);
+    };
+    const auto length = [&](double expected)
+    {
+      const std::string stats = read_file(scratch_ / "side.json");
+      const double actual = json_number(stats.substr((std::min)(stats.find("\"curves\""), stats.size())), "length");
+      CHECK_DETAIL(std::abs(actual - expected) < 1e-9, values(actual, expected));
+    };
+    for (int side : {0, 1, -1}) // both, left, right
+    {
+      run_side("across.polylines.txt", side == 0 ? Arguments() : Arguments{"--side", side > 0 ? "left" : "right"});
+      const auto expected = [&](const Point_3& p)
+      { return side == 0 ? std::abs(p.y() - 6.1) : side * (p.y() - 6.1); };
+      check_curves(read_vtk(scratch_ / "side.vtk"), {1.5}, side == 0 ? 2 : 1, 0, expected);
+      length(side == 0 ? 24 : 12);
+      const Field field = read_field(scratch_ / "side.ply");
+      CHECK(field.signed_distances.size() == field.points.size());
+      for (std::size_t i = 0; i < field.signed_distances.size(); ++i)
+        if (field.points[i].x() > 0 && field.points[i].x() < 12) // else just where the ends begin
+          CHECK_DETAIL(std::abs(field.signed_distances[i] - (6.1 - field.points[i].y())) < 1e-12,
+                     values(field.signed_distances[i], 6.1 - field.points[i].y()));
+    }
+    run_side("square.polylines.txt", {});
+    length(4 + 16 + 3 * CGAL_PI);
+    for (const char* side : {"inside", "left"})
+    {
+      run_side("square.polylines.txt", {"--side", side});
+      length(4);
+    }
+    for (const char* side : {"outside", "right"})
+    {
+      run_side("square.polylines.txt", {"--side", side});
+      length(16 + 3 * CGAL_PI);
+    }
+    run_side("square.polylines.txt", {"--side", "both", "--end", "butt"});
+    length(4 + 16 + 3 * CGAL_PI); // a closed curve has no ends
   }
 
   // The same distances from each format, from polygons that are not triangles and from a soup that

@@ -95,25 +95,26 @@ public:
     return low;
   }
 
-  // Every path round a chord is valid, so a point that rounding leaves between two cones is no exception.
+  // The distance, and a window that gives it: one of a segment's side rather than of the cap beside it, if both do. Every
+  // path round a chord is valid, so a point that rounding leaves between two cones is no exception.
   FT distance(const Point& p, std::size_t& nearest) const
   {
     FT best = Number_policy<FT>::infinity();
     nearest = m_windows.size();
     for (std::size_t i = 0; i < m_windows.size(); ++i)
     {
-      if (!(m_lowest[i] < best)) continue;
+      if (!(m_lowest[i] <= best)) continue;
       const FT d = m_windows[i].path_length(p);
-      if (d < best)
-      {
-        best = d;
-        nearest = i;
-      }
+      const bool ties = CGAL::abs(d - best) <= Number_policy<FT>::rounding(64) * (std::min)(d, best);
+      if (ties ? is_cap(nearest) : d < best) nearest = i;
+      best = (std::min)(best, d);
     }
     return best;
   }
 
 private:
+  bool is_cap(std::size_t i) const { return m_windows[i].root.side() == Source_side::CAP; }
+
   void add(const Window_in_face& w, const FT& lowest)
   {
     m_windows.push_back(w);

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_SVG_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_SVG_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace Surface_mesh_geodesic_offset_internal {
+
+// The smallest upright rectangle round pieces.
+class Plane_box
+{
+public:
+  void add(const Plane_piece& piece)
+  {
+    add(piece.start);
+    add(piece.end);
+    if (!piece.is_arc()) return;
+    // an arc bulges farthest in the directions of the axes
+    const double first = std::atan2(piece.start[1] - piece.center[1], piece.start[0] - piece.center[0]);
+    const double low = (std::min)(first, first + piece.sweep), high = (std::max)(first, first + piece.sweep);
+    for (double quarter = std::ceil(low / (CGAL_PI / 2)); quarter <= high / (CGAL_PI / 2); ++quarter)
+    {
+      const double a = quarter * (CGAL_PI / 2);
+      add(moved(piece.center, piece.radius, {std::cos(a), std::sin(a)}));
+    }
+  }
+
+  bool is_empty() const { return !(m_low[0] <= m_high[0]); }
+  double low(std::size_t i) const { return m_low[i]; }
+  double high(std::size_t i) const { return m_high[i]; }
+  double size(std::size_t i) const { return m_high[i] - m_low[i]; }
+
+private:
+  void add(const Plane_point& p)
+  {
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      m_low[i] = (std::min)(m_low[i], p[i]);
+      m_high[i] = (std::max)(m_high[i], p[i]);
+    }
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Plane_point m_low{infinity, infinity}, m_high{-infinity, -infinity};
+};
+
+struct Svg_path
+{
+  std::vector<Plane_piece> pieces;
+  bool is_closed;
+};
+
+// The y axis of the format points down.
+inline void write_path(std::ostream& os, const Svg_path& path)
+{
+  // an arc is given by its ends and radius, which tell a half turn and more badly
+  constexpr double largest_sweep = 2 * CGAL_PI / 3;
+  os << "<path d=\"M" << path.pieces.front().start[0] << ' ' << -path.pieces.front().start[1];
+  for (const Plane_piece& piece : path.pieces)
+    for_each_part(piece, largest_sweep * (1 + 1e-12), [&](const Plane_piece& part) {
+      if (part.is_arc())
+        os << " A" << part.radius << ' ' << part.radius << " 0 0 " << (part.sweep > 0 ? 0 : 1) << ' ';
+      else
+        os << " L";
+      os << part.end[0] << ' ' << -part.end[1];
+    });
+  os << (path.is_closed ? " Z\"/>\n" : "\"/>\n");
+}
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves that lie in one plane, such as those of a planar mesh, as an SVG file.
+
+Each curve is a `path` of lines and true circular arcs; an arc is not divided where it crosses edges of the mesh. Closed
+curves end with `Z`. All curves of one distance are in one group `g` with the distance as its attribute `data-distance`
+and as its title. One user unit is one unit of the mesh; the `viewBox` holds all curves and a margin.
+
+The plane may have any position. If it rises by less than half a right angle, it is drawn as a map: seen from above, with
+the y axis pointing up. So in a horizontal plane the coordinates of the paths are \f$ (x, -y) \f$, as the y axis of the
+format points down. Other planes are drawn as seen from the outside of the surface, with the z axis pointing up.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\param os the stream
+\param curves the curves
+\return whether the stream is still good.
+\throws std::invalid_argument if the faces that the curves cross do not lie in one plane, up to 1e-6 of their extent. Then
+        nothing has been written.
+*/
+template <class OffsetCurveRange>
+bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves)
+{
+  namespace internal = Surface_mesh_geodesic_offset_internal;
+  const internal::Plane_of_curves plane(curves);
+  std::map<double, std::vector<internal::Svg_path>> groups; // by distance
+  internal::Plane_box box;
+  for (const auto& curve : curves)
+  {
+    if (curve.number_of_pieces() == 0) continue;
+    std::vector<internal::Svg_path>& paths = groups[CGAL::to_double(curve.distance())];
+    paths.push_back({internal::plane_pieces(curve, plane), curve.is_closed()});
+    for (const internal::Plane_piece& piece : paths.back().pieces) box.add(piece);
+  }
+
+  const internal::Full_precision precision(os);
+  const double size = box.is_empty() ? 1 : std::hypot(box.size(0), box.size(1));
+  const double stroke = 0.002 * size, margin = 0.02 * size;
+  os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" viewBox=\"";
+  if (box.is_empty())
+    os << "0 0 1 1";
+  else
+    os << box.low(0) - margin << ' ' << -box.high(1) - margin << ' ' << box.size(0) + 2 * margin << ' '
+       << box.size(1) + 2 * margin;
+  os << "\">\n<title>geodesic offsets</title>\n<g fill=\"none\" stroke=\"black\" stroke-width=\"" << stroke
+     << "\" stroke-linejoin=\"round\">\n";
+  for (const auto& group : groups)
+  {
+    os << "<g data-distance=\"" << internal::exact_number(group.first) << "\"><title>distance "
+       << internal::short_number(group.first) << "</title>\n";
+    for (const internal::Svg_path& path : group.second) internal::write_path(os, path);
+    os << "</g>\n";
+  }
+  os << "</g>\n</svg>\n";
+  return os.good();
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks that pieces do not cross in any face: those of one level, and those of different levels. Pieces are swept by their
+// bounding boxes, so the time is O(n log n) and that of the pairs whose boxes overlap along one axis.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CROSSING_VALIDATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CROSSING_VALIDATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Crossing_validation
+{
+public:
+  Crossing_validation(double diagonal, const Validation_options& options, Validation_report& report)
+    : m_diagonal(diagonal), m_options(options), m_report(report)
+  {
+  }
+
+  void operator()(const std::vector<Validation_level>& levels)
+  {
+    std::vector<const Validation_piece*> pieces;
+    for (const Validation_level& l : levels)
+      for (const Validation_piece& p : l.pieces) pieces.push_back(&p);
+    std::sort(pieces.begin(), pieces.end(), [](const Validation_piece* a, const Validation_piece* b) {
+      return a->face != b->face ? a->face < b->face : a->low.x < b->low.x;
+    });
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t j = i + 1; j < pieces.size() && pieces[j]->face == pieces[i]->face &&
+                                  pieces[j]->low.x <= pieces[i]->high.x; ++j)
+        if (pieces[i]->may_meet(*pieces[j])) check(*pieces[i], *pieces[j]);
+  }
+
+private:
+  void check(const Validation_piece& a, const Validation_piece& b)
+  {
+    const double depth = a.crossing_depth(b) / m_diagonal;
+    ++m_report.compared_pairs;
+    m_report.worst_crossing = (std::max)(m_report.worst_crossing, depth);
+    m_report.check(a.level == b.level ? NO_CROSSING : NESTING, depth <= m_options.level_tolerance, [&] {
+      return "two pieces cross in face " + std::to_string(a.face) + ", " + validation_text(depth) + " diagonals deep";
+    });
+  }
+
+  double m_diagonal;
+  const Validation_options& m_options;
+  Validation_report& m_report;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,198 @@
+# Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests of the program's files share: counted checks, meshes in a plane, closed forms, and runs of the program.
+
+A test is a function that takes a `Bench`. The scripts are called with the path of the program and, if they hold several
+tests, the name of one. Their exit code is 77, for "skipped", where a reader is not installed.
+"""
+
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+
+checks = failures = 0
+
+
+def check(ok, text):
+    global checks, failures
+    checks += 1
+    if not ok:
+        failures += 1
+        if failures <= 20:
+            print("FAILED", text)
+    return ok
+
+
+def check_close(actual, expected, tolerance, text):
+    check(abs(actual - expected) <= tolerance, "%s: %.17g, expected %.17g, difference %.3g"
+          % (text, actual, expected, actual - expected))
+
+
+def skip(reader):
+    print("skipped: %s is not installed; before that, %d failures" % (reader, failures))
+    sys.exit(1 if failures else 77)
+
+
+class Plane:
+    """Isometric coordinates of a plane in space; right-handed if it is seen from its positive side."""
+
+    def __init__(self, origin=(0, 0, 0), u=(1, 0, 0), v=(0, 1, 0)):
+        self.origin, self.u, self.v = origin, u, v
+
+    def space(self, p):
+        return tuple(o + p[0] * a + p[1] * b for o, a, b in zip(self.origin, self.u, self.v))
+
+    def plane(self, p):
+        d = [a - b for a, b in zip(p, self.origin)]
+        return sum(a * b for a, b in zip(d, self.u)), sum(a * b for a, b in zip(d, self.v))
+
+
+HORIZONTAL = Plane((0, 0, 0.3))
+TILTED = Plane((0.5, -2, 1), (2 / 3, 2 / 3, 1 / 3), (-2 / 3, 1 / 3, 2 / 3))
+
+
+def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
+    """n x n squares of side 1 with moved vertices, in the plane. Of two sides, the second looks the other way."""
+    generator = random.Random(7)
+
+    def moved(i, inside):
+        return i + (generator.uniform(-0.24, 0.24) if inside else 0)
+
+    points, faces = [], []
+    for j in range(n + 1):
+        for i in range(n + 1):
+            points.append(embed((moved(i, 0 < i < n), moved(j, 0 < j < n))))
+    for j in range(n):
+        for i in range(n):
+            a = j * (n + 1) + i
+            b, c, d = a + 1, a + n + 2, a + n + 1
+            faces += [(a, b, c), (a, c, d)] if (i + j) % 2 else [(a, b, d), (b, c, d)]
+    if is_turned:
+        faces = [f[::-1] for f in faces]
+    if is_two_sided:
+        below = {}
+        for v, p in enumerate(points[:]):
+            is_inside = 0 < v % (n + 1) < n and 0 < v // (n + 1) < n
+            below[v] = len(points) if is_inside else v
+            if is_inside:
+                points.append(p)
+        faces += [tuple(below[v] for v in f[::-1]) for f in faces]
+    with open(path, "w") as out:
+        out.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
+        for p in points:
+            out.write("%.17g %.17g %.17g\n" % tuple(p))
+        for f in faces:
+            out.write("3 %d %d %d\n" % f)
+
+
+def polyline_text(points):
+    return "%d %s\n" % (len(points), " ".join("%.17g %.17g %.17g" % tuple(p) for p in points))
+
+
+A, B = (4.1, 5.2), (7.3, 6.4)  # the ends of the segment of the stadiums
+C = (6.3, 5.6)  # the center of the circles
+
+
+def from_segment(p):
+    """The distance from the segment, and the side: 1 left, 2 right, 3 beyond an end; None close to where it changes."""
+    ab, ap = (B[0] - A[0], B[1] - A[1]), (p[0] - A[0], p[1] - A[1])
+    length = math.hypot(*ab)
+    t = (ab[0] * ap[0] + ab[1] * ap[1]) / length
+    s = (ab[0] * ap[1] - ab[1] * ap[0]) / length
+    side = 3 if t < 0 or t > length else 1 if s > 0 else 2
+    if min(abs(t), abs(t - length), abs(s)) < 1e-6:
+        side = None
+    return math.hypot(t - min(max(t, 0), length), s), side
+
+
+def from_center(p):
+    return math.hypot(p[0] - C[0], p[1] - C[1])
+
+
+E = (10, 6.3)  # a center close to the border x = 12, and its image beyond the border
+
+
+def from_plate_center(p):
+    """The distance on the side of the plate where p is nearer."""
+    return math.hypot(p[0] - E[0], p[1] - E[1]), math.hypot(24 - p[0] - E[0], p[1] - E[1])
+
+
+LENGTH = math.hypot(B[0] - A[0], B[1] - A[1])
+
+
+def stadium(d):
+    return 2 * LENGTH + 2 * math.pi * d
+
+
+class Bench:
+    """A scratch folder in which the program runs."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run(self, *arguments):
+        """Returns the statistics."""
+        stats = self.path("stats.json")
+        result = subprocess.run([self.program, *map(str, arguments), "--stats", stats, "--quiet"],
+                                stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
+        text = "exit code %d: %s" % (result.returncode, result.stderr)
+        if not check(result.returncode == 0 and result.stderr == "", text):
+            raise SystemExit(1)
+        with open(stats) as file:
+            return json.load(file)
+
+    def segment(self, plane):
+        with open(self.path("segment.polylines.txt"), "w") as out:
+            out.write(polyline_text([plane.space(A), plane.space(B)]))
+        return "--source-polyline", self.path("segment.polylines.txt")
+
+    def center(self, plane):
+        return "--source-point", ",".join("%.17g" % x for x in plane.space(C))
+
+    def grid(self, plane, is_turned=False):
+        write_grid(self.path("grid.off"), plane.space, is_turned=is_turned)
+        return self.path("grid.off")
+
+    def plate(self, plane):
+        """The grid with its other side."""
+        write_grid(self.path("plate.off"), plane.space, is_two_sided=True)
+        return self.path("plate.off")
+
+    def ridge(self):
+        """A horizontal half, x < 6, and one that goes down; unfolded it is the grid."""
+        write_grid(self.path("ridge.off"), lambda p: ridge_point((6 if abs(p[0] - 6) < 0.25 else p[0], p[1])))
+        return self.path("ridge.off")
+
+
+def ridge_point(p):
+    return (p[0], p[1], 0) if p[0] <= 6 else (6 + 0.8 * (p[0] - 6), p[1], -0.6 * (p[0] - 6))
+
+
+def ridge_unfolded(p):
+    return (p[0], p[1]) if p[0] <= 6 else (6 + (p[0] - 6) / 0.8, p[1])
+
+
+def chain_length(points):
+    return sum(math.dist(p, q) for p, q in zip(points, points[1:]))
+
+
+def check_levels(stats, distances):
+    check([level["distance"] for level in stats["curves"]] == distances, "distances of the statistics")
+
+
+def run_test(**tests):
+    """The `main` of a script."""
+    if len(sys.argv) != 3 or not os.path.exists(sys.argv[1]) or sys.argv[2] not in tests:
+        print("usage: %s PROGRAM %s" % (os.path.basename(sys.argv[0]), "|".join(tests)))
+        sys.exit(2)
+    with tempfile.TemporaryDirectory() as folder:
+        tests[sys.argv[2]](Bench(sys.argv[1], folder))
+    print("%s: %d checks, %d failures" % (sys.argv[2], checks, failures))
+    sys.exit(0 if failures == 0 and checks > 0 else 1)

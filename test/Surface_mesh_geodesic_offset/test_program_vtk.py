@@ -1,0 +1,119 @@
+# Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Offsets in the formats .vtk and .obj, as VTK reads them."""
+
+import math
+
+from program_bench import (LENGTH, TILTED, chain_length, check, check_close, check_levels, from_center, from_segment,
+                           run_test, skip, stadium)
+
+
+def read_vtk(reader, path, with_values=True):
+    """Lines with their values, as a reader gives them that nobody told what to read."""
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+
+    def values(attributes):
+        count = attributes.GetNumberOfArrays() if with_values else 0
+        return {attributes.GetArrayName(k): attributes.GetArray(k) for k in range(count)}
+
+    cells, points = values(data.GetCellData()), values(data.GetPointData())
+    lines = []
+    for i in range(data.GetNumberOfCells()):
+        ids = data.GetCell(i).GetPointIds()
+        ids = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        lines.append({"points": [data.GetPoint(k) for k in ids], "is_closed": ids[0] == ids[-1],
+                      "cell": {name: array.GetTuple1(i) for name, array in cells.items()},
+                      "at": [{name: array.GetTuple1(k) for name, array in points.items()} for k in ids]})
+    check(data.GetNumberOfPoints() == sum(len(l["points"]) - l["is_closed"] for l in lines), "points that no line uses")
+    return lines, set(cells), set(points), data
+
+
+def test_vtk(bench):
+    try:
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+    except ImportError:
+        skip("python3-vtk9")
+    plane = TILTED
+    out = bench.path("out.vtk")
+    sources = (bench.grid(plane), *bench.center(plane), *bench.segment(plane))
+
+    # both sides of a segment, and a circle round a point that is farther away from it than their sum
+    far = ("--source-point", ",".join("%.17g" % x for x in plane.space((10.2, 2.1))))
+    stats = bench.run(sources[0], *far, *bench.segment(plane), "--distance", 1.25, "--distance", 0.5, "--tolerance", 1e-3,
+                      "--output", out)
+    check_levels(stats, [0.5, 1.25])
+    lines, cells, points, data = read_vtk(vtkPolyDataReader(), out)
+    check(cells == {"distance", "closed", "source", "side"}, "cell arrays %s" % cells)
+    check(points == {"source", "side"}, "point arrays %s" % points)
+    check(data.GetCellData().GetScalars().GetName() == "distance", "distance is active")
+    check(data.GetPointData().GetScalars() is None, "no values of points are active")
+    check(len(lines) == 4 == sum(level["number"] for level in stats["curves"]), "%d lines" % len(lines))
+    kinds = set()
+    seen_sides = set()
+    for line in lines:
+        cell, d = line["cell"], line["cell"]["distance"]
+        check(d in (0.5, 1.25) and cell["closed"] == 1 and line["is_closed"], "closed lines at their distances")
+        kinds.add((d, cell["source"], cell["side"]))
+        for p, at in zip(line["points"], line["at"]):
+            q = plane.plane(p)
+            distance, side = from_segment(q)
+            if at["source"] == 0:
+                distance, side = math.dist(q, (10.2, 2.1)), 0
+            check_close(distance, d, 1e-9, "a point of a line")
+            check(at["source"] in (0, 1) and (side is None or at["side"] == side), "source and side of a point")
+            seen_sides.add(at["side"])
+        exact = 2 * math.pi * d if cell["source"] == 0 else stadium(d)
+        length = chain_length(line["points"])
+        # an arc of radius r and angle a is longer than its chord of height h by about a r (8 h / r) / 24
+        check(exact - 1e-3 * exact / d <= length <= exact, "length %.17g of a line of %.17g" % (length, exact))
+    check(kinds == {(0.5, 0, 0), (1.25, 0, 0), (0.5, 1, -1), (1.25, 1, -1)}, "kinds of lines: %s" % kinds)
+    check(seen_sides == {0, 1, 2, 3}, "sides: %s" % seen_sides)
+
+    # one side: one open line, without the caps; round: with them
+    for side, value in (("left", 1), ("right", 2)):
+        bench.run(sources[0], *bench.segment(plane), "--distance", 0.75, "--side", side, "--output", out)
+        lines, _, _, _ = read_vtk(vtkPolyDataReader(), out)
+        if check(len(lines) == 1, "%d lines of the %s side" % (len(lines), side)):
+            check(lines[0]["cell"]["side"] == value and lines[0]["cell"]["closed"] == 0, "an open line of the %s side" % side)
+            check_close(chain_length(lines[0]["points"]), LENGTH, 1e-9, "the %s side" % side)
+            check(all(from_segment(plane.plane(p))[1] in (value, None) for p in lines[0]["points"]), "points are %s" % side)
+        bench.run(sources[0], *bench.segment(plane), "--distance", 0.75, "--side", side, "--end", "round",
+                  "--tolerance", 1e-6, "--output", out)
+        lines, _, _, _ = read_vtk(vtkPolyDataReader(), out)
+        check_close(sum(chain_length(l["points"]) for l in lines), LENGTH + 2 * math.pi * 0.75, 1e-4, "%s and caps" % side)
+    stats = bench.run(sources[0], *bench.segment(plane), "--distance", 0.75, "--end", "butt", "--output", out)
+    lines, _, _, _ = read_vtk(vtkPolyDataReader(), out)
+    check(sorted(l["cell"]["side"] for l in lines) == [1, 2], "both sides without caps")
+    check_close(stats["curves"][0]["length"], 2 * LENGTH, 1e-9, "length of both sides without caps")
+
+    # no curve at all is a file, too
+    bench.run(*sources, "--distance", 100, "--output", out)
+    check(len(read_vtk(vtkPolyDataReader(), out)[0]) == 0, "no lines")
+
+
+def test_obj(bench):
+    try:
+        from vtkmodules.vtkIOGeometry import vtkOBJReader
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+    except ImportError:
+        skip("python3-vtk9")
+    bench.run(bench.grid(TILTED), *bench.center(TILTED), "--spacing", 1.5, "--output", bench.path("out.obj"),
+              "--output", bench.path("out.vtk"))
+    expected = read_vtk(vtkPolyDataReader(), bench.path("out.vtk"))[0]
+    lines = read_vtk(vtkOBJReader(), bench.path("out.obj"), False)[0]
+    check(len(lines) == len(expected) > 4, "%d lines, expected %d" % (len(lines), len(expected)))
+    check({l["is_closed"] for l in lines} == {True, False}, "closed and open lines")
+    for line, other in zip(lines, expected):
+        check(line["is_closed"] == other["is_closed"] and len(line["points"]) == len(other["points"]), "sizes of lines")
+        for p, q in zip(line["points"], other["points"]):
+            check(math.dist(p, q) < 1e-5, "a point of a line")  # VTK reads this format in single precision
+            check_close(from_center(TILTED.plane(p)), other["cell"]["distance"], 1e-5, "distance of a point")
+    with open(bench.path("out.obj")) as file:
+        groups = [line.split() for line in file if line.startswith("g ")]
+    check(groups == [["g", "offset_%g" % d] for d in sorted({l["cell"]["distance"] for l in expected})], "groups %s" % groups)
+
+
+if __name__ == "__main__":
+    run_test(vtk=test_vtk, obj=test_obj)
