@@ -102,7 +102,8 @@ inline void print(std::ostream& out, const Validation_report& report)
       << " points on edges and " << report.separated_in_faces << " points in faces separated; "
       << report.oriented_pieces << " pieces oriented; " << report.compared_pairs
       << " pairs compared, crossing " << report.worst_crossing << " deep; " << report.areas
-      << " areas, undecided " << report.undecided_share / double(report.areas) << " on average, "
+      << " areas, undecided " << report.undecided_share / double((std::max)(report.areas, std::size_t(1)))
+      << " on average, "
       << report.worst_undecided_share << " at most; " << report.undecided_vertices
       << " vertices at the level; " << report.checks() << " checks, " << report.failures()
       << " failures";

@@ -65,7 +65,7 @@ std::vector<double> ten_levels(const test::Surface_mesh& mesh, const Geodesic& g
   return result;
 }
 
-// Of all cases.
+// Of several cases.
 struct Summary
 {
   std::size_t meshes = 0, cases = 0, exceptions = 0, forced_joints = 0;
@@ -76,6 +76,16 @@ Summary& summary()
 {
   static Summary s;
   return s;
+}
+
+// Of what has been run since the last time.
+void print_summary(const std::string& what)
+{
+  std::cout << what << ": " << summary().meshes << " meshes, " << summary().cases << " cases, "
+            << summary().exceptions << " exceptions; ";
+  print(std::cout, summary().report);
+  std::cout << "; " << summary().forced_joints << " joints forced" << std::endl;
+  summary() = Summary();
 }
 
 template <class AddSources>
@@ -306,6 +316,41 @@ void known_lengths()
       level, 2, 2, 2 * 12 * (1 - level), 2 * 12);
 }
 
+// Shortest paths that pass a flat vertex on their way along an edge: there the distance through the
+// vertex ties with the right one up to the square of the angle between path and edge, and the two
+// levels touch so closely that only far along they can be told apart.
+void nearly_along_an_edge()
+{
+  typedef Generated_mesh<test::Surface_mesh> Data;
+  for (const bool is_point : {false, true})
+    for (int i = 0; i < 8; ++i)
+      for (const double side : {-1., 1.})
+      {
+        const double tilt = side * 1e-7 * std::pow(4, i);
+        Soup soup;
+        soup.points = {Point_3(-7.5 - 3 * tilt, -3, 0), Point_3(-7.5 + 3 * tilt, 3, 0),
+                       Point_3(0, 0, 0), Point_3(6.3, 0, 0), Point_3(3.2, 5.2, 0),
+                       Point_3(3.1, -5.3, 0)};
+        for (const std::array<std::size_t, 3>& t :
+             std::vector<std::array<std::size_t, 3>>{
+               {{0, 2, 1}}, {{2, 3, 4}}, {{2, 5, 3}}, {{1, 2, 4}}, {{0, 5, 2}}})
+          soup.add_triangle(t);
+        const Data data(rotated(soup, unsigned(i + 1)));
+        run(std::string(is_point ? "point" : "edge") + " and edge along paths, " +
+              std::to_string(tilt),
+            data.mesh,
+            [&](Geodesic& g)
+            {
+              if (is_point)
+                g.add_source_point(Face_location(
+                  data.faces[0], {{0.25 + 0.5 * tilt, 0.5, 0.25 - 0.5 * tilt}}));
+              else
+                g.add_source_edges(std::vector<test::Surface_mesh::Edge_index>(
+                  1, data.mesh.edge(data.mesh.halfedge(data.vertices[0], data.vertices[1]))));
+            });
+      }
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -316,6 +361,8 @@ int main(int argc, char* argv[])
   if (name_part.empty())
   {
     known_lengths();
+    nearly_along_an_edge();
+    print_summary("edges along paths");
     const std::pair<const char*, Soup> generated[] = {
       {"torus", torus(20, 14)},
       {"icosphere", icosphere(2)},
@@ -333,6 +380,7 @@ int main(int argc, char* argv[])
     unsigned seed = 10;
     for (const auto& mesh : generated)
       run_all_sources(mesh.first, Generated_mesh<test::Surface_mesh>(mesh.second).mesh, ++seed);
+    print_summary("generated");
   }
   for (const std::filesystem::path& file : data_files())
   {
@@ -342,9 +390,6 @@ int main(int argc, char* argv[])
         read_data_mesh(file, maximum_faces, mesh).empty())
       run_all_sources(name, mesh, 3);
   }
-  std::cout << summary().meshes << " meshes, " << summary().cases << " cases, "
-            << summary().exceptions << " exceptions: ";
-  print(std::cout, summary().report);
-  std::cout << "; " << summary().forced_joints << " joints forced" << std::endl;
+  print_summary("data directory");
   return Report::instance().finish("test_offset_curves");
 }

@@ -140,7 +140,8 @@ private:
       m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
       return;
     }
-    const Point t = (FT(1) / length(s.b - s.a)) * (s.b - s.a);
+    const FT size = length(s.b - s.a);
+    const Point t = (FT(1) / size) * (s.b - s.a);
     const Point n = {-t.y, t.x};
     m_out.add_strip(s.face, s.a, s.b, n, left);
     m_out.add_strip(s.face, s.b, s.a, FT(-1) * n, right);
@@ -148,7 +149,8 @@ private:
     {
       const Point v = frame.corner(k) - s.a;
       const FT foot = dot(t, v);
-      if (CGAL::is_negative(foot) || foot > length(s.b - s.a)) continue;
+      const FT allowance = Number_policy<FT>::rounding(16) * (size + length(v)); // on the normal through an end
+      if (foot < -allowance || foot > size + allowance) continue;
       const FT height = dot(n, v);
       const Point back = CGAL::is_negative(height) ? n : FT(-1) * n;
       m_out.seed_corner(s.face, frame, k, CGAL::abs(height), back, CGAL::is_negative(height) ? right : left);
