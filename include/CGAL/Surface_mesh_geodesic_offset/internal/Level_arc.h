@@ -122,11 +122,15 @@ public:
     const Point u = center - image();
     const FT uu = dot(u, u);
     if (!CGAL::is_positive(uu)) return false;
-    // in units of u: a along u, h across
-    const FT a = FT(0.5) * (uu + (m_radius - radius) * (m_radius + radius)) / uu;
-    const FT h2 = m_radius * m_radius / uu - a * a;
+    // In units of u: a along u, h across. From the centre of the smaller circle: h is small where the circles touch, and
+    // would lose its digits otherwise.
+    const bool from_disk = radius < m_radius;
+    const FT own = from_disk ? radius : m_radius, other = from_disk ? m_radius : radius, d = length(u);
+    const FT a = FT(0.5) * ((d - other) * (d + other) + own * own) / uu;
+    const FT h2 = own * own / uu - a * a;
     if (!CGAL::is_positive(h2)) return false;
-    p = image() + a * u + (leave ? square_root<FT>(h2) : FT(-square_root<FT>(h2))) * quarter_turn(u);
+    p = (from_disk ? center - a * u : image() + a * u) +
+        (leave ? square_root<FT>(h2) : FT(-square_root<FT>(h2))) * quarter_turn(u);
     return true;
   }
 
