@@ -131,8 +131,8 @@ public:
     CGAL_precondition(tolerance > FT(0));
     if (is_segment()) return 1;
     // The height of an arc of radius r and angle s over its chord is r (1 - cos(s / 2)) = 2 r sin^2(s / 4).
-    const double half_sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));
-    const double largest = 4 * std::asin((std::min)(half_sine, 0.5));
+    const double sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));
+    const double largest = 4 * std::asin((std::min)(sine, 1.));
     const double n = std::ceil(CGAL::to_double(angle()) / (std::max)(largest, 1e-7));
     return n > 1 ? std::size_t(n) : 1;
   }
@@ -148,7 +148,8 @@ public:
   bool is_nearest_to_segment() const { return primitive().is_segment; }
 
   /// of a polyline: the number of the nearest segment, or of the nearest point, in the order given, from 0. Segment i
-  /// begins at point i. Of a set of edges: the number of the edge; if `!is_nearest_to_segment()`, the index of the vertex.
+  /// begins at point i. Segments that follow each other in a straight line, unfolded, act as one: then it is the number of
+  /// one of them. Of a set of edges: the number of the edge; if `!is_nearest_to_segment()`, the index of the vertex.
   /// 0 for a source point.
   std::size_t source_part() const { return primitive().part; }
 

@@ -72,10 +72,10 @@ public:
       const Index v = m_mesh.source(3 * face + k);
       const FT& d = m_field.distance[v];
       m_corner_bends[k] = CGAL::is_zero(d) || (Number_policy<FT>::is_finite(d) && m_mesh.can_be_pseudo_source(v));
-      if (!Number_policy<FT>::is_finite(d)) continue;
+      if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) continue; // rays from sources are among the local windows
       const Point& c = m_frame.corner(k);
       add(Window_in_face{c.x, c.y, d, m_frame.corner((k + 2) % 3), m_frame.corner((k + 1) % 3), m_field.root[v],
-                         Window<FT>::make_bits(false, CGAL::is_zero(d) ? no_index : v), STARTS_AT_CORNER,
+                         Window<FT>::make_bits(false, v), STARTS_AT_CORNER,
                          (unsigned char)(k)},
           d);
     }

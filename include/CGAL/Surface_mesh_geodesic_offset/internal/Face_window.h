@@ -21,7 +21,7 @@ enum Face_window_origin : unsigned char
   ENTERS_HALFEDGE_1 = 1,
   ENTERS_HALFEDGE_2 = 2,
   STARTS_IN_FACE = 3,    // a source primitive in the face
-  STARTS_AT_CORNER = 4   // the function d(v) + |p - v| of a corner
+  STARTS_AT_CORNER = 4   // what a source vertex sends into the face, or the function d(v) + |p - v| of another corner
 };
 
 // The cone lies between the rays through `left` and `right`, seen along the rays; less than a half turn wide (for

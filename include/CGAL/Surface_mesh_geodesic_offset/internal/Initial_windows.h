@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_sector.h>
 
 #include <algorithm>
 #include <vector>
@@ -46,7 +47,7 @@ public:
     FT b0, b1;
     Root root;
   };
-  struct Vertex_fan // rays from a vertex, see Vertex_sector::for_each_corner
+  struct Vertex_fan // rays from a source vertex, see Vertex_sector::for_each_corner
   {
     Index vertex;
     Ray from, to;
@@ -75,9 +76,13 @@ public:
       add_flat_sector(p, nullptr, nullptr, root);
   }
 
-  // Call once everything is added: orders the local windows by face.
+  // Call once everything is added: shows the fans in the faces round their vertices, and orders the local windows by face.
   void finish()
   {
+    for (const Vertex_fan& f : fans)
+      Vertex_sector<FT>(m_mesh).for_each_corner(f.from, f.to, f.first, [&](Index h, const Ray* lower, const Ray* upper) {
+        add_corner(h, lower, upper, f.root);
+      });
     std::stable_sort(local.begin(), local.end(),
                      [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
   }
@@ -174,6 +179,23 @@ public:
   }
 
 private:
+  // What a fan sends into one face, at its corner at the source of h; the rays are counterclockwise from `lower` to `upper`.
+  void add_corner(Index h, const Ray* lower, const Ray* upper, Root root)
+  {
+    const Vertex_sector<FT> sector(m_mesh);
+    const int k = int(h % 3), opposite = (k + 1) % 3;
+    const FT length = m_mesh[m_mesh.next(h)].length;
+    const FT right = lower ? FT(length - sector.exit_of_ray(h, *lower)) : FT(0);
+    const FT left = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
+    if (!(right < left)) return;
+    const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+    const Point& c = frame.corner(k);
+    local.push_back({m_mesh.face(h), Face_window<FT>{c.x, c.y, FT(0), frame.on_edge(opposite, left),
+                                                     frame.on_edge(opposite, right), root,
+                                                     Window<FT>::make_bits(false, no_index), STARTS_AT_CORNER,
+                                                     (unsigned char)(k)}});
+  }
+
   // Clips the chord to the side of the line through p with direction u where cross(u, . - p) has the given sign.
   static bool clip(const Point& p, const Point& u, const FT& sign, Point& right, Point& left)
   {

@@ -119,7 +119,9 @@ public:
     run.from = t;
     run.to = FT(1);
     if (!(t < FT(1))) return run;
-    if (is_covered(i, start + m_step * a.tangent(start))) return run;
+    // from the arc itself: where the last run was cut, the start lies inside by the allowance
+    const Point foot = a.point(t);
+    if (is_covered(i, foot + m_step * a.tangent(foot))) return run;
     run.end = a.end();
     for (int k = 0; k < 3; ++k)
     {
@@ -177,9 +179,11 @@ public:
   }
 
   // The joint of an arc and the next one, found where the next one was nearer by the allowance, moved to where both tie.
+  // Arcs that touch tie to rounding over a long way: there the end of a cone, where the joint is, says more.
   void refine_joint(std::size_t last, std::size_t next, Point& p) const
   {
     const Level_arc<FT>&a = m_arcs[last], &b = m_arcs[next];
+    if (CGAL::abs(cross(a.tangent(p), b.tangent(p))) < FT(1e-4)) return;
     Point q;
     if (!meet(a, b, false, q)) return;
     if (length(q - p) <= m_refine && a.outside_cone(q) <= m_tie && b.outside_cone(q) <= m_tie) p = q;

@@ -76,6 +76,15 @@ private:
     return false;
   }
 
+  // The number of the part of the run's arc that was followed before and that the run goes along; none if there is none.
+  std::size_t traversed_by(const Run& run) const
+  {
+    const FT slack(1e-7);
+    for (std::size_t i = m_last_traversed[run.arc]; i != none; i = m_traversed[i].previous)
+      if (run.from + slack < m_traversed[i].to && m_traversed[i].from + slack < run.to) return i;
+    return none;
+  }
+
   template <class Function>
   void trace_from_gate(std::size_t gate, const Function& out)
   {
@@ -148,9 +157,8 @@ private:
       std::size_t nearest = 0;
       m_runs.field().distance(p, nearest);
       const Face_window<FT>& w = m_runs.field().windows()[nearest];
-      const Point u = CGAL::is_positive(gap) ? (FT(1) / gap) * (end - p) : Point{FT(1), FT(0)};
-      const Point n = {u.y, -u.x};
-      m_chain.push_back(Piece{n, dot(n, p), p, end, m_runs.field().face(), w.root, w.pseudo_source(), true, 3, 3});
+      m_chain.push_back(Piece{w.is_parallel() ? FT(-1) * w.image() : w.image(), m_runs.level() - w.sigma, p, end,
+                              m_runs.field().face(), w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
     }
     else
       m_chain.back().end = end;
@@ -190,33 +198,35 @@ private:
     Point p = start;
     bool closed = false;
     std::size_t last_arc = i;
-    while (run.valid && run.gate == none)
+    while (run.valid && run.gate == none && !closed)
     {
-      if (!m_chain.empty() && run.arc == i && run.from <= t && t <= run.to)
-      { // back on the first arc
-        run.end = start;
+      const std::size_t known = traversed_by(run);
+      // what another chain, or an attempt in vain, has followed leads to no other end
+      if (known != none && known < own) break;
+      if (!m_chain.empty() && last_arc != run.arc) m_runs.refine_joint(last_arc, run.arc, p);
+      if (!m_chain.empty()) m_chain.back().end = p;
+      if (known != none)
+      { // back on this chain, maybe behind where it started
+        m_chain.erase(m_chain.begin(), m_chain.begin() + std::ptrdiff_t(known - own));
+        m_chain.front().start = p;
         closed = true;
-      }
-      // what has been followed before, by this chain or another one, leads to no other end
-      else if (is_traversed(run.arc, run.from + (run.to - run.from) / 2))
         break;
-      if (!m_chain.empty() && last_arc != run.arc)
-      {
-        m_runs.refine_joint(last_arc, run.arc, p);
-        m_chain.back().end = p;
       }
       last_arc = run.arc;
       add_piece(run, p);
       p = run.end;
-      if (m_traversed.size() > own + 1 && length(p - start) <= m_runs.tie()) closed = true;
-      if (closed || m_runs.depth(p) < -m_runs.tie()) break;
-      run = m_runs.best_run(p, run.arc, false);
+      if (m_chain.size() > 1 && length(p - start) <= m_runs.tie())
+      {
+        m_chain.back().end = start;
+        closed = true;
+      }
+      if (m_runs.depth(p) < -m_runs.tie()) break;
+      if (!closed) run = m_runs.best_run(p, run.arc, false);
     }
     // what is left between a gate and an arc that rounding has moved off it is no loop
     FT sum(0);
     for (const Piece& q : m_chain) sum += length(q.end - q.start);
     if (!closed || !(sum > FT(1e-6) * (std::min)(m_runs.face_size(), m_runs.level()))) return;
-    m_chain.back().end = start;
     drop_points();
     out(no_index, no_index, m_chain);
   }

@@ -41,6 +41,7 @@ public:
     for (const auto& l : m_initial.local)
     {
       m_state.schedule(l.face);
+      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays are those of a fan
       const Face_frame<FT> frame(m_mesh, l.face);
       for (int k = 0; k < 3; ++k)
         if (l.window.edge == 3 || l.window.edge == k) leave_face(l.face, frame, k, l.window);
@@ -78,7 +79,8 @@ private:
     if (g == no_index) return;
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.root, local.bits};
     frame.window_to_twin(k, w);
-    if (!CGAL::is_negative(w.y)) return;
+    // Rays along the edge do not leave through it. Rounding of the direction must not make them cross it.
+    if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
     const auto towards = [&](const Point_in_face<FT>& c) {
       return w.is_parallel() ? Point_in_face<FT>{-w.x, -w.y} : Point_in_face<FT>{c.x - w.x, c.y - w.y};
@@ -95,7 +97,18 @@ private:
     if (!(w.b0 < w.b1)) return;
     w.d0 = w.distance_at(w.b0);
     w.d1 = w.distance_at(w.b1);
-    m_state.add(g, w);
+    if (in_front(w)) m_state.add(g, w);
+  }
+
+  // Cuts off what rounding has left behind a segment.
+  static bool in_front(Window& w)
+  {
+    if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
+    if (!w.is_parallel() || (!CGAL::is_positive(w.d0) && !CGAL::is_positive(w.d1))) return false;
+    const FT b = w.b0 + (w.d0 / (w.d0 - w.d1)) * (w.b1 - w.b0);
+    (CGAL::is_negative(w.d0) ? w.b0 : w.b1) = b;
+    (CGAL::is_negative(w.d0) ? w.d0 : w.d1) = FT(0);
+    return w.b0 < w.b1;
   }
 
   // Clips the interval to the side of the ray from c with direction u where the cross product has the given sign.
@@ -142,22 +155,13 @@ private:
       const FT length = m_mesh[e].length;
       Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), root,
                Window::make_bits(false, pseudo_source)};
-      if (lower) w.b1 = exit_of_ray(h, *lower, length);
-      if (upper) w.b0 = exit_of_ray(h, *upper, length);
+      if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
+      if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
       if (!(w.b0 < w.b1)) return;
       w.d0 = w.distance_at(w.b0);
       w.d1 = w.distance_at(w.b1);
       m_state.add(g, w);
     });
-  }
-
-  // Where a ray from the source of h leaves the face, in the frame of the twin of the opposite edge.
-  FT exit_of_ray(Index h, const Ray& r, const FT& length) const
-  {
-    const FT b = cross(r.x, r.y, m_mesh[h].apex_x, m_mesh[h].apex_y), a = cross(r.x, r.y, m_mesh[h].length, FT(0));
-    if (!CGAL::is_positive(b)) return FT(0);
-    if (!CGAL::is_negative(a)) return length;
-    return (b / (b - a)) * length;
   }
 
   Wavefront_state<FT>& m_state;

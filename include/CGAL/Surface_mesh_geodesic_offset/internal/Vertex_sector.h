@@ -129,6 +129,16 @@ public:
     } while (c != no_index && c != start);
   }
 
+  // Where a ray from the source of h leaves the face, in the frame of the twin of the opposite edge.
+  FT exit_of_ray(Index h, const Ray& r) const
+  {
+    const FT length = (*m_mesh)[m_mesh->next(h)].length;
+    const FT b = cross(r.x, r.y, (*m_mesh)[h].apex_x, (*m_mesh)[h].apex_y), a = cross(r.x, r.y, (*m_mesh)[h].length, FT(0));
+    if (!CGAL::is_positive(b)) return FT(0);
+    if (!CGAL::is_negative(a)) return length;
+    return (b / (b - a)) * length;
+  }
+
 private:
   bool same_corner_in_order(const Ray& a, const Ray& b) const
   {
