@@ -156,6 +156,8 @@ public:
       Point right = frame.corner(k), left = frame.corner((k + 1) % 3);
       if (from && !clip(p, *from, FT(1), right, left)) continue;
       if (to && !clip(p, *to, FT(-1), right, left)) continue;
+      // where a polyline goes straight on up to rounding, its strips meet and nothing is between them
+      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) continue;
       local.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root,
                                              Window<FT>::make_bits(false, no_index), STARTS_IN_FACE,
                                              (unsigned char)(k)}});
@@ -187,7 +189,7 @@ private:
     const FT length = m_mesh[m_mesh.next(h)].length;
     const FT right = lower ? FT(length - sector.exit_of_ray(h, *lower)) : FT(0);
     const FT left = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
-    if (!(right < left)) return;
+    if (!(right + Number_policy<FT>::rounding(64) * length < left)) return;
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
     const Point& c = frame.corner(k);
     local.push_back({m_mesh.face(h), Face_window<FT>{c.x, c.y, FT(0), frame.on_edge(opposite, left),

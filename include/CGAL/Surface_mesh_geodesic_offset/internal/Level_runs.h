@@ -168,7 +168,7 @@ public:
       m_boxes.any_of(Box(p), [&](std::size_t i) {
         if (i == without) return false;
         const Level_arc<FT>& a = m_arcs[i];
-        if (CGAL::abs(a.excess(p)) > tie || a.outside_cone(p) > tie) return false;
+        if (CGAL::abs(a.excess(p)) > tie || a.outside_cone(p) > tie || !a.is_ahead(p)) return false;
         const Run run = run_of(i, (std::max)(FT(0), a.parameter(p)), p);
         if (run.valid && (!best.valid || run.length > best.length)) best = run;
         return false;
