@@ -31,7 +31,10 @@ public:
   // Everything that starts from the sources.
   void start()
   {
-    for (const auto& s : m_initial.seeds) m_state.update_vertex(s.vertex, s.distance, s.back, s.root);
+    // first the vertices that are sources, which have their own fans; then what reaches vertices, maybe at no distance
+    for (const bool is_source : {true, false})
+      for (const auto& s : m_initial.seeds)
+        if ((s.back.corner == no_index) == is_source) m_state.update_vertex(s.vertex, s.distance, s.back, s.root);
     for (const auto& f : m_initial.fans) spread(f.vertex, f.from, f.to, f.first, f.root, no_index);
     for (const auto& e : m_initial.edges)
     {
