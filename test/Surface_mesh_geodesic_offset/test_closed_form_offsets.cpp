@@ -127,9 +127,7 @@ public:
       const double error = std::abs(length - expected.length) / expected.length;
       CHECK_DETAIL(error <= 1e-11, values(length, expected.length));
       worst_length = (std::max)(worst_length, error);
-      // An arc behind a pseudo-source touches the one beside it, so over some 1e-7 of their length the two distances agree
-      // to rounding and either label is right.
-      CHECK_DETAIL(std::abs(bent_length - expected.bent_length) <= 1e-6 * expected.length,
+      CHECK_DETAIL(std::abs(bent_length - expected.bent_length) <= 1e-11 * expected.length,
                    values(bent_length, expected.bent_length));
       CHECK_DETAIL(arcs == expected.arcs || expected.arcs == any, std::to_string(arcs) + " arcs");
       ++levels;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
 #include <algorithm>
@@ -67,18 +68,7 @@ public:
     const auto range = local_windows(m_initial, face);
     for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
     m_has_local_sources = range.first != range.second;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index v = m_mesh.source(3 * face + k);
-      const FT& d = m_field.distance[v];
-      m_corner_bends[k] = CGAL::is_zero(d) || (Number_policy<FT>::is_finite(d) && m_mesh.can_be_pseudo_source(v));
-      if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) continue; // rays from sources are among the local windows
-      const Point& c = m_frame.corner(k);
-      add(Window_in_face{c.x, c.y, d, m_frame.corner((k + 2) % 3), m_frame.corner((k + 1) % 3), m_field.root[v],
-                         Window<FT>::make_bits(false, v), STARTS_AT_CORNER,
-                         (unsigned char)(k)},
-          d);
-    }
+    for (int k = 0; k < 3; ++k) add_corner(k);
   }
 
   Index face() const { return m_face; }
@@ -86,7 +76,6 @@ public:
   const std::vector<Window_in_face>& windows() const { return m_windows; }
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }
-  bool corner_bends(int k) const { return m_corner_bends[k]; }
 
   FT lower_bound() const
   {
@@ -121,6 +110,41 @@ private:
     m_lowest.push_back(lowest);
   }
 
+  // The function d(v) + |p - v| of a corner. Its cone is the part of the corner where shortest paths by way of the vertex
+  // go on; without extent if there is none: then the function is still a valid bound, but never the distance alone.
+  void add_corner(int k)
+  {
+    const Index h = 3 * m_face + Index(k), v = m_mesh.source(h);
+    const FT& d = m_field.distance[v];
+    // rays from sources are among the local windows
+    if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) return;
+    const Point& c = m_frame.corner(k);
+    const int opposite = (k + 1) % 3;
+    FT left = m_frame.edge_length(opposite), right(0);
+    if (!m_mesh.can_be_pseudo_source(v))
+      left = right;
+    else if (!m_mesh.has_several_fans(v) && m_field.back[v].corner != no_index)
+    {
+      const Vertex_sector<FT> sector(m_mesh);
+      FT part_left(0), part_right(0);
+      sector.for_each_sector_behind(m_field.back[v], [&](const auto& from, const auto& to, Index first) {
+        const Ray_at_vertex<FT>*lower, *upper;
+        if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
+        const FT r = lower ? FT(left - sector.exit_of_ray(h, *lower)) : FT(0);
+        const FT l = upper ? FT(left - sector.exit_of_ray(h, *upper)) : left;
+        if (!(r < l)) return;
+        // at a border vertex both sectors may be in one corner: the cone then holds them both
+        part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
+        part_left = (std::max)(part_left, l);
+      });
+      left = part_left;
+      right = part_right;
+    }
+    add(Window_in_face{c.x, c.y, d, m_frame.on_edge(opposite, left), m_frame.on_edge(opposite, right), m_field.root[v],
+                       Window<FT>::make_bits(false, v), STARTS_AT_CORNER, (unsigned char)(k)},
+        d);
+  }
+
   void add_window(const Window<FT>& w, int k)
   {
     Window_in_face f;
@@ -145,7 +169,6 @@ private:
   std::vector<Window_in_face> m_windows;
   std::vector<FT> m_lowest;
   bool m_has_local_sources = false;
-  bool m_corner_bends[3] = {false, false, false};
 };
 
 } // namespace internal

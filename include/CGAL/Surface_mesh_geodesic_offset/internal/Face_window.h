@@ -46,6 +46,9 @@ struct Face_window
   // Direction of the ray through the point p, not normalised.
   Point ray_direction(const Point& p) const { return is_parallel() ? Point{-x, -y} : Point{p.x - x, p.y - y}; }
 
+  // A cone without extent.
+  bool is_empty() const { return left.x == right.x && left.y == right.y; }
+
   FT distance_at(const Point& p) const
   {
     if (is_parallel()) return sigma - (x * p.x + y * p.y);

@@ -18,7 +18,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // False only if the directions of all rays in the face lie in an open half-plane: then the distance grows along the
-// middle one of them everywhere. (Corner functions count where shortest paths can bend at the corner; elsewhere they are
+// middle one of them everywhere. (Corner functions count where shortest paths go on behind the corner; elsewhere they are
 // never smaller than the rest.)
 template <class FT>
 bool may_have_interior_maximum(const Face_field<FT>& field)
@@ -31,7 +31,7 @@ bool may_have_interior_maximum(const Face_field<FT>& field)
   for (const Face_window<FT>& w : field.windows())
   {
     if (w.origin == STARTS_IN_FACE) return true;
-    if (w.origin == STARTS_AT_CORNER && !field.corner_bends(w.edge)) continue;
+    if (w.is_empty()) continue;
     const Point r = w.ray_direction(w.right), l = w.ray_direction(w.left);
     if (empty)
     {

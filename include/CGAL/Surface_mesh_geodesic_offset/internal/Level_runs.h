@@ -67,6 +67,7 @@ public:
     for (std::size_t i = 0; i < field.windows().size(); ++i)
     {
       const Face_window<FT>& w = field.windows()[i];
+      if (w.is_empty()) continue;
       const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + m_face_size + m_margin;
       if (field.lowest(i) < highest_level && bound >= lowest_level) m_cones.push_back({i, {w, frame, m_margin}});
     }

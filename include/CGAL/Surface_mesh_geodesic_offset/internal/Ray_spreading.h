@@ -58,16 +58,8 @@ public:
     m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
     const Ray back = m_state.field.back[v];
     const Root root = m_state.field.root[v];
-    const Ray from = m_sector.turn_ccw(back, 2), to = m_sector.turn_cw(back, 2);
-    const Index first = m_mesh.first_on_border(back.corner);
-    if (first != no_index)
-    {
-      if (from.corner != no_index) spread(v, from, Ray(), first, root, v);
-      if (to.corner != no_index) spread(v, Ray(), to, first, root, v);
-    }
-    // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
-    else if (!comes_first(back.corner, from.corner, to.corner))
-      spread(v, from, to, from.corner, root, v);
+    m_sector.for_each_sector_behind(
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v); });
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v);
@@ -124,13 +116,6 @@ private:
     if (CGAL::is_negative(g0)) w.b0 = b0 + (g0 / (g0 - g1)) * (b1 - b0);
     if (CGAL::is_negative(g1)) w.b1 = b1 + (g1 / (g1 - g0)) * (b0 - b1);
     return true;
-  }
-
-  bool comes_first(Index c, Index from, Index to) const
-  {
-    for (Index i = from; i != no_index && i != to; i = m_mesh.corner_ccw(i))
-      if (i == c) return true;
-    return false;
   }
 
   bool in_fan(Index c, Index first) const

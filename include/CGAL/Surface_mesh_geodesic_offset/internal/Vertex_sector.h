@@ -129,6 +129,37 @@ public:
     } while (c != no_index && c != start);
   }
 
+  // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
+  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner.
+  template <class Function>
+  void for_each_sector_behind(const Ray& back, const Function& f) const
+  {
+    const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
+    const Index first = m_mesh->first_on_border(back.corner);
+    if (first != no_index)
+    {
+      if (from.corner != no_index) f(from, Ray(), first);
+      if (to.corner != no_index) f(Ray(), to, first);
+    }
+    // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
+    else if (!comes_first(back.corner, from.corner, to.corner))
+      f(from, to, from.corner);
+  }
+
+  // The part of the directions [from, to] in the corner at the source of h: its bounding rays, null for the corner's own
+  // edges. False if there is none.
+  bool part_in_corner(const Ray& from, const Ray& to, Index first, Index h, const Ray*& lower, const Ray*& upper) const
+  {
+    bool found = false;
+    for_each_corner(from, to, first, [&](Index c, const Ray* l, const Ray* u) {
+      if (c != h) return;
+      found = true;
+      lower = l;
+      upper = u;
+    });
+    return found;
+  }
+
   // Where a ray from the source of h leaves the face, in the frame of the twin of the opposite edge.
   FT exit_of_ray(Index h, const Ray& r) const
   {
@@ -140,6 +171,13 @@ public:
   }
 
 private:
+  bool comes_first(Index c, Index from, Index to) const
+  {
+    for (Index i = from; i != no_index && i != to; i = m_mesh->corner_ccw(i))
+      if (i == c) return true;
+    return false;
+  }
+
   bool same_corner_in_order(const Ray& a, const Ray& b) const
   {
     return a.corner == b.corner && CGAL::is_positive(cross(a.x, a.y, b.x, b.y));
