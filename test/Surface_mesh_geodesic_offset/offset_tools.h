@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Offsets at a level, and what can be compared of two sets of offset curves.
+
+#ifndef GEODESIC_OFFSET_TEST_OFFSET_TOOLS_H
+#define GEODESIC_OFFSET_TEST_OFFSET_TOOLS_H
+
+#include "geodesic_types.h"
+#include "test_check.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+typedef Geodesic::Offset_curve Offset_curve;
+typedef Offset_curve::Piece Offset_piece;
+typedef Geodesic::Face_location Face_location;
+typedef std::vector<Offset_curve> Offset_curves;
+
+/// The offset curves at a distance, or at several.
+template <class Levels>
+Offset_curves offsets(const Geodesic& geodesic, const Levels& levels,
+                      const CGAL::Offset_selection& selection = CGAL::Offset_selection())
+{
+  Offset_curves result;
+  geodesic.offset_curves(levels, std::back_inserter(result), selection);
+  return result;
+}
+
+inline double total_length(const Offset_curves& curves)
+{
+  double sum = 0;
+  for (const Offset_curve& curve : curves) sum += curve.length();
+  return sum;
+}
+
+inline std::size_t number_of_closed(const Offset_curves& curves)
+{
+  return static_cast<std::size_t>(std::count_if(
+    curves.begin(), curves.end(), [](const Offset_curve& c) { return c.is_closed(); }));
+}
+
+/// All that tells one piece from another: where it lies, its ends, its circle or line, its source.
+typedef std::tuple<std::size_t, double, double, double, double, double, bool, std::size_t,
+                   std::size_t, int>
+  Piece_key;
+
+inline Piece_key key_of(const Offset_piece& p)
+{
+  return Piece_key(std::size_t(p.face()), p.start_2().x(), p.start_2().y(), p.end_2().x(),
+                   p.end_2().y(), p.is_arc() ? p.radius() : 0, p.is_arc(), p.source(),
+                   p.source_part(), int(p.side()));
+}
+
+/// The pieces of all curves, in an order of their own.
+inline std::vector<Piece_key> sorted_pieces(const Offset_curves& curves)
+{
+  std::vector<Piece_key> result;
+  for (const Offset_curve& curve : curves)
+    for (const Offset_piece& p : curve.pieces()) result.push_back(key_of(p));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Distance, closedness, length of each curve, in an order of their own.
+inline std::vector<std::tuple<double, bool, double>> sorted_curves(const Offset_curves& curves)
+{
+  std::vector<std::tuple<double, bool, double>> result;
+  for (const Offset_curve& curve : curves)
+    result.emplace_back(curve.distance(), curve.is_closed(), curve.length());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Whether two sets of curves agree in all distances, in closedness, and in length to 1e-12 of the
+/// sum of the length and `scale`. The largest difference goes to `worst`.
+inline bool same_curves(const Offset_curves& a, const Offset_curves& b, double scale, double& worst)
+{
+  const auto p = sorted_curves(a), q = sorted_curves(b);
+  if (p.size() != q.size()) return false;
+  bool same = true;
+  for (std::size_t i = 0; i < p.size(); ++i)
+  {
+    const double difference =
+      std::abs(std::get<2>(p[i]) - std::get<2>(q[i])) / (std::get<2>(q[i]) + scale);
+    worst = (std::max)(worst, difference);
+    same = same && std::get<0>(p[i]) == std::get<0>(q[i]) &&
+           std::get<1>(p[i]) == std::get<1>(q[i]) && difference <= 1e-12;
+  }
+  return same;
+}
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_OFFSET_TOOLS_H

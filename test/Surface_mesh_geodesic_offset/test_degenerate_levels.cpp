@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Levels that go through vertices, along edges, through maxima and saddles of the distance, beyond
+// it, and levels that are none. A level bounds the points that are strictly nearer. Most coordinates
+// are multiples of 1/8, so ties are exact.
+
+#include "level_check.h"
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+// A level through vertices (3-4-5 triangles), one that touches the border, one that meets it at
+// vertices, one through the farthest points, and beyond.
+void vertices_on_the_level()
+{
+  for (const Diagonals diagonals : all_diagonals)
+    for (double side : {0.25, 0.5})
+    {
+      const Square square(diagonals, side);
+      const auto source = square.vertices({{2, 2}});
+      for (double level : {0.25, 0.5, 0.75, 1., 1.25, 1.5, std::sqrt(2.), 2.})
+        check_level("vertex of a grid", square.mesh, source, level, {1, 1, 2 * pi * level});
+      const auto corners = [](double d) { return 4 * d * (pi / 2 - 2 * std::acos(2 / d)); };
+      check_level("vertices on the border", square.mesh, source, 2.5, {4, 0, corners(2.5), 10});
+      const double farthest = std::sqrt(8.);
+      check_level("the farthest points", square.mesh, source, farthest, {0, 0, 0});
+      const double just_below = farthest * (1 - 1e-6);
+      check_level("just below them", square.mesh, source, just_below,
+                  {4, 0, corners(just_below), 20});
+      check_level("beyond them", square.mesh, source, 3, {0, 0, 0});
+      check_level("far beyond them", square.mesh, source, 1e9, {0, 0, 0});
+    }
+}
+
+// Sources along a line of edges: whole edges lie on the level.
+void edges_on_the_level()
+{
+  for (const Diagonals diagonals : all_diagonals)
+  {
+    const Square square(diagonals, 0.25);
+    const auto line = square.polylines({{Point_2(0, 2), Point_2(4, 2)}});
+    for (double level : {0.125, 0.25, 0.5, 1., 1.75, 2.})
+      check_level("a line of edges", square.mesh, line, level, {2, 0, 8});
+    check_level("beyond the border edges", square.mesh, line, 2.5, {0, 0, 0});
+    const auto segment = square.polylines({{Point_2(1, 2), Point_2(3, 2)}});
+    for (double level : {0.25, 0.5, 0.75, 1.})
+      check_level("edges inside", square.mesh, segment, level, {1, 1, 4 + 2 * pi * level});
+    const auto slanted = square.polylines({{Point_2(1, 1), Point_2(3, 3)}});
+    for (double level : {std::sqrt(0.03125), std::sqrt(0.125), 0.75})
+      check_level("a diagonal", square.mesh, slanted, level,
+                  {1, 1, 2 * std::sqrt(8.) + 2 * pi * level});
+    // the maximum between two lines is a line: it bounds the points on either side of it
+    const auto two_lines =
+      square.polylines({{Point_2(0, 1), Point_2(4, 1)}, {Point_2(0, 2), Point_2(4, 2)}});
+    check_level("two lines, between", square.mesh, two_lines, 0.25, {4, 0, 16});
+    check_level("two lines, maximum", square.mesh, two_lines, 0.5, {4, 0, 16});
+    check_level("two lines, above", square.mesh, two_lines, 0.5 + 1e-9, {2, 0, 8});
+  }
+}
+
+// A saddle between two points, at a vertex or inside an edge: until there two curves, then one.
+void saddles()
+{
+  for (const Diagonals diagonals : all_diagonals)
+  {
+    const Square square(diagonals, 0.5);
+    for (double half : {0.5, 0.75})
+    {
+      const auto two = square.vertices({{2 - 0.5, 2}, {2 - 0.5 + 2 * half, 2}});
+      const auto one_curve = [half](double d) { return 4 * d * (pi - std::acos(half / d)); };
+      check_level("below the saddle", square.mesh, two, half * (1 - 1e-6),
+                  {2, 2, 4 * pi * half * (1 - 1e-6)});
+      check_level("the saddle", square.mesh, two, half, {2, 2, 4 * pi * half});
+      check_level("above the saddle", square.mesh, two, half * (1 + 1e-6),
+                  {1, 1, one_curve(half * (1 + 1e-6)), 1e4});
+      check_level("far above", square.mesh, two, half + 0.25, {1, 1, one_curve(half + 0.25), 40});
+    }
+    // a saddle that is a whole segment
+    const auto parallel =
+      square.polylines({{Point_2(1, 1.5), Point_2(3, 1.5)}, {Point_2(1, 2.5), Point_2(3, 2.5)}});
+    check_level("two segments, saddle", square.mesh, parallel, 0.5, {2, 2, 8 + 2 * pi});
+    check_level("two segments, above", square.mesh, parallel, 0.625,
+                {1, 1, 4 + 4 * 0.625 * (pi - std::acos(0.5 / 0.625)), 40});
+  }
+  // Round a tube of square section, period 4: the front meets itself at 2.
+  Soup tube;
+  const std::size_t around = 8, up = 10;
+  for (std::size_t j = 0; j <= up; ++j)
+    for (std::size_t i = 0; i < around; ++i)
+    {
+      const double u = 0.5 * double(i), v = 0.5 * double(j);
+      tube.points.push_back(u <= 1   ? Point_3(u, 0, v)
+                            : u <= 2 ? Point_3(1, u - 1, v)
+                            : u <= 3 ? Point_3(3 - u, 1, v)
+                                     : Point_3(0, 4 - u, v));
+    }
+  for (std::size_t j = 0; j < up; ++j)
+    for (std::size_t i = 0; i < around; ++i)
+    {
+      const std::size_t a = j * around + i, b = j * around + (i + 1) % around, c = b + around,
+                        d = a + around;
+      tube.add_triangle({{a, b, c}});
+      tube.add_triangle({{a, c, d}});
+    }
+  const Data data(tube);
+  for (std::size_t i : {0, 1})
+  {
+    const auto source = [&](Geodesic& g) { g.add_source_point(data.vertices[5 * around + i]); };
+    for (double level : {0.5, 1., 1.5, 2.})
+      check_level("tube", data.mesh, source, level, {1, 1, 2 * pi * level});
+    for (double level : {2 * (1 + 1e-6), 2.25, 2.5})
+      check_level("tube, above the saddle", data.mesh, source, level,
+                  {2, 2, level * (2 * pi - 4 * std::acos(2 / level)), 5000});
+  }
+}
+
+// A local maximum at a vertex, inside an edge, inside a face, on a segment.
+void maxima()
+{
+  for (const Diagonals diagonals : all_diagonals)
+  {
+    const Square square(diagonals, 0.5);
+    const auto boundary = [&](Geodesic& g)
+    {
+      std::vector<test::Surface_mesh::Edge_index> border;
+      for (auto e : edges(square.mesh))
+        if (square.mesh.is_border(e)) border.push_back(e);
+      g.add_source_edges(border);
+    };
+    for (double level : {0.25, 0.5, 1., 1.5, 2 - 1e-6})
+      check_level("the boundary of a square", square.mesh, boundary, level,
+                  {1, 1, 8 * (2 - level), 8});
+    check_level("the middle of a square", square.mesh, boundary, 2, {0, 0, 0});
+    const auto inner = square.polylines(
+      {{Point_2(0.5, 1), Point_2(3.5, 1), Point_2(3.5, 2), Point_2(0.5, 2)}}, true);
+    check_level("a rectangle", square.mesh, inner, 0.25,
+                {2, 2, 8 - 8 * 0.25 + 8 + 2 * pi * 0.25, 20});
+    // the maximum inside is a segment of length 2, met from all sides
+    check_level("a rectangle, maximum", square.mesh, inner, 0.5, {2, 2, 4 + 8 + pi, 20});
+  }
+  const Data cube(cube_grid(4)), coarse(box_sides(1, 1, 1).triangulated(0, 0, 1));
+  const auto middle_of_top = [&](Geodesic& g)
+  {
+    for (auto v : cube.vertices)
+      if (cube.mesh.point(v) == Point_3(0.5, 0.5, 1)) g.add_source_point(v);
+  };
+  check_level("cube, the opposite vertex", cube.mesh, middle_of_top, 2, {0, 0, 0});
+  // the loop round it: four arcs of radius d round points at distance 2, met at its corners (t, t)
+  const double d = 2 - 0.001, t = 1 - std::sqrt(d * d / 2 - 1);
+  check_level("cube, just below", cube.mesh, middle_of_top, d, {1, 1, 8 * d * std::asin(t / d), 9});
+  check_level("cube, round edges", cube.mesh, middle_of_top, 0.5, {1, 1, pi});
+  const auto corner = [&](Geodesic& g) { g.add_source_point(coarse.vertices[0]); };
+  for (double level : {0.5, 1.})
+    check_level("corner of a cube", coarse.mesh, corner, level, {1, 1, 1.5 * pi * level});
+
+  const Data tetrahedron(tetrahedron_sides().triangulated(0, 0, 1));
+  const auto apex = [&](Geodesic& g) { g.add_source_point(tetrahedron.vertices[0]); };
+  const double edge = std::sqrt(8.), middle = 2 * edge / std::sqrt(3.);
+  for (double level : {0.5, 1., edge * std::sqrt(0.75), 2.7, edge})
+    check_level("tetrahedron", tetrahedron.mesh, apex, level, {1, 1, pi * level, 10});
+  for (double level : {2.9, 3.2, middle * (1 - 1e-6)})
+    check_level("tetrahedron, opposite face", tetrahedron.mesh, apex, level,
+                {1, 1, 6 * level * (pi / 6 - std::acos(edge / level)), 40});
+  check_level("tetrahedron, the farthest point", tetrahedron.mesh, apex, middle * (1 + 1e-12),
+              {0, 0, 0});
+
+  // A thin rhombus: the distance falls slowly from its middle.
+  for (double half : {0.25, 0.0625, 0.0078125, 0.0009765625})
+  {
+    Soup rhombus;
+    rhombus.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, half, 0), Point_3(-1, 0, 0),
+                      Point_3(0, -half, 0)};
+    for (std::size_t i = 1; i <= 4; ++i) rhombus.add_triangle({{0, i, i % 4 + 1}});
+    const Data data(rhombus);
+    const auto boundary = [&](Geodesic& g)
+    {
+      std::vector<test::Surface_mesh::Edge_index> border;
+      for (auto e : edges(data.mesh))
+        if (data.mesh.is_border(e)) border.push_back(e);
+      g.add_source_edges(border);
+    };
+    Geodesic geodesic(data.mesh);
+    boundary(geodesic);
+    geodesic.build();
+    const double largest = geodesic.distance_to_sources(data.vertices[0]);
+    const std::string name = "rhombus of half width " + std::to_string(half);
+    check_level(name, data.mesh, boundary, largest, {0, 0, 0});
+    check_level(name + ", half", data.mesh, boundary, largest / 2,
+                {1, 1, 2 * std::hypot(1, half), 8 / half});
+  }
+}
+
+// A saddle vertex on the level: behind it the curve is an arc round it.
+void saddle_vertex()
+{
+  for (double turns : {1.25, 1.5})
+  {
+    const Cone cone(8, turns * 2 * pi, 1);
+    const Data data(cone.triangulated(25, 4, 5));
+    // the nearest neighbour of the apex
+    test::Surface_mesh::Vertex_index nearest = data.vertices[1];
+    const auto source = [&](Geodesic& g) { g.add_source_point(nearest); };
+    for (auto h : halfedges_around_target(data.mesh.halfedge(data.vertices[0]), data.mesh))
+      if (CGAL::squared_distance(data.mesh.point(data.mesh.source(h)),
+                                 data.mesh.point(data.vertices[0])) <
+          CGAL::squared_distance(data.mesh.point(nearest), data.mesh.point(data.vertices[0])))
+        nearest = data.mesh.source(h);
+    const double radius = std::sqrt(
+      CGAL::squared_distance(data.mesh.point(nearest), data.mesh.point(data.vertices[0])));
+    const double inner = std::cos(cone.sector_angle() / 2);
+    if (!CHECK(2.2 * radius < inner)) continue;
+    check_level("saddle vertex", data.mesh, source, radius, {1, 1, 2 * pi * radius, 10});
+    const double level = 1.1 * radius, behind = level - radius;
+    // the whole circle, and an arc round the vertex
+    check_level("behind a saddle vertex", data.mesh, source, level,
+                {1, 1, 2 * pi * level + behind * (cone.total_angle - 2 * pi), 10});
+  }
+}
+
+template <class Function>
+void check_refused(const Function& f)
+{
+  std::string message = "nothing was thrown";
+  try
+  {
+    f();
+  }
+  catch (const std::invalid_argument& e)
+  {
+    message = e.what();
+  }
+  CHECK_DETAIL(message.find("must be a positive finite number") != std::string::npos, message);
+}
+
+void levels_that_are_no_distances()
+{
+  Report::instance().set_context("bad levels");
+  const Square square(Diagonals::forward, 1);
+  Geodesic geodesic(square.mesh);
+  square.vertices({{2, 2}})(geodesic);
+  geodesic.build();
+  const double distance = geodesic.distance_to_sources(square.vertex(0, 0));
+  square.vertices({{1, 1}})(geodesic); // would change the next build
+  Offset_curves curves;
+  const auto never = [](double, Offset_curves&&) { CHECK(!"a curve of a bad level"); };
+  for (double level : {0., -0., -1., -1e-300, infinity, -infinity, std::nan("")})
+  {
+    check_refused([&] { geodesic.offset_curves(level, std::back_inserter(curves)); });
+    check_refused(
+      [&] {
+        geodesic.offset_curves(std::vector<double>{1, level}, std::back_inserter(curves));
+      });
+    check_refused([&] { geodesic.offset_curves_by_distance(level, never); });
+    check_refused([&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves)); });
+    check_refused(
+      [&] {
+        geodesic.build_with_offset_curves_by_distance(std::vector<double>{level, 1}, never);
+      });
+    check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level); });
+    check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level, 3); });
+  }
+  CHECK(curves.empty());
+  CHECK(geodesic.distance_to_sources(square.vertex(0, 0)) ==
+        distance); // the last build is still there
+  geodesic.offset_curves(std::vector<double>(), std::back_inserter(curves));
+  geodesic.offset_curves(CGAL::Offset_levels<double>::equally_spaced(0.5, 0),
+                         std::back_inserter(curves));
+  CHECK(curves.empty());
+  geodesic.offset_curves(1e-300, std::back_inserter(curves)); // positive is enough
+  geodesic.offset_curves(std::numeric_limits<double>::denorm_min(), std::back_inserter(curves));
+  curves.clear();
+  geodesic.offset_curves(std::vector<double>{4, 5, 1e300}, std::back_inserter(curves));
+  CHECK(curves.empty());
+}
+
+} // namespace
+
+int main()
+{
+  vertices_on_the_level();
+  edges_on_the_level();
+  saddles();
+  maxima();
+  saddle_vertex();
+  levels_that_are_no_distances();
+  print_level_totals();
+  return Report::instance().finish("test_degenerate_levels");
+}

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Sources that touch, cross, overlap, repeat points, and lie along the boundary. Most coordinates
+// are multiples of 1/8, so ties are exact.
+
+#include "level_check.h"
+
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+void sources_that_meet()
+{
+  for (const Diagonals diagonals : all_diagonals)
+  {
+    const Square square(diagonals, 0.5);
+    typedef std::vector<Point_2> Line;
+    const auto plus = [](double d) { return 8 * (1 - d) + 4 * pi * d; };
+    const auto bar = [](double l, double d) { return 2 * l + 2 * pi * d; };
+    for (double d : {0.125, 0.25, 0.5, 0.75})
+    {
+      check_level("crossing", square.mesh, square.polylines({{{1, 2}, {3, 2}}, {{2, 1}, {2, 3}}}),
+                  d, {1, 1, plus(d), 10});
+      check_level(
+        "crossing inside a face", square.mesh,
+        square.polylines({{{1.125, 2.25}, {3.125, 2.25}}, {{2.125, 1.25}, {2.125, 3.25}}}), d,
+        {1, 1, plus(d), 10});
+      check_level("touching at ends", square.mesh,
+                  square.polylines({{{1, 2}, {2, 2}}, {{2, 2}, {3, 2}}}), d, {1, 1, bar(2, d)});
+      check_level("touching within", square.mesh,
+                  square.polylines({{{1, 2}, {3, 2}}, {{2, 2}, {2, 3}}}), d,
+                  {1, 1, 2 + 4 * (1 - d) + 3 * pi * d, 10});
+      check_level("overlapping", square.mesh,
+                  square.polylines({{{1, 2}, {2.5, 2}}, {{1.75, 2}, {3, 2}}}), d,
+                  {1, 1, bar(2, d)});
+      const Line line{{1, 2}, {3, 2}}, slanted{{1.125, 1.25}, {2.75, 2.5}};
+      const Line back(line.rbegin(), line.rend()), slanted_back(slanted.rbegin(), slanted.rend());
+      check_level("twice", square.mesh, square.polylines({line, line}), d, {1, 1, bar(2, d)});
+      check_level("there and back", square.mesh, square.polylines({line, back}), d,
+                  {1, 1, bar(2, d)});
+      check_level("slanted, there and back", square.mesh,
+                  square.polylines({slanted, slanted_back, slanted}), d,
+                  {1, 1, bar(distance(slanted[0], slanted[1]), d)});
+      check_level("one polyline there and back", square.mesh,
+                  square.polylines({{{1, 2}, {3, 2}, {1, 2}}}), d, {1, 1, bar(2, d)});
+      check_level("repeated points", square.mesh,
+                  [&](Geodesic& g)
+                  {
+                    std::vector<Face_location> locations;
+                    for (const Face_location& l : square.plane.path(slanted, false).locations)
+                      locations.insert(locations.end(), 3, l);
+                    g.add_source_polyline(locations);
+                  },
+                  d, {1, 1, bar(distance(slanted[0], slanted[1]), d)});
+      check_level("a vertex twice", square.mesh, square.vertices({{2, 2}, {2, 2}}), d,
+                  {1, 1, 2 * pi * d});
+      check_level("points on a line", square.mesh,
+                  [&](Geodesic& g)
+                  {
+                    square.vertices({{2, 2}, {1, 2}})(g);
+                    square.polylines({line})(g);
+                  },
+                  d, {1, 1, bar(2, d)});
+    }
+    for (double d : {0.25, 0.5, 1., 1.5})
+    {
+      check_level("along the border", square.mesh, square.polylines({{{0, 0}, {4, 0}}}), d,
+                  {1, 0, 4});
+      check_level("a part of the border", square.mesh, square.polylines({{{1.75, 0}, {2.25, 0}}}),
+                  d, {1, 0, 0.5 + pi * d});
+      check_level("the boundary as a polyline", square.mesh,
+                  square.polylines({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, true), d,
+                  {1, 1, 8 * (2 - d), 8});
+      check_level("the boundary turned round", square.mesh,
+                  square.polylines({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}}, true), d,
+                  {1, 1, 8 * (2 - d), 8});
+    }
+  }
+}
+
+// A segment from the middle of an edge to the middle of the next one, whose end normals run along
+// edges: the distance at all vertices.
+void segments_between_edges()
+{
+  for (const Diagonals diagonals : all_diagonals)
+    for (double side : {0.5, 1.})
+    {
+      const Square square(diagonals, side);
+      Report::instance().set_context("between edges, side " + std::to_string(side));
+      for (double x = side / 2; x + side < 4; x += side / 2)
+        for (double y = side / 2; y < 4; y += side / 2)
+          for (const bool upright : {false, true})
+          {
+            const Point_2 a(x, y), b(x + side / 2, y);
+            const Point_2 p(upright ? a.y() : a.x(), upright ? a.x() : a.y());
+            const Point_2 q(upright ? b.y() : b.x(), upright ? b.x() : b.y());
+            Geodesic geodesic(square.mesh);
+            square.plane.add(geodesic, {p, q});
+            geodesic.build();
+            Worst_error worst(1e-12, 4);
+            for (auto v : square.mesh.vertices())
+            {
+              const Point_3 z = square.mesh.point(v);
+              CHECK_CLOSE(worst, geodesic.distance_to_sources(v),
+                          segment_distance(Point_2(z.x(), z.y()), p, q));
+            }
+          }
+    }
+}
+
+} // namespace
+
+int main()
+{
+  sources_that_meet();
+  segments_between_edges();
+  print_level_totals();
+  return Report::instance().finish("test_degenerate_sources");
+}

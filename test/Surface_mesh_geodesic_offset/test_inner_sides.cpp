@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Offsets inside and outside of closed polylines: inside is the side with the smaller area,
+// whichever way the polyline runs. Polylines that have no inside are refused.
+
+#include "planar_polyline.h"
+#include "plane_section.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+using CGAL::Offset_end;
+using CGAL::Offset_side;
+
+typedef std::vector<Point_2> Line;
+typedef Generated_mesh<test::Surface_mesh> Data;
+
+Line reversed(const Line& line)
+{
+  return Line(line.rbegin(), line.rend());
+}
+
+void check(const Geodesic& geodesic, double level, Offset_side side, std::size_t curves,
+           double length)
+{
+  const Offset_curves found = offsets(geodesic, level, side);
+  CHECK_DETAIL(found.size() == curves && number_of_closed(found) == curves,
+               std::to_string(found.size()) + " curves, " +
+                 std::to_string(number_of_closed(found)) + " closed");
+  CHECK_DETAIL(std::abs(total_length(found) - length) <= 1e-11 * length,
+               values(total_length(found), length));
+}
+
+// A square of side 2 round (2, 2), both ways round.
+void squares(const std::string& name, const Planar_mesh& plane)
+{
+  const Line square{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
+  for (const bool clockwise : {false, true})
+    for (const bool keep : {true, false})
+    {
+      Report::instance().set_context(name + (clockwise ? ", clockwise" : ", counterclockwise"));
+      Geodesic geodesic(plane.data.mesh);
+      plane.add(geodesic, clockwise ? reversed(square) : square, true);
+      geodesic.build(CGAL::parameters::keep_windows(keep));
+      for (double d : {0.125, 0.25, 0.5, 0.75})
+      {
+        const double inner = 8 * (1 - d), outer = 8 + 2 * CGAL_PI * d;
+        check(geodesic, d, Offset_side::INSIDE, 1, inner);
+        check(geodesic, d, Offset_side::OUTSIDE, 1, outer);
+        check(geodesic, d, Offset_side::BOTH, 2, inner + outer);
+        check(geodesic, d, clockwise ? Offset_side::RIGHT : Offset_side::LEFT, 1, inner);
+        check(geodesic, d, clockwise ? Offset_side::LEFT : Offset_side::RIGHT, 1, outer);
+      }
+    }
+}
+
+// A clockwise hole in a counterclockwise square: left of both is the ring, inside of each is its
+// own.
+void hole(const Planar_mesh& plane)
+{
+  Report::instance().set_context("a hole");
+  Geodesic geodesic(plane.data.mesh);
+  const Line outer{{0.75, 0.75}, {3.25, 0.75}, {3.25, 3.25}, {0.75, 3.25}};
+  const Line inner{{1.75, 1.75}, {2.25, 1.75}, {2.25, 2.25}, {1.75, 2.25}};
+  plane.add(geodesic, outer, true);
+  plane.add(geodesic, reversed(inner), true);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const double d = 0.125, round = 2 * CGAL_PI * d;
+  check(geodesic, d, Offset_side::LEFT, 2, 10 - 8 * d + 2 + round);
+  check(geodesic, d, Offset_side::RIGHT, 2, 10 + round + 2 - 8 * d);
+  check(geodesic, d, Offset_side::INSIDE, 2, 10 - 8 * d + 2 - 8 * d);
+  check(geodesic, d, Offset_side::OUTSIDE, 2, 10 + round + 2 + round);
+}
+
+// More than half of the surface: then the rest is inside.
+void large(const Planar_mesh& plane)
+{
+  Report::instance().set_context("a large square");
+  for (const bool clockwise : {false, true})
+  {
+    Geodesic geodesic(plane.data.mesh);
+    const Line square{{0.5, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {0.5, 3.5}}; // 9 of 16
+    plane.add(geodesic, clockwise ? reversed(square) : square, true);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    check(geodesic, 0.25, Offset_side::INSIDE, 1, 12 + 2 * CGAL_PI * 0.25);
+    check(geodesic, 0.25, Offset_side::OUTSIDE, 1, 12 - 8 * 0.25);
+  }
+}
+
+// Points and edges are kept whatever is chosen.
+void with_points(const Planar_mesh& plane)
+{
+  Report::instance().set_context("with points");
+  Geodesic geodesic(plane.data.mesh);
+  const Line square{{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  plane.add(geodesic, square, true);
+  geodesic.add_source_point(plane.location(Point_2(3.25, 3.25)));
+  geodesic.add_source_point(plane.location(Point_2(1.5, 1.5)));
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const double d = 0.125, circles = 2 * 2 * CGAL_PI * d, inner = 4 - 8 * d,
+               outer = 4 + 2 * CGAL_PI * d;
+  check(geodesic, d, Offset_side::INSIDE, 3, circles + inner);
+  check(geodesic, d, Offset_side::OUTSIDE, 3, circles + outer);
+  check(geodesic, d, Offset_side::LEFT, 3, circles + inner);
+  check(geodesic, d, Offset_side::RIGHT, 3, circles + outer);
+  for (const Offset_curve& curve : offsets(geodesic, d, Offset_side::OUTSIDE))
+    for (const Offset_piece& piece : curve.pieces())
+      CHECK((piece.side() == CGAL::Source_side::NONE) == (piece.source() != 0));
+  // a closed polyline without extent is a point
+  geodesic.clear_sources();
+  geodesic.add_source_polyline(std::vector<Face_location>(3, plane.location(Point_2(1.5, 1.5))),
+                               true);
+  geodesic.build();
+  check(geodesic, d, Offset_side::INSIDE, 1, 2 * CGAL_PI * d);
+}
+
+// Within one face: all corners of the face are outside.
+void in_one_face()
+{
+  const Planar_mesh plane(random_rectangle(4, 4, 0, 0, 1)); // two triangles
+  const Line triangle{{3, 0.5}, {3.5, 0.5}, {3.5, 1}}, other{{0.5, 3}, {1, 3.5}, {0.5, 3.5}};
+  for (const Line& line : {triangle, reversed(triangle), other, reversed(other)})
+  {
+    Report::instance().set_context("in one face");
+    Geodesic geodesic(plane.data.mesh);
+    plane.add(geodesic, line, true);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const double perimeter = 1 + std::sqrt(0.5),
+                 d = 0.0625; // a right isosceles triangle with legs 1/2
+    const double radius =
+      0.25 / perimeter; // of its inscribed circle: twice the area over the perimeter
+    check(geodesic, d, Offset_side::INSIDE, 1, perimeter * (1 - d / radius));
+    check(geodesic, d, Offset_side::OUTSIDE, 1, perimeter + 2 * CGAL_PI * d);
+  }
+}
+
+// Sections of a cube at any height: the part with the smaller area is inside, however few faces
+// there are.
+void sections_of_boxes()
+{
+  for (std::size_t n : {0, 1, 4})
+    for (double z : {0.1, 0.3, 0.45, 0.55, 0.7, 0.9})
+      for (const double up : {1., -1.})
+      {
+        const Data box(n == 0 ? box_sides(1, 1, 1).triangulated(0, 0, 1) : cube_grid(n));
+        Report::instance().set_context("cube of " + std::to_string(box.faces.size()) +
+                                       " faces cut at " + std::to_string(z) +
+                                       (up > 0 ? ", upper" : ", lower") + " side on the left");
+        const auto sections = plane_section(box.mesh, Point_3(0, 0, z), Vector_3(0, 0, up));
+        if (!CHECK(sections.size() == 1 && sections[0].closed)) continue;
+        Geodesic geodesic(box.mesh);
+        geodesic.add_source_polyline(sections[0].locations, true);
+        geodesic.build(CGAL::parameters::keep_windows(true));
+        for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
+        {
+          const Offset_curves curves = offsets(geodesic, 0.05, side);
+          CHECK_DETAIL(curves.size() == 1 && std::abs(total_length(curves) - 4) <= 1e-11,
+                       std::to_string(curves.size()) + " curves");
+          const bool above = (z > 0.5) == (side == Offset_side::INSIDE);
+          for (const Offset_curve& c : curves)
+            for (const Offset_piece& p : c.pieces()) CHECK((p.point(0.5).z() > z) == above);
+        }
+      }
+}
+
+template <class Function>
+void check_refused(const Function& f, const std::string& what)
+{
+  std::string message = "nothing was thrown";
+  try
+  {
+    f();
+  }
+  catch (const std::invalid_argument& e)
+  {
+    message = e.what();
+  }
+  CHECK_DETAIL(message.find(what) != std::string::npos, message);
+}
+
+// Both selections, from all functions; left and right are still there, and so is the last build.
+void check_without_inside(const test::Surface_mesh& mesh,
+                          const std::vector<Face_location>& locations, bool closed, double level,
+                          const std::string& what)
+{
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(locations[0]);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const auto v = *vertices(mesh).begin();
+  const double distance = geodesic.distance_to_sources(v);
+  geodesic.clear_sources();
+  geodesic.add_source_polyline(locations, closed);
+  Offset_curves curves;
+  const auto never = [](double, Offset_curves&&)
+  { CHECK(!"a curve of a selection that is refused"); };
+  for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
+  {
+    const auto none = CGAL::parameters::default_values();
+    check_refused(
+      [&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), none, side); },
+      what);
+    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, none, side); },
+                  what);
+    CHECK(geodesic.distance_to_sources(v) == distance);
+  }
+  for (const bool keep : {false, true})
+  {
+    geodesic.build(CGAL::parameters::keep_windows(keep));
+    for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
+    {
+      check_refused([&] { geodesic.offset_curves(level, std::back_inserter(curves), side); }, what);
+      check_refused([&] { geodesic.offset_curves_by_distance(level, never, side); }, what);
+    }
+    CHECK(curves.empty());
+    const auto both =
+      sorted_pieces(offsets(geodesic, level, {Offset_side::BOTH, Offset_end::BUTT}));
+    const auto left =
+      sorted_pieces(offsets(geodesic, level, {Offset_side::LEFT, Offset_end::BUTT}));
+    const auto right =
+      sorted_pieces(offsets(geodesic, level, {Offset_side::RIGHT, Offset_end::BUTT}));
+    CHECK(!left.empty() && !right.empty() && left.size() + right.size() == both.size());
+  }
+}
+
+void no_inside()
+{
+  const std::string closed = "does not divide the surface",
+                    open = "is an open polyline and has no inside";
+  for (const auto& size :
+       {std::make_pair(3, 3), std::make_pair(4, 3), std::make_pair(8, 5), std::make_pair(20, 14)})
+  {
+    const std::size_t n = std::size_t(size.first), m = std::size_t(size.second);
+    const Data data(torus(n, m));
+    const Locations<test::Surface_mesh> on_mesh(data.mesh);
+    const auto at = [&](std::size_t i, std::size_t j)
+    { return on_mesh.at_vertex(data.vertices[(i % n) * m + j % m]); };
+    std::vector<Face_location> meridian, longitude, both_ways;
+    for (std::size_t j = 0; j < m; ++j) meridian.push_back(at(0, j));
+    for (std::size_t i = 0; i < n; ++i) longitude.push_back(at(i, 0));
+    for (std::size_t i = 0; i < n * m; ++i) both_ways.push_back(at(i, i)); // along diagonals
+    const std::string name = "torus of " + std::to_string(n) + " x " + std::to_string(m) + ", ";
+    Report::instance().set_context(name + "meridian");
+    check_without_inside(data.mesh, meridian, true, 0.1, closed);
+    Report::instance().set_context(name + "longitude");
+    check_without_inside(data.mesh, longitude, true, 0.1, closed);
+    Report::instance().set_context(name + "open");
+    check_without_inside(data.mesh, meridian, false, 0.05, open);
+    // a square of two faces divides
+    Report::instance().set_context(name + "square");
+    for (const bool turned : {false, true})
+    {
+      std::vector<Face_location> square{at(1, 1), at(2, 1), at(2, 2), at(1, 2)};
+      if (turned) std::reverse(square.begin(), square.end());
+      Geodesic geodesic(data.mesh);
+      geodesic.add_source_polyline(square, true);
+      geodesic.build();
+      const Offset_curves inside = offsets(geodesic, 0.01, Offset_side::INSIDE),
+                          outside = offsets(geodesic, 0.01, Offset_side::OUTSIDE);
+      CHECK(inside.size() == 1 && outside.size() == 1);
+      CHECK(total_length(inside) < total_length(outside));
+    }
+  }
+  // along a seam that every face touches
+  const Data data(torus(3, 3));
+  const Locations<test::Surface_mesh> on_mesh(data.mesh);
+  std::vector<Face_location> seam;
+  for (std::size_t k = 0; k < 9; ++k) // three times round one way and once round the other
+    seam.push_back(on_mesh.at_vertex(data.vertices[(k % 3) * 3 + (k / 3)]));
+  Report::instance().set_context("torus of 3 x 3, seam through all vertices");
+  check_without_inside(data.mesh, seam, true, 0.02, closed);
+}
+
+template <class Function>
+void guarded(const Function& f)
+{
+  try
+  {
+    f();
+  }
+  catch (const std::exception& e)
+  {
+    CHECK_DETAIL(!"an exception was thrown", e.what());
+  }
+}
+
+} // namespace
+
+int main()
+{
+  for (const Diagonals diagonals :
+       {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random})
+    for (double side : {0.25, 0.5, 1.})
+    {
+      const Planar_mesh plane(
+        planar_grid(std::size_t(4 / side), std::size_t(4 / side), diagonals, side));
+      guarded([&] { squares("grid", plane); });
+      if (side < 1) guarded([&] { hole(plane); });
+      guarded([&] { large(plane); });
+      guarded([&] { with_points(plane); });
+    }
+  const Planar_mesh rectangle(random_rectangle(4, 4, 150, 5, 3)),
+    two_triangles(random_rectangle(4, 4, 0, 0, 1));
+  guarded([&] { squares("rectangle", rectangle); });
+  guarded([&] { hole(rectangle); });
+  guarded([&] { large(rectangle); });
+  guarded([&] { squares("two triangles", two_triangles); });
+  guarded(in_one_face);
+  guarded(sections_of_boxes);
+  guarded(no_inside);
+  return Report::instance().finish("test_inner_sides");
+}

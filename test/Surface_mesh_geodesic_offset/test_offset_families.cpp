@@ -1,0 +1,388 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Families of offsets: all ways to ask for them give the same curves, one propagation serves any
+// number of levels, curves come by distance while the front is on its way, and queries run in
+// several threads.
+
+#include "data_meshes.h"
+#include "generated_meshes.h"
+#include "offset_tools.h"
+#include "plane_section.h"
+
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace test;
+typedef CGAL::Offset_levels<double> Levels;
+
+double worst_length = 0;
+std::size_t number_of_curves = 0;
+
+double largest_distance(const test::Surface_mesh& mesh, const Geodesic& geodesic)
+{
+  double largest = 0;
+  for (auto v : vertices(mesh))
+    if (std::isfinite(geodesic.distance_to_sources(v)))
+      largest = (std::max)(largest, geodesic.distance_to_sources(v));
+  return largest;
+}
+
+// What a callback got: it is called by increasing distance.
+struct Received
+{
+  std::vector<double> distances;
+  Offset_curves curves;
+  void operator()(double distance, Offset_curves&& some)
+  {
+    CHECK(distances.empty() || distances.back() < distance);
+    for (const Offset_curve& c : some) CHECK(c.distance() == distance);
+    distances.push_back(distance);
+    std::move(some.begin(), some.end(), std::back_inserter(curves));
+  }
+};
+
+template <class Family>
+Offset_curves built(Geodesic& geodesic, const Family& family)
+{
+  Offset_curves result;
+  geodesic.build_with_offset_curves(family, std::back_inserter(result));
+  return result;
+}
+
+// Every way to get the curves of a family against one level at a time from kept windows. `levels`:
+// those of the family in increasing order; `called`: how many of them a callback is called for.
+template <class Family>
+void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
+             const Family& family, const std::vector<double>& levels, std::size_t called)
+{
+  Geodesic kept(mesh), plain(mesh);
+  add_sources(kept);
+  add_sources(plain);
+  kept.build(CGAL::parameters::keep_windows(true));
+  plain.build();
+  Offset_curves one_by_one;
+  for (double level : levels)
+  {
+    const Offset_curves curves = offsets(kept, level);
+    one_by_one.insert(one_by_one.end(), curves.begin(), curves.end());
+  }
+  number_of_curves += one_by_one.size();
+  const double scale = bounding_box_diagonal(mesh);
+  const auto same = [&](const char* way, const Offset_curves& curves)
+  {
+    for (std::size_t i = 0; i + 1 < curves.size(); ++i)
+      CHECK(curves[i].distance() <= curves[i + 1].distance());
+    CHECK_DETAIL(same_curves(curves, one_by_one, scale, worst_length),
+                 std::string(way) + ": " + std::to_string(curves.size()) + " curves of length " +
+                   std::to_string(total_length(curves)) + ", not " +
+                   std::to_string(one_by_one.size()) + " of length " +
+                   std::to_string(total_length(one_by_one)));
+  };
+  same("kept windows", offsets(kept, family));
+  same("windows not kept", offsets(plain, family));
+  Geodesic again(mesh);
+  add_sources(again);
+  same("built with", built(again, family));
+  CHECK(again.is_built() && again.distance_to_sources(*vertices(mesh).begin()) ==
+                              plain.distance_to_sources(*vertices(mesh).begin()));
+  CHECK(again.statistics().windows_propagated == plain.statistics().windows_propagated);
+  if (levels.size() < 3) return;
+
+  const std::vector<double> expected(levels.begin(),
+                                     levels.begin() + static_cast<std::ptrdiff_t>(called));
+  const auto check_received = [&](const char* way, const Received& r)
+  {
+    CHECK_DETAIL(r.distances == expected, std::string(way) + ": called " +
+                                            std::to_string(r.distances.size()) + " times, not " +
+                                            std::to_string(expected.size()));
+    same(way, r.curves);
+  };
+  Received from_kept, from_plain, while_built, while_built_and_kept;
+  const auto to = [](Received& r)
+  { return [&r](const double& d, Offset_curves&& c) { r(d, std::move(c)); }; };
+  kept.offset_curves_by_distance(family, to(from_kept));
+  plain.offset_curves_by_distance(family, to(from_plain));
+  again.build_with_offset_curves_by_distance(family, to(while_built));
+  again.build_with_offset_curves_by_distance(family, to(while_built_and_kept),
+                                             CGAL::parameters::keep_windows(true));
+  check_received("callback, kept windows", from_kept);
+  check_received("callback, windows not kept", from_plain);
+  check_received("callback while built", while_built);
+  check_received("callback while built, windows kept", while_built_and_kept);
+}
+
+void all_ways(const std::string& name, const test::Surface_mesh& mesh,
+              const std::function<void(Geodesic&)>& add_sources)
+{
+  Report::instance().set_context(name);
+  try
+  {
+    Geodesic geodesic(mesh);
+    add_sources(geodesic);
+    geodesic.build();
+    const double largest = largest_distance(mesh, geodesic);
+    const auto part = [&](double x) { return x * largest; };
+    compare(mesh, add_sources, part(0.37), {part(0.37)}, 1);
+    compare(mesh, add_sources, std::vector<double>{part(0.1), part(0.45), part(0.9)},
+            {part(0.1), part(0.45), part(0.9)}, 3);
+    // unsorted, repeated, beyond the largest distance
+    compare(
+      mesh, add_sources,
+      std::vector<double>{part(3), part(0.6), part(0.2), part(2), part(0.6), part(0.2), part(0.03)},
+      {part(0.03), part(0.2), part(0.6), part(2), part(3)}, 5);
+    const double spacing = largest / 7.3;
+    std::vector<double> multiples;
+    for (int i = 1; i <= 12; ++i) multiples.push_back(i * spacing);
+    compare(mesh, add_sources, Levels::equally_spaced(spacing, 5),
+            {multiples.begin(), multiples.begin() + 5}, 5);
+    compare(mesh, add_sources, Levels::equally_spaced(spacing, 12), multiples, 12);
+    // until covered: there may be one more level than multiples below the farthest vertex, inside a
+    // face
+    const std::size_t covered = offsets(geodesic, multiples[7]).empty() ? 7 : 8;
+    CHECK(offsets(geodesic, multiples[8]).empty());
+    compare(mesh, add_sources, Levels::equally_spaced(spacing),
+            {multiples.begin(), multiples.begin() + static_cast<std::ptrdiff_t>(covered)}, covered);
+  }
+  catch (const std::exception& e)
+  {
+    CHECK_DETAIL(!"an exception was thrown", e.what());
+  }
+}
+
+// The number of windows does not depend on the number of levels.
+void one_propagation(const test::Surface_mesh& mesh,
+                     const std::function<void(Geodesic&)>& add_sources)
+{
+  Report::instance().set_context("one propagation");
+  Geodesic geodesic(mesh);
+  add_sources(geodesic);
+  geodesic.build();
+  const double largest = largest_distance(mesh, geodesic);
+  const std::size_t whole = geodesic.statistics().windows_propagated;
+  CHECK(whole > 0);
+  for (double share : {1., 0.3})
+  {
+    const auto maximum = CGAL::parameters::maximum_distance(share * largest);
+    geodesic.build(maximum);
+    const std::size_t expected = geodesic.statistics().windows_propagated;
+    CHECK(share == 1 ? expected <= whole : expected < whole);
+    for (std::size_t n : {1, 200})
+    {
+      Offset_curves curves;
+      geodesic.build_with_offset_curves(
+        Levels::equally_spaced(share * largest / (double(n) + 0.5), n), std::back_inserter(curves),
+        maximum);
+      CHECK(geodesic.statistics().windows_propagated == expected);
+      CHECK(curves.size() >= n);
+      // counted before neighbours across an edge make one arc
+      CHECK(geodesic.statistics().pieces >= sorted_pieces(curves).size());
+    }
+  }
+}
+
+// Counts the side tests of the front, so that a callback can tell how far it has come.
+struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>
+{
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Base;
+  static std::size_t& count()
+  {
+    static std::size_t value = 0;
+    return value;
+  }
+  struct Compare_entry_with_apex_2 : Base::Compare_entry_with_apex_2
+  {
+    template <class... Arguments>
+    CGAL::Sign operator()(const Arguments&... arguments) const
+    {
+      ++count();
+      return Base::Compare_entry_with_apex_2::operator()(arguments...);
+    }
+  };
+  Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const
+  {
+    return Compare_entry_with_apex_2();
+  }
+};
+
+struct Enough : std::exception
+{};
+
+// On a long strip, curves are given out soon after the front has passed them; an exception of the
+// callback stops the propagation and leaves the last build.
+void streaming()
+{
+  Report::instance().set_context("streaming");
+  const Generated_mesh<test::Surface_mesh> strip(
+    planar_grid(400, 4, Diagonals::alternating, 1, 0.2, 3));
+  typedef CGAL::Surface_mesh_geodesic_offset<Counting_traits> Counted;
+  Counted geodesic(strip.mesh);
+  const auto left = strip.vertices[0], right = strip.vertices[400];
+  geodesic.add_source_point(left);
+  std::size_t& count = Counting_traits::count();
+  count = 0;
+  geodesic.build();
+  const std::size_t all = count;
+  CHECK_DETAIL(all > 1000, std::to_string(all));
+  for (const bool keep : {false, true})
+  {
+    std::vector<std::size_t> counts;
+    count = 0;
+    geodesic.build_with_offset_curves_by_distance(
+      Levels::equally_spaced(20, 19),
+      [&](double, std::vector<Counted::Offset_curve>&&) { counts.push_back(count); },
+      CGAL::parameters::keep_windows(keep));
+    CHECK(count == all);
+    if (CHECK(counts.size() == 19))
+      for (std::size_t i = 0; i < 19; ++i)
+      { // the front has not gone farther than a twentieth of the strip behind the level
+        const double share = double(counts[i]) / double(all), level = double(20 * (i + 1)) / 400;
+        CHECK_DETAIL(share < level + 0.05 && share > level - 0.05, values(share, level));
+      }
+  }
+
+  const double distance = geodesic.distance_to_sources(right);
+  CHECK(std::isfinite(distance));
+  geodesic.clear_sources();
+  geodesic.add_source_point(right);
+  count = 0;
+  CHECK_THROWS(
+    geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(20),
+                                                  [](double d, std::vector<Counted::Offset_curve>&&)
+                                                  {
+                                                    if (d > 50) throw Enough();
+                                                  }),
+    Enough);
+  CHECK_DETAIL(count < all / 4,
+               std::to_string(count) + " of " + std::to_string(all)); // it has stopped at 60
+  CHECK(geodesic.is_built() && geodesic.distance_to_sources(right) == distance &&
+        geodesic.distance_to_sources(left) == 0);
+  std::size_t calls = 0;
+  geodesic.offset_curves_by_distance(100.,
+                                     [&](double, std::vector<Counted::Offset_curve>&& curves)
+                                     {
+                                       ++calls;
+                                       CHECK(curves.size() == 1 &&
+                                             curves[0].number_of_pieces() > 0);
+                                     });
+  CHECK(calls == 1);
+  CHECK_THROWS(geodesic.offset_curves_by_distance(
+                 100., [](double, std::vector<Counted::Offset_curve>&&) { throw Enough(); }),
+               Enough);
+  // a selection that is refused leaves the last build, too
+  geodesic.add_source_polyline(std::vector<Counted::Face_location>{
+    {strip.faces[0], {{0.4, 0.3, 0.3}}}, {strip.faces[0], {{0.3, 0.4, 0.3}}}});
+  std::vector<Counted::Offset_curve> none;
+  CHECK_THROWS(geodesic.build_with_offset_curves(1., std::back_inserter(none),
+                                                 CGAL::parameters::default_values(),
+                                                 CGAL::Offset_side::INSIDE),
+               std::invalid_argument);
+  CHECK(none.empty() && geodesic.distance_to_sources(right) == distance);
+}
+
+// All const members from several threads at once.
+void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
+             bool keep)
+{
+  Report::instance().set_context(keep ? "threads, kept windows" : "threads");
+  Geodesic geodesic(mesh);
+  add_sources(geodesic);
+  geodesic.build(CGAL::parameters::keep_windows(keep));
+  const double largest = largest_distance(mesh, geodesic);
+  struct Answers
+  {
+    std::vector<Piece_key> pieces, left;
+    std::vector<double> distances;
+    std::vector<Point_3> points;
+    bool operator==(const Answers& o) const
+    {
+      return pieces == o.pieces && left == o.left && distances == o.distances && points == o.points;
+    }
+  };
+  const auto ask = [&]()
+  {
+    Answers a;
+    const Offset_curves curves = offsets(geodesic, Levels::equally_spaced(largest / 9.5, 9));
+    a.pieces = sorted_pieces(curves);
+    a.left = sorted_pieces(offsets(geodesic, largest / 3, CGAL::Offset_side::LEFT));
+    for (const Offset_curve& c : curves) c.points(1e-3 * largest, std::back_inserter(a.points));
+    for (auto v : vertices(mesh)) a.distances.push_back(geodesic.distance_to_sources(v));
+    if (keep)
+      for (auto f : faces(mesh))
+      {
+        a.distances.push_back(geodesic.distance_to_sources(Face_location(f, {{0.3, 0.3, 0.4}})));
+        std::vector<Face_location> path;
+        geodesic.shortest_path_to_sources(Face_location(f, {{0.5, 0.3, 0.2}}),
+                                          std::back_inserter(path));
+        a.distances.push_back(double(path.size()));
+      }
+    return a;
+  };
+  const Answers expected = ask();
+  CHECK(!expected.pieces.empty() && !expected.left.empty());
+  std::vector<Answers> answers(4);
+  std::vector<std::thread> running;
+  for (Answers& a : answers) running.emplace_back([&] { a = ask(); });
+  for (std::thread& t : running) t.join();
+  for (const Answers& a : answers) CHECK(a == expected);
+}
+
+void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
+{
+  const auto sections = random_plane_section(mesh, seed);
+  Random random(seed);
+  const auto f = *std::next(faces(mesh).begin(),
+                            static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(mesh))));
+  const Face_location inside(f, random_barycentric(random));
+  const auto section = [&](Geodesic& g)
+  {
+    for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+  };
+  all_ways(name + ", vertex", mesh,
+           [&](Geodesic& g) { g.add_source_point(*vertices(mesh).begin()); });
+  all_ways(name + ", point in a face", mesh, [&](Geodesic& g) { g.add_source_point(inside); });
+  all_ways(name + ", plane section", mesh, section);
+}
+
+} // namespace
+
+int main()
+{
+  std::cout.precision(3);
+  const std::pair<const char*, Soup> generated[] = {
+    {"torus", torus(20, 14)},
+    {"icosphere", icosphere(2)},
+    {"genus 5", marching_genus_5(9)},
+    {"cube", cube_grid(5)},
+    {"tetrahedron", tetrahedron_sides().triangulated(0, 0, 1)},
+    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
+    {"jittered grid", jittered_grid(14, 10, 7)},
+    {"grid", planar_grid(10, 10, Diagonals::alternating)}};
+  unsigned seed = 20;
+  for (const auto& soup : generated)
+    run(soup.first, Generated_mesh<test::Surface_mesh>(soup.second).mesh, ++seed);
+  for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "rotor.off"})
+  {
+    test::Surface_mesh mesh;
+    if (read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh).empty())
+      run(name, mesh, 3);
+  }
+  const Generated_mesh<test::Surface_mesh> data(torus(40, 30));
+  const auto sections = random_plane_section(data.mesh, 3);
+  const auto section = [&](Geodesic& g)
+  {
+    for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
+  };
+  one_propagation(data.mesh, [&](Geodesic& g) { g.add_source_point(data.vertices[0]); });
+  one_propagation(data.mesh, section);
+  streaming();
+  threads(data.mesh, section, false);
+  threads(data.mesh, section, true);
+  std::cout << number_of_curves << " curves in families; lengths differ by at most " << worst_length
+            << " of the length and the diagonal" << std::endl;
+  return Report::instance().finish("test_offset_families");
+}
