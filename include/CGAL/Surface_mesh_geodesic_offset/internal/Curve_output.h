@@ -47,7 +47,7 @@ public:
     pass_to(level);
     std::vector<Curve> curves;
     cut.for_each_curve(m_levels[level], [&](bool closed, auto&& pieces) {
-      m_select(closed, std::move(pieces), [&](bool is_closed, auto&& part) {
+      m_select(m_levels[level], closed, std::move(pieces), [&](bool is_closed, auto&& part) {
         curves.emplace_back(m_context, m_levels[level], is_closed, std::move(part));
       });
     });

@@ -84,8 +84,9 @@ public:
     return low;
   }
 
-  // The distance, and a window that gives it: one of a segment's side rather than of the cap beside it, if both do. Every
-  // path round a chord is valid, so a point that rounding leaves between two cones is no exception.
+  // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side rather
+  // than of the cap beside it. Every path round a chord is valid, so a point that rounding leaves between two cones is no
+  // exception.
   FT distance(const Point& p, std::size_t& nearest) const
   {
     FT best = Number_policy<FT>::infinity();
@@ -94,14 +95,27 @@ public:
     {
       if (!(m_lowest[i] <= best)) continue;
       const FT d = m_windows[i].path_length(p);
-      const bool ties = CGAL::abs(d - best) <= Number_policy<FT>::rounding(64) * (std::min)(d, best);
-      if (ties ? is_cap(nearest) : d < best) nearest = i;
+      if (tie(d, best) ? preference(i, p) > preference(nearest, p) : d < best) nearest = i;
       best = (std::min)(best, d);
     }
     return best;
   }
 
+  // Whether two distances in the face are the same up to rounding; two infinite ones are not.
+  bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
+
+  int preference(std::size_t i, const Point& p) const
+  {
+    return 2 * int(m_windows[i].contains(p, rounding_of(FT(0)))) + int(!is_cap(i));
+  }
+
 private:
+  FT rounding_of(const FT& distance) const
+  {
+    const FT size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
+    return Number_policy<FT>::rounding(64) * (distance + size);
+  }
+
   bool is_cap(std::size_t i) const { return m_windows[i].root.side() == Source_side::CAP; }
 
   void add(const Window_in_face& w, const FT& lowest)

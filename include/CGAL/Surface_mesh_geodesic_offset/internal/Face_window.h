@@ -72,6 +72,13 @@ struct Face_window
     return !CGAL::is_positive(left_side(p)) && !CGAL::is_negative(right_side(p)) && is_in_front(p);
   }
 
+  // The same for p up to a distance beyond the bounding rays.
+  bool contains(const Point& p, const FT& allowance) const
+  {
+    return left_side(p) <= allowance * length(ray_direction(left)) &&
+           right_side(p) >= -allowance * length(ray_direction(right)) && is_in_front(p);
+  }
+
   // The length of a path through the window to p: straight if p is in the cone, or if the rays start at a point of the
   // face; else round the nearer end of the chord. An upper bound of the distance of p in any case, and continuous.
   FT path_length(const Point& p) const

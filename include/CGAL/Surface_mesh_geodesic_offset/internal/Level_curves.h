@@ -95,14 +95,6 @@ private:
     Index first, last; // pieces
   };
 
-  // A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent.
-  static bool is_point(const std::vector<Piece>& pieces, const FT& level)
-  {
-    FT sum(0);
-    for (const Piece& p : pieces) sum += length(p.end - p.start);
-    return sum <= Number_policy<FT>::rounding(1 << 18) * level;
-  }
-
   // Neighbouring pieces of one image are one arc, as long as it stays shorter than a half turn.
   static bool continues(const Piece& a, const Piece& b)
   {

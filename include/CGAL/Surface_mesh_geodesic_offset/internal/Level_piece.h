@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -27,6 +29,16 @@ struct Level_piece
   bool is_straight;
   unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
 };
+
+// A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent: up to some
+// 1e-8 of the level, since the cut below the level is that much wider where the distance is flat.
+template <class FT>
+bool is_point(const std::vector<Level_piece<FT>>& pieces, const FT& level)
+{
+  FT sum(0);
+  for (const Level_piece<FT>& p : pieces) sum += length(p.end - p.start);
+  return sum <= Number_policy<FT>::rounding(1 << 26) * level;
+}
 
 // A crossing of the level with an edge of the face. The level's curve starts in this face where, counterclockwise along
 // the face's boundary, the distance rises above the level.

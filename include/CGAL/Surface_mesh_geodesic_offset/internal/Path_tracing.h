@@ -36,6 +36,7 @@ public:
       return m_field.distance[p.element];
     }
     FT best = Number_policy<FT>::infinity();
+    int preference = 0;
     for (Index f : faces_of(m_mesh, p))
     {
       Point q;
@@ -44,9 +45,13 @@ public:
       std::size_t i;
       const Face_field<FT> field(m_mesh, m_initial, m_field, f);
       const FT d = field.distance(q, i);
-      if (!(d < best)) continue;
-      best = d;
-      root = field.windows()[i].root;
+      if (!Number_policy<FT>::is_finite(d)) continue;
+      if (field.tie(d, best) ? field.preference(i, q) > preference : d < best)
+      {
+        preference = field.preference(i, q);
+        root = field.windows()[i].root;
+      }
+      best = (std::min)(best, d);
     }
     return best;
   }

@@ -51,7 +51,7 @@ public:
 
   // Calls out(closed, pieces) for the longest parts of a curve that belong to the selection.
   template <class FT, class Function>
-  void operator()(bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
+  void operator()(const FT& level, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
   {
     const auto is_wanted = [&](const Level_piece<FT>& p) { return (*this)(p.root); };
     if (m_selection.is_everything() || std::all_of(pieces.begin(), pieces.end(), is_wanted))
@@ -65,7 +65,8 @@ public:
     {
       first = std::find_if(first, pieces.end(), is_wanted);
       const auto last = std::find_if_not(first, pieces.end(), is_wanted);
-      if (first != last) out(false, std::vector<Level_piece<FT>>(first, last));
+      std::vector<Level_piece<FT>> part(first, last);
+      if (!is_point(part, level)) out(false, std::move(part));
       first = last;
     }
   }

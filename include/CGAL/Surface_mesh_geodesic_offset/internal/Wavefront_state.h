@@ -64,15 +64,12 @@ public:
   void update_vertex(Index v, const FT& d, const Ray& back, Root root)
   {
     FT& known = field.distance[v];
-    // straight ahead of the normal at the end of a polyline, its side is worth more than the cap
-    const bool ties = !(d < known) ? d <= known + known * Number_policy<FT>::rounding(64)
-                                   : d >= known - known * Number_policy<FT>::rounding(64);
-    if (ties && field.root[v].side() == Source_side::CAP && root.side() != Source_side::CAP) field.root[v] = root;
     if (!(d < known)) return;
-    if (ties && root.side() == Source_side::CAP) root = field.root[v];
-    // what rounding improves is no reason to spread again
-    if ((vertex_state[v] & HAS_SPREAD) && d >= known - known * Number_policy<FT>::rounding(64)) return;
+    // what rounding improves comes from no other root, and is no reason to spread again
+    const bool ties = d >= known - known * Number_policy<FT>::rounding(64);
+    if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
+    if (ties) return;
     field.back[v] = back;
     field.root[v] = root;
     vertex_state[v] &= char(~WAITS);
