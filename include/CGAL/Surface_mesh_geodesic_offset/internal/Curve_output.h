@@ -37,7 +37,7 @@ public:
                const Offset_levels<FT>& levels, const Offset_selection& selection, std::map<Index, Source_side> inside,
                const Function& f)
     : m_context(std::make_shared<Context>(Context{surface, primitives})), m_levels(levels),
-      m_select(selection, m_context->primitives, std::move(inside)), m_function(f)
+      m_select(selection, m_context->primitives, std::move(inside)), m_edge(surface->unfolded.mean_edge_length()), m_function(f)
   {
   }
 
@@ -46,8 +46,9 @@ public:
   {
     pass_to(level);
     std::vector<Curve> curves;
-    cut.for_each_curve(m_levels[level], [&](bool closed, auto&& pieces) {
-      m_select(m_levels[level], closed, std::move(pieces), [&](bool is_closed, auto&& part) {
+    const FT scale = m_levels[level] + m_edge;
+    cut.for_each_curve(scale, [&](bool closed, auto&& pieces) {
+      m_select(scale, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
         curves.emplace_back(m_context, m_levels[level], is_closed, std::move(part));
       });
     });
@@ -69,6 +70,7 @@ private:
   std::shared_ptr<const Context> m_context;
   const Offset_levels<FT>& m_levels;
   Side_selection m_select;
+  FT m_edge; // mean length
   const Function& m_function;
   mutable std::size_t m_next = 0; // level
 };

@@ -31,13 +31,14 @@ struct Level_piece
 };
 
 // A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent: up to some
-// 1e-8 of the level, since the cut below the level is that much wider where the distance is flat.
+// 1e-8 of the level or of the edges of the mesh, since the cut below the level is that much wider where the distance is flat.
+// `scale`: the level and the mean edge length, together.
 template <class FT>
-bool is_point(const std::vector<Level_piece<FT>>& pieces, const FT& level)
+bool is_point(const std::vector<Level_piece<FT>>& pieces, const FT& scale)
 {
   FT sum(0);
   for (const Level_piece<FT>& p : pieces) sum += length(p.end - p.start);
-  return sum <= Number_policy<FT>::rounding(1 << 26) * level;
+  return sum <= Number_policy<FT>::rounding(1 << 26) * scale;
 }
 
 // A crossing of the level with an edge of the face. The level's curve starts in this face where, counterclockwise along
