@@ -5,7 +5,9 @@
 // propagation, as a Markdown table. The curves are given up as they come, so the memory is that of the
 // solver alone.
 //
-//   offset_families MESH [number of distances ...]        default: 1 20 200
+//   offset_families MESH [number of distances ...] [--validate]        default: 1 20 200
+//
+// --validate lets the oracle of the tests look at all curves of the last family; the exit code is 1 if it finds a fault.
 
 #include "measured_run.h"
 #include "plane_section.h"
@@ -14,11 +16,13 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -70,6 +74,24 @@ void run(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double fa
             << static_cast<double>(result.peak_bytes) / 1e6 << " |" << std::endl;
 }
 
+bool validate(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double farthest, std::size_t number)
+{
+  Geodesic geodesic(mesh);
+  for (const auto& s : sections) geodesic.add_source_polyline(s.locations, s.closed);
+  const auto levels =
+    CGAL::Offset_levels<double>::equally_spaced(farthest / static_cast<double>(number + 1), number);
+  std::vector<Geodesic::Offset_curve> curves;
+  geodesic.build_with_offset_curves(levels, std::back_inserter(curves), CGAL::parameters::keep_windows(true));
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < number; ++i) distances.push_back(levels[i]);
+  const auto report = CGAL::Geodesic_offset::internal::Offset_validation<Geodesic>(geodesic, mesh)(distances, curves);
+  std::cout << "\n" << number << " distances validated: " << report.checks() << " checks, " << report.failures()
+            << " failures, points off their level by at most " << std::scientific << report.worst_off_level
+            << " diagonals, " << geodesic.statistics().forced_joints << " joints forced" << std::endl;
+  for (const std::string& text : report.texts()) std::cout << text << std::endl;
+  return report.is_valid();
+}
+
 double farthest_vertex(const Mesh& mesh, const std::vector<Section<Mesh>>& sections)
 {
   Geodesic geodesic(mesh);
@@ -102,8 +124,13 @@ int main(int argc, char* argv[])
             << " polylines\n\n| distances | curves | pieces | propagation s | offsets s | us a piece | MB |\n"
                "|---|---|---|---|---|---|---|\n";
   std::vector<std::size_t> numbers;
-  for (int i = 2; i < argc; ++i) numbers.push_back(std::stoul(argv[i]));
+  bool wants_validation = false;
+  for (int i = 2; i < argc; ++i)
+    if (argv[i] == std::string("--validate"))
+      wants_validation = true;
+    else
+      numbers.push_back(std::stoul(argv[i]));
   if (numbers.empty()) numbers = {1, 20, 200};
   for (std::size_t number : numbers) run(mesh, sections, farthest, number);
-  return 0;
+  return !wants_validation || validate(mesh, sections, farthest, numbers.back()) ? 0 : 1;
 }
