@@ -127,8 +127,7 @@ public:
     {
       const Piece p = piece(i);
       if (i == 0) f(p.start(), i);
-      const std::size_t n = p.number_of_chords(chord_tolerance);
-      for (std::size_t j = 1; j < n; ++j) f(p.location(FT(double(j)) / FT(double(n))), i);
+      p.for_each_inner_location(chord_tolerance, [&](const Face_location& l) { f(l, i); });
       // of the two faces beside an edge, the first and last points name the same
       f(m_closed && i + 1 == m_pieces.size() ? piece(0).start() : p.end(), i);
     }

@@ -116,25 +116,25 @@ public:
   }
 
   /// the point at a parameter that runs from 0 at the start to 1 at the end, in proportion to length.
-  Point_2 point_2(const FT& t) const { return public_point(at(t)); }
+  Point_2 point_2(const FT& t) const { return public_point(at(t, angle())); }
   Face_location location(const FT& t) const
   {
     if (!(t > FT(0))) return start();
     if (!(t < FT(1))) return end();
-    return location_of(at(t), 3);
+    return location_of(at(t, angle()), 3);
   }
   Point_3 point(const FT& t) const { return m_context->surface->point(location(t)); }
 
   /// the number of chords of equal length that stay nowhere farther than `tolerance` from the piece. \pre `tolerance > 0`
-  std::size_t number_of_chords(const FT& tolerance) const
+  std::size_t number_of_chords(const FT& tolerance) const { return number_of_chords(tolerance, angle()); }
+
+  /// calls `f(location)` for the ends of these chords between the start and the end of the piece. \pre `tolerance > 0`
+  template <class Function>
+  void for_each_inner_location(const FT& tolerance, const Function& f) const
   {
-    CGAL_precondition(tolerance > FT(0));
-    if (is_segment()) return 1;
-    // The height of an arc of radius r and angle s over its chord is r (1 - cos(s / 2)) = 2 r sin^2(s / 4).
-    const double sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));
-    const double largest = 4 * std::asin((std::min)(sine, 1.));
-    const double n = std::ceil(CGAL::to_double(angle()) / (std::max)(largest, 1e-7));
-    return n > 1 ? std::size_t(n) : 1;
+    const FT all = angle();
+    const std::size_t n = number_of_chords(tolerance, all);
+    for (std::size_t j = 1; j < n; ++j) f(location_of(at(FT(double(j)) / FT(double(n)), all), 3));
   }
   /// @}
 
@@ -178,11 +178,23 @@ private:
     return m_context->primitives[m_piece->root.primitive()];
   }
 
-  Point_in_face at(const FT& t) const
+  std::size_t number_of_chords(const FT& tolerance, const FT& angle) const
   {
-    const Point_in_face a = m_piece->start - m_piece->center;
+    CGAL_precondition(tolerance > FT(0));
+    if (is_segment()) return 1;
+    // The height of an arc of radius r and angle s over its chord is r (1 - cos(s / 2)) = 2 r sin^2(s / 4).
+    const double sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));
+    const double largest = 4 * std::asin((std::min)(sine, 1.));
+    const double n = std::ceil(CGAL::to_double(angle) / (std::max)(largest, 1e-7));
+    return n > 1 ? std::size_t(n) : 1;
+  }
+
+  // `angle`: that of the piece.
+  Point_in_face at(const FT& t, const FT& angle) const
+  {
     if (is_segment()) return m_piece->start + t * (m_piece->end - m_piece->start);
-    const double x = CGAL::to_double(t) * CGAL::to_double(angle());
+    const Point_in_face a = m_piece->start - m_piece->center;
+    const double x = CGAL::to_double(t) * CGAL::to_double(angle);
     const FT c(std::cos(x)), s(std::sin(x));
     return m_piece->center + Point_in_face{c * a.x - s * a.y, s * a.x + c * a.y};
   }

@@ -138,17 +138,15 @@ private:
 
   Dxf_polyline spatial(std::size_t r, bool is_whole) const
   {
-    typedef typename Curve::FT FT;
     const Run& run = m_runs[r];
     Dxf_polyline p = polyline(is_whole, false);
     p.vertices.push_back({joint(m_curve, run.first), 0});
     for (std::size_t k = 0; k < run.count; ++k)
     {
       const std::size_t i = (run.first + k) % m_n;
-      const typename Curve::Piece piece = m_curve.piece(i);
-      const std::size_t n = piece.number_of_chords(m_tolerance);
-      for (std::size_t j = 1; j < n; ++j)
-        p.vertices.push_back({coordinates(piece.point(FT(double(j)) / FT(double(n)))), 0});
+      m_curve.piece(i).for_each_inner_location(m_tolerance, [&](const typename Curve::Face_location& l) {
+        p.vertices.push_back({coordinates(m_curve.point(l)), 0});
+      });
       p.vertices.push_back({joint(m_curve, i + 1), 0});
     }
     if (p.is_closed) p.vertices.pop_back();
@@ -208,19 +206,10 @@ bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT
     internal::Dxf_curve<Curve>(curve, typename Curve::FT(chord_tolerance), layer.first->second).write_to(polylines);
   }
 
-  std::vector<internal::Coordinates> box(2, internal::Coordinates{0, 0, 0});
-  bool is_first = true;
+  Bbox_3 box;
   for (const auto& polyline : polylines)
-    for (const auto& vertex : polyline.vertices)
-    {
-      if (is_first) box.assign(2, vertex.point);
-      is_first = false;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        box[0][i] = (std::min)(box[0][i], vertex.point[i]);
-        box[1][i] = (std::max)(box[1][i], vertex.point[i]);
-      }
-    }
+    for (const auto& vertex : polyline.vertices) box += internal::bbox(vertex.point);
+  if (polylines.empty()) box = Bbox_3(0, 0, 0, 0, 0, 0);
 
   const internal::Full_precision precision(os);
   internal::Dxf_document(os).write(layers, polylines, box);

@@ -58,6 +58,7 @@ public:
   {
     m_face = face;
     m_frame = Face_frame<FT>(m_mesh, face);
+    m_size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
     m_windows.clear();
     m_lowest.clear();
     for (int k = 0; k < 3; ++k)
@@ -73,6 +74,7 @@ public:
 
   Index face() const { return m_face; }
   const Face_frame<FT>& frame() const { return m_frame; }
+  const FT& size() const { return m_size; } // length of the longest edge
   const std::vector<Window_in_face>& windows() const { return m_windows; }
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }
@@ -112,8 +114,7 @@ public:
 private:
   FT rounding_of(const FT& distance) const
   {
-    const FT size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
-    return Number_policy<FT>::rounding(64) * (distance + size);
+    return Number_policy<FT>::rounding(64) * (distance + m_size);
   }
 
   bool is_cap(std::size_t i) const { return m_windows[i].root.side() == Source_side::CAP; }
@@ -180,6 +181,7 @@ private:
   const Geodesic_field<FT>& m_field;
   Index m_face = no_index;
   Face_frame<FT> m_frame;
+  FT m_size = FT(0);
   std::vector<Window_in_face> m_windows;
   std::vector<FT> m_lowest;
   bool m_has_local_sources = false;

@@ -91,7 +91,7 @@ public:
 private:
   struct Link // a chain
   {
-    Index start, end; // gates
+    Index start, end;  // gates
     Index first, last; // pieces
   };
 

@@ -61,7 +61,7 @@ public:
       const Point n = quarter_turn(frame.direction(k)); // inwards
       m_outside[k] = {n, dot(n, frame.corner(k))};
     }
-    m_face_size = (std::max)({frame.edge_length(0), frame.edge_length(1), frame.edge_length(2)});
+    m_face_size = field.size();
     m_margin = FT(1e-5) * m_face_size;
     m_cones.clear();
     for (std::size_t i = 0; i < field.windows().size(); ++i)
@@ -132,7 +132,7 @@ public:
       if (!(s < run.to)) continue;
       // an exit just behind the start belongs to an arc that only touches the edge
       if (!(s > t) && length(p - start) > m_step) continue;
-      const std::size_t gate = gate_near(p, false, FT(1e-6) * m_face_size);
+      const std::size_t gate = gate_near(p, FT(1e-6) * m_face_size);
       if (gate == none) continue;
       run.to = (std::max)(s, t);
       run.end = (*m_gates)[gate].point;
@@ -150,12 +150,7 @@ public:
       return false;
     });
     run.length = length(run.end - start);
-    run.valid = run.gate != none || run.length > m_step;
-    // Another arc that touches this one may go under it so closely that neither its entry nor the step ahead has shown
-    // it: further along it does.
-    const Point middle = a.point(run.from + (run.to - run.from) / 2), early = a.point(run.from + (run.to - run.from) / 16);
-    for (const std::size_t j : m_near)
-      if (run.valid && (covers(j, middle) || covers(j, early))) run.valid = false;
+    run.valid = (run.gate != none || run.length > m_step) && !goes_under_near_arcs(run);
     return run;
   }
 
@@ -198,14 +193,14 @@ public:
     return a.enter_half_plane(leave ? nearer.opposite() : nearer, p);
   }
 
-  // The nearest unused gate of a kind.
-  std::size_t gate_near(const Point& p, bool start, FT limit) const
+  // The nearest gate that still waits for the end of a chain.
+  std::size_t gate_near(const Point& p, FT limit) const
   {
     std::size_t best = none;
     for (std::size_t i = 0; i < m_gates->size(); ++i)
     {
       const Gate& g = (*m_gates)[i];
-      if (g.is_start != start || g.id == no_index) continue;
+      if (g.is_start || g.id == no_index) continue;
       const FT d = length(g.point - p);
       if (d <= limit)
       {
@@ -233,6 +228,16 @@ private:
   bool is_covered(std::size_t i, const Point& p) const
   {
     return m_boxes.any_of(Box(p), [&](std::size_t j) { return j != i && covers(j, p); });
+  }
+
+  // Another arc that touches the run's may go under it so closely that neither its entry nor the step ahead has shown it:
+  // further along it does.
+  bool goes_under_near_arcs(const Run& run) const
+  {
+    if (m_near.empty()) return false;
+    const Level_arc<FT>& a = m_arcs[run.arc];
+    const Point middle = a.point(run.from + (run.to - run.from) / 2), early = a.point(run.from + (run.to - run.from) / 16);
+    return std::any_of(m_near.begin(), m_near.end(), [&](std::size_t j) { return covers(j, middle) || covers(j, early); });
   }
 
   // The first point after `from`, before run.to, where the run's arc is covered by window j: shortens the run.
@@ -288,7 +293,7 @@ private:
   std::vector<Level_arc<FT>> m_arcs; // of the level
   Box_tree<FT> m_boxes;              // theirs
   Half_plane<FT> m_outside[3];       // positive inside
-  mutable std::vector<std::size_t> m_near;
+  mutable std::vector<std::size_t> m_near; // the arcs whose boxes the last run meets
   std::vector<Gate>* m_gates = nullptr;
 };
 

@@ -104,7 +104,7 @@ private:
       p = run.end;
       arc = run.arc;
       // where two arcs tie right at a gate, the run ends at their joint
-      const std::size_t end = run.gate != none ? run.gate : m_runs.gate_near(p, false, m_runs.tie());
+      const std::size_t end = run.gate != none ? run.gate : m_runs.gate_near(p, m_runs.tie());
       if (end != none)
       {
         m_chain.back().end = (*m_gates)[end].point;
@@ -147,7 +147,7 @@ private:
   template <class Function>
   void force_end(const Point& p, std::size_t start, const Function& out)
   {
-    const std::size_t gate = m_runs.gate_near(p, false, Number_policy<FT>::infinity());
+    const std::size_t gate = m_runs.gate_near(p, Number_policy<FT>::infinity());
     if (gate == none) return;
     const Point end = (*m_gates)[gate].point;
     const FT gap = length(end - p);
@@ -198,7 +198,7 @@ private:
     Point p = start;
     bool closed = false;
     std::size_t last_arc = i;
-    while (run.valid && run.gate == none && !closed)
+    while (run.valid && run.gate == none)
     {
       const std::size_t known = traversed_by(run);
       // what another chain, or an attempt in vain, has followed leads to no other end
@@ -220,8 +220,8 @@ private:
         m_chain.back().end = start;
         closed = true;
       }
-      if (m_runs.depth(p) < -m_runs.tie()) break;
-      if (!closed) run = m_runs.best_run(p, run.arc, false);
+      if (closed || m_runs.depth(p) < -m_runs.tie()) break;
+      run = m_runs.best_run(p, run.arc, false);
     }
     // what is left between a gate and an arc that rounding has moved off it is no loop
     FT sum(0);

@@ -83,6 +83,7 @@ private:
     std::size_t level;
     Level_gate<FT> gate;
   };
+
   template <class Function>
   void give_out(typename Curves_of_levels::iterator level, const Function& out)
   {

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -79,6 +80,8 @@ Coordinates coordinates(const Point_3& p)
 {
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
+
+inline Bbox_3 bbox(const Coordinates& p) { return Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]); }
 
 inline void write_coordinates(std::ostream& os, const Coordinates& p)
 {

@@ -44,9 +44,8 @@ class Dxf_document
 public:
   explicit Dxf_document(std::ostream& os) : m_os(os) {}
 
-  // `box`: smallest and largest coordinates.
   void write(const std::vector<std::string>& layers, const std::vector<Dxf_polyline>& polylines,
-             const std::vector<Coordinates>& box)
+             const Bbox_3& box)
   {
     header(layers.size(), polylines, box);
     m_os << "0\nSECTION\n2\nCLASSES\n0\nENDSEC\n";
@@ -102,7 +101,7 @@ private:
   }
 
   void header(std::size_t number_of_layers, const std::vector<Dxf_polyline>& polylines,
-              const std::vector<Coordinates>& box)
+              const Bbox_3& box)
   {
     std::size_t next = first_entity(number_of_layers);
     for (const Dxf_polyline& p : polylines) next += p.is_horizontal ? 1 : p.vertices.size() + 2;
@@ -110,9 +109,9 @@ private:
     group(9, "$HANDSEED");
     group(5, hexadecimal(next));
     group(9, "$EXTMIN");
-    point(10, box[0]);
+    point(10, {box.xmin(), box.ymin(), box.zmin()});
     group(9, "$EXTMAX");
-    point(10, box[1]);
+    point(10, {box.xmax(), box.ymax(), box.zmax()});
     m_os << "0\nENDSEC\n";
   }
 
@@ -135,7 +134,7 @@ private:
 
   void end_table() { m_os << "0\nENDTAB\n"; }
 
-  void tables(const std::vector<std::string>& layers, const std::vector<Coordinates>& box)
+  void tables(const std::vector<std::string>& layers, const Bbox_3& box)
   {
     m_os << "0\nSECTION\n2\nTABLES\n";
     table("VPORT", 0x8, 1);
@@ -176,14 +175,14 @@ private:
   }
 
   // The view on opening: from above on everything.
-  void viewport(const std::vector<Coordinates>& box)
+  void viewport(const Bbox_3& box)
   {
-    const double width = box[1][0] - box[0][0], height = box[1][1] - box[0][1];
+    const double width = box.x_span(), height = box.y_span();
     const double size = 1.1 * (std::max)(width, height);
     entry("VPORT", 0x29, 0x8, "AcDbViewportTableRecord", "*Active");
     m_os << "70\n0\n10\n0\n20\n0\n11\n1\n21\n1\n";
-    group(12, box[0][0] + width / 2);
-    group(22, box[0][1] + height / 2);
+    group(12, box.xmin() + width / 2);
+    group(22, box.ymin() + height / 2);
     m_os << "13\n0\n23\n0\n14\n10\n24\n10\n15\n10\n25\n10\n16\n0\n26\n0\n36\n1\n17\n0\n27\n0\n37\n0\n";
     group(40, size > 0 ? size : 1);
     m_os << "41\n1.5\n42\n50\n43\n0\n44\n0\n50\n0\n51\n0\n71\n0\n72\n100\n73\n1\n74\n3\n75\n0\n76\n0\n77\n0\n78\n0\n";

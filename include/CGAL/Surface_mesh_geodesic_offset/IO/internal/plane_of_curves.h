@@ -87,17 +87,12 @@ private:
   template <class CurveRange>
   void check(const CurveRange& curves) const
   {
-    Coordinates low = m_point, high = m_point;
+    Bbox_3 box = bbox(m_point);
     for_each_face(curves, [&](const std::array<Coordinates, 3>& c, const auto&, std::size_t) {
-      for (const Coordinates& p : c)
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          low[i] = (std::min)(low[i], p[i]);
-          high[i] = (std::max)(high[i], p[i]);
-        }
+      for (const Coordinates& p : c) box += bbox(p);
     });
     // coordinates of six digits, as files have them, are in one plane
-    const Coordinates diagonal = difference(high, low);
+    const Coordinates diagonal{box.x_span(), box.y_span(), box.z_span()};
     const double tolerance = 1e-6 * std::sqrt(dot(diagonal, diagonal));
     for_each_face(curves, [&](const std::array<Coordinates, 3>& c, const auto& curve, std::size_t number) {
       for (const Coordinates& p : c)
