@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
 #include <chrono>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -76,7 +77,7 @@ private:
   // Consumers of finished faces.
   struct Nothing
   {
-    void take(Index) {}
+    void take(const std::vector<Index>&) {}
     void settle(const FT&) {}
   };
 
@@ -87,10 +88,10 @@ private:
     const Function& out;
     double seconds = 0, seconds_within_propagation = 0;
 
-    void take(Index f)
+    void take(const std::vector<Index>& faces)
     {
       const Clock::time_point start = Clock::now();
-      extraction(f);
+      for (Index f : faces) extraction(f);
       const double time = seconds_since(start);
       seconds += time;
       seconds_within_propagation += time;

@@ -38,9 +38,9 @@ public:
   {
   }
 
-  // consumer.take(face) is called once for each face that the front has passed, while the lists of its halfedges, and
-  // the distances at its corners, are final and still there; consumer.settle(distance) whenever all faces with points
-  // nearer than the distance have been taken.
+  // consumer.take(faces) is called with the faces that the front has passed, with each once, while the lists of their
+  // halfedges, and the distances at their corners, are final and still there; consumer.settle(distance) whenever all faces
+  // with points nearer than the distance have been taken.
   template <class Consumer>
   void run(Consumer& consumer)
   {
@@ -54,15 +54,16 @@ public:
         settled = oldest;
       }
       Index i;
-      if (m_state.queue.pop_face(i))
-        try_to_finish(i, consumer);
-      else if (m_state.queue.pop_halfedge(i))
+      while (m_state.queue.pop_face(i)) try_to_finish(i);
+      hand_over(consumer);
+      if (m_state.queue.pop_halfedge(i))
         take(i);
       else if (m_state.queue.pop_vertex(i))
         m_spreading.spread_from_pseudo_source(i);
     }
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!(m_state.face_state[f] & State::FINISHED) && is_reached(f)) finish(f, consumer);
+      if (!(m_state.face_state[f] & State::FINISHED) && is_reached(f)) finish(f);
+    hand_over(consumer);
     for (FT& d : m_state.field.distance)
       if (d > m_state.maximum) d = Number_policy<FT>::infinity();
   }
@@ -107,26 +108,33 @@ private:
     return bound;
   }
 
-  template <class Consumer>
-  void try_to_finish(Index f, Consumer& consumer)
+  void try_to_finish(Index f)
   {
     if (m_state.face_state[f] & State::FINISHED) return;
     const FT bound = largest_distance(f);
     const std::size_t done = Number_policy<FT>::is_finite(bound) ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
     if (done <= m_state.queue.current())
-      finish(f, consumer);
+      finish(f);
     else
       m_state.queue.push_face(done, f);
   }
 
-  template <class Consumer>
-  void finish(Index f, Consumer& consumer)
+  void finish(Index f)
   {
     if (m_state.face_state[f] & State::SCHEDULED) m_state.unfinished.remove(f);
     m_state.face_state[f] |= State::FINISHED;
-    consumer.take(f);
-    if (m_keep) return;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
+    m_passed.push_back(f);
+  }
+
+  template <class Consumer>
+  void hand_over(Consumer& consumer)
+  {
+    if (m_passed.empty()) return;
+    consumer.take(m_passed);
+    if (!m_keep)
+      for (Index f : m_passed)
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
+    m_passed.clear();
   }
 
   const Unfolded_mesh<FT>& m_mesh;
@@ -135,6 +143,7 @@ private:
   Ray_spreading<FT> m_spreading;
   Lower_envelope<FT> m_envelope;
   Batch_propagation<Traits> m_propagate;
+  std::vector<Index> m_passed; // faces that the consumer has not taken yet
 };
 
 } // namespace internal
