@@ -8,9 +8,11 @@
 #include "flat_paths.h"
 #include "generated_meshes.h"
 #include "geodesic_types.h"
+#include "path_tools.h"
 #include "plane_section.h"
 #include "test_check.h"
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,6 +54,99 @@ void source_at_vertex_up_to_rounding()
           for (auto w : data.vertices)
             CHECK_CLOSE(worst, geodesic.distance_to_sources(w), exact.distance_to_sources(w));
         }
+    }
+  }
+}
+
+// A point in space at a vertex up to round-off is located at that vertex (9646), exactly; and one on
+// an edge on that edge. So it is the same source and the same query.
+void located_up_to_rounding()
+{
+  for (const Soup& soup :
+       {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2), saddle_fan(), torus(12, 8)})
+  {
+    const Data data(soup);
+    const Locations locations(data.mesh);
+    Geodesic geodesic(data.mesh);
+    Random random(1);
+    const auto nearly = [&](const Point_3& p)
+    {
+      const double off = 2 * std::numeric_limits<double>::epsilon();
+      return Point_3(p.x() + uniform(random, -off, off), p.y() + uniform(random, -off, off),
+                     p.z() + uniform(random, -off, off));
+    };
+    for (std::size_t i = 0; i < data.vertices.size(); ++i)
+    {
+      const Face_location l = geodesic.locate(nearly(data.mesh.point(data.vertices[i])));
+      CHECK(is_at_vertex(l) && locations.support(l).front().first == data.vertices[i]);
+      if (i % 20 != 0) continue;
+      Geodesic exact(data.mesh), located(data.mesh);
+      exact.add_source_point(data.vertices[i]);
+      located.add_source_point(l);
+      exact.build(CGAL::parameters::keep_windows(true));
+      located.build(CGAL::parameters::keep_windows(true));
+      CHECK(located.distance_to_sources(l) == 0);
+      for (auto v : data.vertices)
+      {
+        CHECK(located.distance_to_sources(v) == exact.distance_to_sources(v));
+        CHECK(exact.distance_to_sources(geodesic.locate(nearly(data.mesh.point(v)))) ==
+              exact.distance_to_sources(v));
+      }
+    }
+    for (auto h : halfedges(data.mesh))
+    {
+      if (is_border(h, data.mesh)) continue;
+      const Face_location on_edge = locations.on_edge(h, uniform(random, 0.1, 0.9));
+      const Face_location l = geodesic.locate(nearly(locations.point(on_edge)));
+      const auto support = locations.support(l);
+      CHECK(support.size() == 2);
+      for (const auto& s : support)
+        CHECK(s.first == source(h, data.mesh) || s.first == target(h, data.mesh));
+      CHECK(distance(locations.point(l), locations.point(on_edge)) <= 1e-14);
+    }
+    for (auto f : data.faces)
+    {
+      const Face_location inside(f, random_barycentric(random));
+      const Face_location l = geodesic.locate(locations.point(inside));
+      CHECK(l.first == f && distance(locations.point(l), locations.point(inside)) <= 1e-14);
+    }
+  }
+}
+
+// Paths are not empty where there is a way, and do not repeat points (8979): from sources themselves,
+// from points next to them, between adjacent vertices; there is none where there is no way.
+void paths_near_sources()
+{
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 5, 9), 9), icosphere(2),
+                           Cone(8, 3 * CGAL_PI, 1).triangulated(20, 3, 3)})
+  {
+    const Data data(soup);
+    Path_checker check(data.mesh);
+    Random random(9);
+    for (std::size_t round = 0; round < 30; ++round)
+    {
+      const Face_location source =
+        random_location(check.locations, data.mesh, random, round % 3);
+      Geodesic geodesic(data.mesh), nothing(data.mesh);
+      geodesic.add_source_point(source);
+      geodesic.build(CGAL::parameters::keep_windows(true));
+      nothing.build(CGAL::parameters::keep_windows(true));
+      for (auto f : check.locations.incident_faces(source))
+      {
+        Face_location same(f, {{0, 0, 0}});
+        if (!check.locations.express(source, f, same.second)) continue;
+        CHECK(check(geodesic, same).size() == 1);
+        CHECK(geodesic.distance_to_sources(same) == 0);
+        for (auto v : check.locations.corners(f))
+        {
+          const bool is_it = check.locations.support(source).size() == 1 &&
+                             check.locations.support(source).front().first == v;
+          CHECK(check(geodesic, v).size() == (is_it ? 1 : 2));
+        }
+        const Face_location near(f, random_barycentric(random));
+        CHECK(check(geodesic, near).size() == 2);
+        CHECK(check(nothing, near).empty());
+      }
     }
   }
 }
@@ -167,6 +262,13 @@ void isolated_vertices()
   CHECK(geodesic.distance_to_sources(data.vertices.front()) == infinity);
   CHECK(geodesic.distance_to_sources(data.vertices.back()) == infinity);
   CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[2])));
+  for (auto v : {data.vertices.front(), data.vertices.back()})
+  {
+    CHECK(!geodesic.nearest_source(v) && geodesic.gradient(v) == CGAL::NULL_VECTOR);
+    std::vector<Face_location> path;
+    geodesic.shortest_path_to_sources(v, std::back_inserter(path));
+    CHECK(path.empty());
+  }
   try
   {
     geodesic.add_source_point(data.vertices.front());
@@ -178,11 +280,49 @@ void isolated_vertices()
   CHECK(geodesic.distance_to_sources(data.vertices.back()) == infinity);
 }
 
+// Parts that no source reaches are at infinity, not at 0 (libigl 2554), whatever is asked there.
+void disconnected_parts()
+{
+  Soup soup = icosphere(1);
+  const std::size_t sphere = soup.points.size();
+  const Soup other = torus(12, 8, 5, 1);
+  for (const auto& t : other.triangles)
+    soup.add_triangle({{t[0] + sphere, t[1] + sphere, t[2] + sphere}});
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  const Data data(soup);
+  Path_checker check(data.mesh);
+  Random random(10);
+  for (const bool keep : {true, false})
+  {
+    Geodesic geodesic(data.mesh);
+    const std::size_t id = geodesic.add_source_point(data.vertices[3]);
+    geodesic.build(CGAL::parameters::keep_windows(keep));
+    std::map<test::Surface_mesh::Vertex_index, std::size_t> labels;
+    geodesic.source_labels(boost::make_assoc_property_map(labels));
+    for (std::size_t i = 0; i < data.vertices.size(); ++i)
+    {
+      const auto v = data.vertices[i];
+      CHECK((geodesic.distance_to_sources(v) == infinity) == (i >= sphere));
+      CHECK(labels.at(v) == (i < sphere ? id : Geodesic::no_source()));
+      CHECK(check(geodesic, v, keep).empty() == (i >= sphere));
+    }
+    for (std::size_t i = 0; keep && i < data.faces.size(); ++i)
+    {
+      const Face_location l(data.faces[i], random_barycentric(random));
+      CHECK((geodesic.distance_to_sources(l) == infinity) == (soup.triangles[i][0] >= sphere));
+      CHECK(check(geodesic, l).empty() == (soup.triangles[i][0] >= sphere));
+    }
+    if (keep) CHECK(geodesic.farthest_point().second < 4);
+    CHECK(geodesic.covered_distance() == infinity);
+  }
+}
+
 // Source and query on the same edge, in the same face, and on border edges (1179, PR 2277).
 void source_and_query_on_one_edge()
 {
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 5), 5));
   const Locations locations(data.mesh);
+  Path_checker check(data.mesh);
   Random random(5);
   for (auto h : halfedges(data.mesh))
   {
@@ -198,6 +338,7 @@ void source_and_query_on_one_edge()
       const double expected =
         std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(query)));
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query), expected);
+      CHECK(check(geodesic, query).size() == (t == 0.3 ? 1 : 2)); // along the edge
       for (auto f : locations.incident_faces(query)) // described from every face
       {
         Face_location other(f, {{0, 0, 0}});
@@ -221,6 +362,8 @@ void source_and_query_on_one_edge()
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query),
                   std::sqrt(CGAL::squared_distance(data.mesh.point(data.vertices[20]),
                                                    locations.point(query))));
+      check(geodesic, query);
+      check(geodesic, source(h, data.mesh));
     }
 }
 
@@ -246,11 +389,24 @@ void custom_point_map()
     geodesic(data.mesh, get(boost::vertex_index, data.mesh), get(boost::face_index, data.mesh),
              points);
   geodesic.add_source_point(data.vertices[7]);
-  geodesic.build();
+  geodesic.build(CGAL::parameters::keep_windows(true));
   Worst_error worst(1e-12, 2);
   for (std::size_t i = 0; i < soup.points.size(); ++i)
-    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]),
-                std::sqrt(CGAL::squared_distance(soup.points[i], soup.points[7])));
+  {
+    const double expected = distance(soup.points[i], soup.points[7]);
+    CHECK_CLOSE(worst, geodesic.distance_to_sources(data.vertices[i]), expected);
+    CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(soup.points[i])), expected);
+    std::vector<Point_3> path;
+    geodesic.shortest_path_points_to_sources(data.vertices[i], std::back_inserter(path));
+    CHECK(!path.empty() && distance(path.front(), soup.points[i]) <= 1e-14 &&
+          distance(path.back(), soup.points[7]) <= 1e-14);
+    double length = 0;
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) length += distance(path[k], path[k + 1]);
+    CHECK_CLOSE(worst, length, expected);
+    if (i == 7) continue;
+    const Vector_3 away = soup.points[i] - soup.points[7];
+    CHECK((geodesic.gradient(data.vertices[i]) - away / expected).squared_length() <= 1e-20);
+  }
 }
 
 // Segments of length zero and of almost zero, within polylines (libigl 1013, 2535; geometry-central
@@ -356,6 +512,34 @@ void tiny_and_needle_faces()
   }
 }
 
+// The same with paths, and at points anywhere: none empty, all as long as the distance.
+void paths_over_tiny_and_needle_faces()
+{
+  const std::pair<const char*, Soup> meshes[] = {
+    {"marching sphere", rotated(marching_sphere(12), 3)},
+    {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
+    {"needle fan", needle_fan(300)}};
+  for (const auto& mesh : meshes)
+  {
+    Report::instance().set_context(std::string("paths over tiny and needle faces, ") + mesh.first);
+    const Data data(mesh.second);
+    Path_checker check(data.mesh);
+    Random random(12);
+    for (std::size_t round = 0; round < 12; ++round)
+    {
+      Geodesic geodesic(data.mesh);
+      geodesic.add_source_point(random_location(check.locations, data.mesh, random, round % 3));
+      geodesic.build(CGAL::parameters::keep_windows(true));
+      for (auto v : data.vertices) CHECK(!check(geodesic, v).empty());
+      for (std::size_t i = 0; i < 60; ++i)
+        CHECK(!check(geodesic, random_location(check.locations, data.mesh, random, i % 3)).empty());
+    }
+    std::cout << Report::instance().context() << ": " << check.totals.paths
+              << " paths, worst difference of length and distance " << check.totals.worst_length
+              << std::endl;
+  }
+}
+
 // Polylines across tiny and needle faces: nothing infinite or NaN, zero on the polyline itself.
 void polyline_over_tiny_faces()
 {
@@ -394,16 +578,20 @@ int main()
 {
   const std::pair<const char*, void (*)()> tests[] = {
     {"source at a vertex up to rounding", source_at_vertex_up_to_rounding},
+    {"located up to rounding", located_up_to_rounding},
+    {"paths near sources", paths_near_sources},
     {"empty and duplicate", empty_and_duplicate},
     {"no source", no_source},
     {"adjacent and border sources", adjacent_and_border_sources},
     {"many sources on saddles", many_sources_on_saddles},
     {"isolated vertices", isolated_vertices},
+    {"disconnected parts", disconnected_parts},
     {"source and query on one edge", source_and_query_on_one_edge},
     {"custom point map", custom_point_map},
     {"short segments", short_segments},
     {"many sources", many_sources},
     {"tiny and needle faces", tiny_and_needle_faces},
+    {"paths over tiny and needle faces", paths_over_tiny_and_needle_faces},
     {"polyline over tiny faces", polyline_over_tiny_faces},
     {"not a number", not_a_number}};
   for (const auto& test : tests)

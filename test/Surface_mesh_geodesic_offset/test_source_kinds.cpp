@@ -351,7 +351,7 @@ void maximum_distance()
   Report::instance().set_context("maximum distance with kept windows");
   Geodesic geodesic(data.mesh);
   geodesic.add_source_point(data.vertices[0]);
-  geodesic.build(CGAL::parameters::geodesic(5., true));
+  geodesic.build(CGAL::parameters::maximum_distance(5.).keep_windows(true));
   const Locations locations(data.mesh);
   Random random(3);
   for (auto f : faces(data.mesh))

@@ -17,6 +17,7 @@ struct Geodesic_offset_statistics
   std::size_t windows_created = 0;    ///< windows put into the list of a halfedge
   std::size_t windows_propagated = 0; ///< windows unfolded across a face
   std::size_t windows_peak = 0;       ///< largest number of windows held at one time
+  std::size_t kept_bytes = 0;         ///< memory of the windows that were kept
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
   std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
   double propagation_seconds = 0;     ///< time of the propagation alone

@@ -8,40 +8,89 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <functional>
+
 namespace CGAL {
 namespace internal_np {
 
 enum geodesic_maximum_distance_t { geodesic_maximum_distance };
 enum geodesic_keep_windows_t { geodesic_keep_windows };
+enum geodesic_targets_t { geodesic_targets };
 
 } // namespace internal_np
 
 namespace parameters {
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// the largest distance that is computed, inclusive. Points farther away are at infinity.
-/// Default: infinity.
-template <class FT>
-Named_function_parameters<FT, internal_np::geodesic_maximum_distance_t> maximum_distance(const FT& d)
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetParameters
+
+\brief what a build takes: any number of these in any order, joined by dots, as in
+`parameters::maximum_distance(2.).keep_windows(true)`.
+*/
+template <class T, class Tag, class Base = internal_np::No_property>
+struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
 {
-  return Named_function_parameters<FT, internal_np::geodesic_maximum_distance_t>(d);
+  typedef Named_function_parameters<T, Tag, Base> Named_parameters;
+  using Named_parameters::Named_parameters;
+
+  /// the largest distance that is computed, inclusive. Points farther away are at infinity. %Default: infinity.
+  template <class FT>
+  auto maximum_distance(const FT& d) const
+  {
+    return and_also<internal_np::geodesic_maximum_distance_t>(d);
+  }
+
+  /// whether the windows are kept after the propagation, which queries at points other than vertices need.
+  /// %Default: `false`.
+  auto keep_windows(bool keep) const { return and_also<internal_np::geodesic_keep_windows_t>(keep); }
+
+  /// points whose distances are wanted: the propagation stops once all of them are final.
+  /// \tparam Range a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type; it is not copied, and
+  ///         must live until the build has ended. An empty one stops nothing.
+  template <class Range>
+  auto targets(const Range& range) const
+  {
+    return and_also<internal_np::geodesic_targets_t>(std::cref(range));
+  }
+
+  /// a function object `bool(double)`. It is told, every now and then, which part of the surface the front has passed: from
+  /// 0 to 1, never decreasing, and 1 at the end alone. If it returns `false` the build is cancelled. (`parameters::visitor()` is
+  /// that of \cgal; it can be given alone, or behind one of these.)
+  template <class Visitor>
+  auto visitor(const Visitor& v) const
+  {
+    return and_also<internal_np::visitor_t>(v);
+  }
+
+private:
+  template <class New_tag, class U>
+  auto and_also(const U& value) const
+  {
+    return Geodesic_parameters<U, New_tag, Geodesic_parameters>(value, *this);
+  }
+};
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
+/// see `Geodesic_parameters::maximum_distance()`.
+template <class FT>
+auto maximum_distance(const FT& d)
+{
+  return Geodesic_parameters<FT, internal_np::geodesic_maximum_distance_t>(d);
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// whether the windows are kept after the propagation, which queries at points other than vertices need.
-/// Default: `false`.
-inline Named_function_parameters<bool, internal_np::geodesic_keep_windows_t> keep_windows(bool keep)
+/// see `Geodesic_parameters::keep_windows()`.
+inline auto keep_windows(bool keep)
 {
-  return Named_function_parameters<bool, internal_np::geodesic_keep_windows_t>(keep);
+  return Geodesic_parameters<bool, internal_np::geodesic_keep_windows_t>(keep);
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// both parameters at once.
-template <class FT>
-auto geodesic(const FT& maximum, bool keep)
+/// see `Geodesic_parameters::targets()`.
+template <class Range>
+auto targets(const Range& range)
 {
-  typedef Named_function_parameters<FT, internal_np::geodesic_maximum_distance_t> Base;
-  return Named_function_parameters<bool, internal_np::geodesic_keep_windows_t, Base>(keep, Base(maximum));
+  return Geodesic_parameters<std::reference_wrapper<const Range>, internal_np::geodesic_targets_t>(std::cref(range));
 }
 
 } // namespace parameters

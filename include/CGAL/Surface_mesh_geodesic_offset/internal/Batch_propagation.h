@@ -122,13 +122,13 @@ private:
       {
         m_exit[i] = RIGHT;
         if (!first_right) first_right = &w;
-        else if (face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w.b0, w.d0, w.root);
+        else if (face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w, w.b0, w.d0);
       }
       else if (compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y) == NEGATIVE)
       {
         m_exit[i] = LEFT;
         last_left = &w;
-        if (face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w.b1, w.d1, w.root);
+        if (face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w, w.b1, w.d1);
       }
       else
       {
@@ -149,25 +149,27 @@ private:
       list.split_distance = best;
       list.split_entry = entry;
       const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
-      update_apex(h, face, best, bx, by, w.root);
+      update_apex(h, face, best, bx, by, w);
     }
-    if (last_left && !covered) round_the_end(h, face, last_left->b1, last_left->d1, last_left->root);
+    if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
     if (first_right && (!covered || face.passes_apex_closely(*first_right, first_right->b0)))
-      round_the_end(h, face, first_right->b0, first_right->d0, first_right->root);
+      round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
   }
 
-  void round_the_end(Index h, const Window_propagation<FT>& face, const FT& b, const FT& d, Root root)
+  // The path that leaves the window at its end b, at distance d.
+  void round_the_end(Index h, const Window_propagation<FT>& face, const Window& w, const FT& b, const FT& d)
   {
     if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
     const FT bx = b - face.apex_x;
-    update_apex(h, face, d + square_root<FT>(bx * bx + face.apex_y * face.apex_y), bx, -face.apex_y, root);
+    update_apex(h, face, d + square_root<FT>(bx * bx + face.apex_y * face.apex_y), bx, -face.apex_y, w);
   }
 
   // (bx, by): from the apex back towards the source, in the frame of h.
-  void update_apex(Index h, const Window_propagation<FT>& face, const FT& d, const FT& bx, const FT& by, Root root)
+  void update_apex(Index h, const Window_propagation<FT>& face, const FT& d, const FT& bx, const FT& by,
+                   const Window& w)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_state.update_vertex(m_mesh.apex(h), d, back, root);
+    m_state.update_vertex(m_mesh.apex(h), d, back, w.root, w.pseudo_source());
   }
 
   Wavefront_state<FT>& m_state;

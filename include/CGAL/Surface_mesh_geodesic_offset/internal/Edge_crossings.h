@@ -93,14 +93,11 @@ private:
 
   void add_list(Index h, const FT& level, bool reversed)
   {
-    const auto& list = m_field.lists.get(h);
-    for (Index i = 0; i < list.taken; ++i)
-    {
-      const Window<FT>& w = list.data[i];
+    m_field.for_each_window(h, [&](const Window<FT>& w) {
       FT lo = w.b0, hi = w.b1;
       if (near_part(w.is_parallel(), w.x, w.y, FT(level - w.sigma), lo, hi))
         add(lo, hi, level, lo == w.b0 ? w.d0 : level, hi == w.b1 ? w.d1 : level, reversed);
-    }
+    });
   }
 
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the halfedge, is less than r.

@@ -10,9 +10,9 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_sector.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
 #include <algorithm>
 #include <vector>
@@ -62,10 +62,7 @@ public:
     m_windows.clear();
     m_lowest.clear();
     for (int k = 0; k < 3; ++k)
-    {
-      const auto& list = m_field.lists.get(3 * face + k);
-      for (Index i = 0; i < list.taken; ++i) add_window(list.data[i], k);
-    }
+      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) { add_window(w, k); });
     const auto range = local_windows(m_initial, face);
     for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
     m_has_local_sources = range.first != range.second;
@@ -142,7 +139,7 @@ private:
     {
       const Vertex_sector<FT> sector(m_mesh);
       FT part_left(0), part_right(0);
-      sector.for_each_sector_behind(m_field.back[v], [&](const auto& from, const auto& to, Index first) {
+      sector.for_each_sector_behind(m_field.back[v].ray(), [&](const auto& from, const auto& to, Index first) {
         const Ray_at_vertex<FT>*lower, *upper;
         if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
         const FT r = lower ? FT(left - sector.exit_of_ray(h, *lower)) : FT(0);

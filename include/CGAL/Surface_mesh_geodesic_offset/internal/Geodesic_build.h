@@ -16,11 +16,22 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
 #include <chrono>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
+
+// What a build is to compute, and when it may stop.
+template <class FT>
+struct Build_request
+{
+  FT maximum = Number_policy<FT>::infinity();
+  bool keeps_windows = false;
+  std::vector<Surface_point<FT>> targets;   // stop when all are final; none: don't
+  std::function<bool(double)> goes_on = {}; // told the part of the work that is done
+};
 
 template <class Traits>
 class Geodesic_build
@@ -28,9 +39,21 @@ class Geodesic_build
 public:
   typedef typename Traits::FT FT;
 
-  Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources, const FT& maximum, bool keep_windows)
-    : sources(sources), initial(sources.initial_windows(mesh)), maximum(maximum), kept(keep_windows), m_mesh(mesh)
+  Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources, const Build_request<FT>& request)
+    : sources(sources), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
+      m_mesh(mesh), m_request(request)
   {
+    field.clear(mesh);
+  }
+
+  // What comes of another build when there are more sources. Its windows must be all that there are, up to the maximum
+  // distance.
+  Geodesic_build(const Geodesic_build& before, const Source_set<FT>& sources, const Build_request<FT>& request)
+    : sources(sources), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
+      kept(request.keeps_windows), m_mesh(before.m_mesh), m_request(request),
+      m_first_new(Index(before.initial.primitives.size()))
+  {
+    field.start_from(before.field);
   }
 
   // Without offsets.
@@ -44,9 +67,9 @@ public:
   template <class Function>
   void propagate_and_cut(const Traits& traits, const Offset_levels<FT>& levels, const Function& out)
   {
-    Cutter<Function> cutter{Offset_extraction<FT>(m_mesh, initial, field, levels), out};
+    Cutter<Function> cutter{Offset_extraction<FT>(m_mesh, initial, field, levels, maximum), out};
     run(traits, cutter);
-    cutter.finish();
+    cutter.extraction.release_all(maximum, out);
     statistics.propagation_seconds -= cutter.seconds_within_propagation;
     statistics.offset_seconds = cutter.seconds;
     statistics.pieces = cutter.extraction.number_of_pieces();
@@ -57,16 +80,22 @@ public:
   template <class Function>
   void cut(const Offset_levels<FT>& levels, const Function& out) const
   {
-    Offset_extraction<FT> extraction(m_mesh, initial, field, levels);
+    Offset_extraction<FT> extraction(m_mesh, initial, field, levels, maximum);
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
       if (m_mesh.source(3 * f) != no_index) extraction(f);
-    extraction.release_all(out);
+    extraction.release_all(maximum, out);
   }
+
+  const Build_request<FT>& request() const { return m_request; }
+
+  // Whether it went on until nothing within the wanted distance was left.
+  bool is_whole() const { return !is_cancelled && !has_all_targets; }
 
   const Source_set<FT> sources;
   const Initial_windows<FT> initial;
-  const FT maximum;
+  FT maximum; // all points up to this distance are final
   const bool kept;
+  bool is_cancelled = false, has_all_targets = false;
   Geodesic_field<FT> field;
   Geodesic_offset_statistics statistics;
 
@@ -102,7 +131,6 @@ private:
       extraction.release(distance, out);
       seconds_within_propagation += seconds_since(start);
     }
-    void finish() { extraction.release_all(out); }
   };
 
   template <class Consumer>
@@ -110,15 +138,36 @@ private:
   {
     const Clock::time_point start = Clock::now();
     Wavefront<Traits> front(m_mesh, initial, traits, maximum, kept, field);
-    front.run(consumer);
+    std::size_t next_target = 0;
+    const auto goes_on = [&](const FT& distance, std::size_t passed) {
+      const auto& targets = m_request.targets;
+      while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
+      has_all_targets = !targets.empty() && next_target == targets.size();
+      if (has_all_targets) return false;
+      is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
+      return !is_cancelled;
+    };
+    front.run(consumer, goes_on, m_first_new);
+    maximum = front.maximum();
     statistics.windows_created = front.counts().windows_created;
     statistics.windows_propagated = front.counts().windows_propagated;
     statistics.windows_peak = field.lists.peak();
+    field.release_front();
+    statistics.kept_bytes = field.kept.bytes();
     statistics.propagation_seconds = seconds_since(start);
-    if (!kept) field.release_lists();
+    if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);
+  }
+
+  // Whether the distance of a point is known, once the front is at a distance.
+  bool is_final(const Wavefront<Traits>& front, const Surface_point<FT>& p, const FT& distance) const
+  {
+    if (p.kind == Surface_point<FT>::VERTEX) return field.distance[p.element] <= distance;
+    return front.largest_distance(p.kind == Surface_point<FT>::EDGE ? m_mesh.face(p.element) : p.element) <= distance;
   }
 
   const Unfolded_mesh<FT>& m_mesh;
+  const Build_request<FT> m_request;
+  const Index m_first_new = 0; // primitive
 };
 
 } // namespace internal

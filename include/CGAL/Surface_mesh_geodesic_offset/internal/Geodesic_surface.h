@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 
 #include <array>
@@ -26,6 +27,7 @@ struct Geodesic_surface
   typedef typename Traits::Kernel Kernel;
   typedef typename Traits::FT FT;
   typedef typename Traits::Point_3 Point_3;
+  typedef typename Traits::Vector_3 Vector_3;
   typedef typename Traits::Triangle_mesh Triangle_mesh;
   typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
@@ -56,6 +58,46 @@ struct Geodesic_surface
   {
     if (edge == 3) return location(face, p);
     return Face_location(face_of[face], Face_frame<FT>(unfolded, face).barycentric_on_edge(edge, p));
+  }
+
+  // At an isolated vertex there is no face.
+  Face_location location(const Surface_point<FT>& p) const
+  {
+    if (p.kind == Surface_point<FT>::FACE) return location(p.element, {p.x, p.y});
+    Face_location l(boost::graph_traits<Triangle_mesh>::null_face(), Barycentric_coordinates{FT(0), FT(0), FT(0)});
+    const Index h = p.kind == Surface_point<FT>::EDGE ? p.element : unfolded.corner(p.element);
+    if (h == no_index) return l;
+    const FT t = p.kind == Surface_point<FT>::EDGE ? FT(p.x / unfolded[h].length) : FT(0);
+    l.first = face_of[h / 3];
+    l.second[h % 3] = FT(1) - t;
+    l.second[(h % 3 + 1) % 3] = t;
+    return l;
+  }
+
+  Point_3 point(const Surface_point<FT>& p) const
+  {
+    if (p.kind != Surface_point<FT>::VERTEX) return point(location(p));
+    const auto& q = get(vpm, vertex_of[p.element]);
+    return Point_3(FT(q.x()), FT(q.y()), FT(q.z()));
+  }
+
+  halfedge_descriptor halfedge_of(Index h) const
+  {
+    const halfedge_descriptor first = halfedge(face_of[h / 3], tm);
+    return h % 3 == 0 ? first : h % 3 == 1 ? next(first, tm) : prev(first, tm);
+  }
+
+  // A vector in the frame of a face, in space.
+  Vector_3 vector(Index face, const Point_in_face<FT>& v) const
+  {
+    const Unfolded_halfedge<FT>& u = unfolded[3 * face];
+    const FT b = v.y / u.apex_y, a = (v.x - b * u.apex_x) / u.length;
+    const halfedge_descriptor h = halfedge(face_of[face], tm);
+    const auto &p = get(vpm, source(h, tm)), &q = get(vpm, target(h, tm)), &r = get(vpm, target(next(h, tm), tm));
+    const auto combine = [&](const auto& x, const auto& y, const auto& z) {
+      return FT(a * (FT(y) - FT(x)) + b * (FT(z) - FT(x)));
+    };
+    return Vector_3(combine(p.x(), q.x(), r.x()), combine(p.y(), q.y(), r.y()), combine(p.z(), q.z(), r.z()));
   }
 
   Point_3 point(const Face_location& l) const

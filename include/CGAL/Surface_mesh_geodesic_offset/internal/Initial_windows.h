@@ -28,6 +28,13 @@ struct Source_primitive
   bool is_segment;
 };
 
+// Where it is: from `first` straight to `second`, in a face that both lie in; a point is `first` alone.
+template <class FT>
+struct Source_place
+{
+  Surface_point<FT> first, second;
+};
+
 template <class FT>
 class Initial_windows
 {
@@ -66,7 +73,7 @@ public:
 
   void add_point(Index source, const Surface_point_& p)
   {
-    const Root root(add_primitive(source, 0, false), Source_side::NONE);
+    const Root root(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
     if (p.kind == Surface_point_::VERTEX)
     {
       seeds.push_back({p.element, FT(0), Ray(), root});
@@ -88,16 +95,18 @@ public:
   }
 
   std::vector<Source_primitive> primitives;
-  std::vector<Index> source_of; // per primitive, its source
+  std::vector<Source_place<FT>> places; // per primitive
+  std::vector<Index> source_of;         // per primitive, its source
   std::vector<Local_window> local;
   std::vector<Edge_window> edges;
   std::vector<Vertex_fan> fans;
   std::vector<Vertex_seed> seeds;
 
-  Index add_primitive(Index source, Index part, bool is_segment)
+  Index add_primitive(const Source_primitive& primitive, const Source_place<FT>& place)
   {
-    primitives.push_back({source, part, is_segment});
-    source_of.push_back(source);
+    primitives.push_back(primitive);
+    places.push_back(place);
+    source_of.push_back(primitive.source);
     return Index(primitives.size() - 1);
   }
 

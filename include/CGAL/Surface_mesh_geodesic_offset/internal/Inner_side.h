@@ -28,7 +28,7 @@ public:
 
   // `polyline`: the only source of its set. Takes one propagation over the whole surface.
   Inner_side(const Unfolded_mesh<FT>& mesh, const Traits& traits, const Source_set<FT>& polyline)
-    : m_mesh(mesh), m_build(mesh, polyline, Number_policy<FT>::infinity(), true)
+    : m_mesh(mesh), m_build(mesh, polyline, {Number_policy<FT>::infinity(), true, {}, {}})
   {
     m_build.propagate(traits);
     Face_field<FT> field(mesh, m_build.initial, m_build.field);

@@ -32,8 +32,9 @@ public:
   typedef Level_piece<FT> Piece;
 
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-                    const Offset_levels<FT>& levels)
-    : m_mesh(mesh), m_field(field), m_levels(levels), m_face(mesh, initial, field), m_crossings(mesh, initial, field),
+                    const Offset_levels<FT>& levels, const FT& maximum)
+    : m_mesh(mesh), m_field(field), m_levels(levels), m_end(levels.first_above(maximum)),
+      m_face(mesh, initial, field), m_crossings(mesh, initial, field),
       m_is_cut(mesh.number_of_faces(), 0)
   {
   }
@@ -58,11 +59,11 @@ public:
     }
   }
 
-  // Gives out all levels that are left, once all faces have been cut.
+  // Gives out all levels that are left up to a distance, once all faces have been cut.
   template <class Function>
-  void release_all(const Function& out)
+  void release_all(const FT& maximum, const Function& out)
   {
-    while (!m_curves.empty()) give_out(m_curves.begin(), out);
+    while (!m_curves.empty() && m_levels[m_curves.begin()->first] <= maximum) give_out(m_curves.begin(), out);
   }
 
   std::size_t number_of_pieces() const { return m_number_of_pieces; }
@@ -96,8 +97,8 @@ private:
   {
     FT near, far;
     range_of(face, near, far);
-    std::size_t first = m_levels.first_above(near), last = m_levels.first_above(far);
-    if (first == last) return;
+    std::size_t first = m_levels.first_above(near), last = (std::min)(m_end, m_levels.first_above(far));
+    if (first >= last) return;
     m_face.set_face(face);
     const Face_field<FT>& field = m_face;
     first = (std::max)(first, m_levels.first_above(FT(field.lower_bound() - slack(far))));
@@ -191,6 +192,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
   const Offset_levels<FT>& m_levels;
+  const std::size_t m_end; // of the levels up to the maximum distance
   Face_field<FT> m_face; // of the face being cut
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;

@@ -1,16 +1,17 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A shortest path back to the source, from kept windows: in each face, the window that gives the point its distance
-// tells where the path came in; at a vertex, the windows of the faces around tell.
+// A shortest path back to the source: straight on through the unfolded faces, from pseudo-source to pseudo-source. It takes
+// windows only where it starts, and none at all at a vertex.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_TRACING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_TRACING_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_field.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -21,162 +22,184 @@ class Path_tracing
 {
 public:
   typedef Point_in_face<FT> Point;
+  typedef Surface_point<FT> Surface_point_;
 
   Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_initial(initial), m_field(field)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_start(mesh, initial, field)
   {
   }
 
-  // Distance of a point, by the fields of the faces around it, and where the shortest path ends.
-  FT distance(const Surface_point<FT>& p, Root& root) const
-  {
-    if (p.kind == Surface_point<FT>::VERTEX)
-    {
-      root = m_field.root[p.element];
-      return m_field.distance[p.element];
-    }
-    FT best = Number_policy<FT>::infinity();
-    int preference = 0;
-    for (Index f : faces_of(m_mesh, p))
-    {
-      Point q;
-      unsigned edges;
-      position_in_face(m_mesh, p, f, q, edges);
-      std::size_t i;
-      const Face_field<FT> field(m_mesh, m_initial, m_field, f);
-      const FT d = field.distance(q, i);
-      if (!Number_policy<FT>::is_finite(d)) continue;
-      if (field.tie(d, best) ? field.preference(i, q) > preference : d < best)
-      {
-        preference = field.preference(i, q);
-        root = field.windows()[i].root;
-      }
-      best = (std::min)(best, d);
-    }
-    return best;
-  }
-
-  // Calls out(face, point in the face's frame, halfedge of the face it lies on, or 3) for the points of the path from p to its source, one for each edge crossed
-  // and each vertex passed. Nothing if p is unreachable.
+  // Calls out(surface point) for p, for each edge that the path crosses and each vertex that it passes, and for the source
+  // point where it ends. Nothing if p is farther than the maximum.
   template <class Function>
-  void operator()(const Surface_point<FT>& p, const Function& out) const
+  void operator()(const Surface_point_& p, const FT& maximum, const Function& out) const
   {
-    Step step{};
-    if (!first_step(p, step)) return;
-    out(step.face, step.from, edge_of(p, step.face));
-    for (std::size_t guard = 0; guard <= 4 * m_mesh.number_of_faces() + 16; ++guard)
+    Path_start<FT> start = m_start(p);
+    if (!start.is_reached() || start.distance > maximum) return;
+    out(p);
+    const Index limit = Index(m_mesh.number_of_vertices());
+    for (Index guard = 0; start.face != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
     {
-      Surface_point<FT> next;
-      Index came_through = no_index;
-      bool done = false;
-      advance(step, out, next, came_through, done);
-      if (done || !next_step(next, came_through, step)) return;
+      bool is_source = false;
+      const Surface_point_ end = follow(start, p, is_source, out);
+      out(end);
+      if (is_source) return;
+      start = m_start.at_vertex(end.element);
     }
   }
 
 private:
-  struct Step // in the face, from a point, towards the image of a window
-  {
-    Index face;
-    Point from;
-    Face_window<FT> window;
-  };
+  static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
-  int edge_of(const Surface_point<FT>& p, Index face) const
-  {
-    Point q;
-    unsigned edges;
-    position_in_face(m_mesh, p, face, q, edges);
-    return edges & 1u ? 0 : edges & 2u ? 1 : edges & 4u ? 2 : 3;
-  }
-
-  bool first_step(const Surface_point<FT>& p, Step& step) const { return next_step(p, no_index, step); }
-
-  // The window to follow from p: the one that gives it the smallest distance, but not back through the halfedge by which
-  // the path has come.
-  bool next_step(const Surface_point<FT>& p, Index came_through, Step& step) const
-  {
-    FT best = Number_policy<FT>::infinity();
-    const std::vector<Index> faces =
-      came_through == no_index ? faces_of(m_mesh, p) : std::vector<Index>(1, m_mesh.face(came_through));
-    for (Index f : faces)
-    {
-      const Face_field<FT> field(m_mesh, m_initial, m_field, f);
-      Point q;
-      unsigned edges;
-      position_in_face(m_mesh, p, f, q, edges);
-      for (const Face_window<FT>& w : field.windows())
-      {
-        if (p.kind == Surface_point<FT>::VERTEX)
-        {
-          if (w.origin == STARTS_AT_CORNER && m_mesh.source(3 * f + w.edge) == p.element) continue;
-          // rays that enter along an edge at the vertex itself belong to the face on its other side
-          if (w.origin <= ENTERS_HALFEDGE_2 && (edges & (1u << w.edge)) && !CGAL::is_zero(w.distance_at(q))) continue;
-        }
-        else if (came_through != no_index && w.origin <= ENTERS_HALFEDGE_2 && 3 * f + w.edge == came_through)
-          continue;
-        const FT d = w.path_length(q);
-        if (d < best)
-        {
-          best = d;
-          step = Step{f, q, w};
-        }
-      }
-    }
-    return Number_policy<FT>::is_finite(best);
-  }
-
-  // Follows the step's window to where it entered the face; `done` if that is the source.
+  // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
+  // shortest path is as short as any.
   template <class Function>
-  void advance(const Step& step, const Function& out, Surface_point<FT>& next, Index& came_through, bool& done) const
+  Surface_point_ follow(const Path_start<FT>& start, const Surface_point_& origin, bool& is_source, const Function& out) const
   {
-    const Face_window<FT>& w = step.window;
-    if (w.origin == STARTS_AT_CORNER)
+    Index face = start.face;
+    Point p = start.from, q = start.to;
+    int exit = start.exit;
+    // a window that enters through the edge that the point is on: the path starts on the other side
+    if (exit != -1 && lies_on(origin, 3 * face + Index(exit)) && m_mesh.twin(3 * face + Index(exit)) != no_index)
+      exit = cross_edge(face, exit, p, q);
+    const Index limit = Index(m_mesh.number_of_halfedges());
+    for (Index guard = 0; guard <= limit; ++guard)
     {
-      const Index v = m_mesh.source(3 * step.face + w.edge);
-      out(step.face, w.image(), w.edge);
-      done = CGAL::is_zero(m_field.distance[v]);
-      next = Surface_point<FT>::at_vertex(v);
-      return;
+      if (Surface_point_ end; ends_in(face, p, start, end, is_source)) return end;
+      const Face_frame<FT> frame(m_mesh, face);
+      if (exit == -1) exit = exit_from_inside(frame, p, q);
+      const Index h = 3 * face + Index(exit);
+      const FT t = position_of_exit(frame, exit, p, q), size = m_mesh[h].length;
+      const bool is_border = m_mesh.twin(h) == no_index;
+      const bool ahead = CGAL::is_positive(dot(q - p, frame.direction(exit)));
+      for (const bool at_target : {ahead, !ahead})
+        if (is_border || (at_target ? size - t : t) <= FT(nearby) * size)
+        {
+          const Index v = at_target ? m_mesh.target(h) : m_mesh.source(h);
+          const Point corner = frame.corner(at_target ? (exit + 1) % 3 : exit);
+          if (!is_way_by(v, length(corner - p), length(q - p), start)) continue;
+          is_source = CGAL::is_zero(m_field.distance[v]);
+          return Surface_point_::at_vertex(v);
+        }
+      if (is_border) break;
+      out(on_edge(h, t));
+      p = frame.on_edge(exit, t);
+      exit = cross_edge(face, exit, p, q);
     }
-    const Point entry = entry_of(w, step.from);
-    if (w.origin == STARTS_IN_FACE)
-    {
-      out(step.face, w.is_parallel() ? entry : w.image(), 3);
-      done = true;
-      return;
-    }
-    out(step.face, entry, w.edge);
-    const Index h = 3 * step.face + w.edge;
-    done = !CGAL::is_positive(w.distance_at(entry));
-    next.kind = Surface_point<FT>::EDGE;
-    next.element = m_mesh.twin(h) == no_index ? h : m_mesh.twin(h);
-    const FT t = Face_frame<FT>(m_mesh, step.face).along(w.edge, entry);
-    const FT length = m_mesh[h].length, end = Number_policy<FT>::rounding(256) * length;
-    if (t <= end) next = Surface_point<FT>::at_vertex(m_mesh.source(h));
-    else if (t >= length - end) next = Surface_point<FT>::at_vertex(m_mesh.target(h));
-    else
-    {
-      next.x = next.element == h ? t : FT(length - t);
-      came_through = next.element;
-      if (m_mesh.twin(h) == no_index) done = true;
-    }
+    // rounding at the border, and nothing better to say
+    is_source = start.pseudo_source == no_index;
+    return is_source ? m_initial.places[start.root.primitive()].first : Surface_point_::at_vertex(start.pseudo_source);
   }
 
-  static Point entry_of(const Face_window<FT>& w, const Point& p)
+  // Whether the way by a vertex is as short as the rest of the path, straight on.
+  bool is_way_by(Index v, const FT& to_vertex, const FT& straight_on, const Path_start<FT>& start) const
   {
-    if (CGAL::is_positive(w.left_side(p))) return w.left;
-    if (CGAL::is_negative(w.right_side(p))) return w.right;
-    const Point u = w.is_parallel() ? FT(-1) * w.image() : p - w.image();
-    const Point o = w.is_parallel() ? p : w.image();
-    const FT r = cross(u, w.right - o), l = cross(u, w.left - o);
-    if (CGAL::is_zero(FT(r - l))) return w.right;
-    return w.right + (r / (r - l)) * (w.left - w.right);
+    const FT& d = m_field.distance[v];
+    const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
+    return d < start.distance && d + to_vertex <= rest + Number_policy<FT>::rounding(256) * start.distance;
+  }
+
+  bool lies_on(const Surface_point_& p, Index h) const
+  {
+    return p.kind == Surface_point_::EDGE && (p.element == h || m_mesh.twin(p.element) == h);
+  }
+
+  static Surface_point_ on_edge(Index h, const FT& t)
+  {
+    Surface_point_ p;
+    p.kind = Surface_point_::EDGE;
+    p.element = h;
+    p.x = t;
+    return p;
+  }
+
+  // Goes over to the face beyond the edge; returns through which of its edges the way to q goes on.
+  int cross_edge(Index& face, int exit, Point& p, Point& q) const
+  {
+    const Face_frame<FT> before(m_mesh, face);
+    const Index g = m_mesh.twin(3 * face + Index(exit));
+    face = m_mesh.face(g);
+    const int k = int(g % 3);
+    const Face_frame<FT> frame(m_mesh, face);
+    p = frame.on_edge(k, before.to_twin(exit, p).x);
+    q = frame.from_halfedge(k, before.to_twin(exit, q));
+    // seen across the edge, its source is on the left
+    const int apex = (k + 2) % 3;
+    return CGAL::is_negative(cross(q - p, frame.corner(apex) - p)) ? apex : (k + 1) % 3;
+  }
+
+  // The edge that the way from a point inside the face leaves through.
+  static int exit_from_inside(const Face_frame<FT>& frame, const Point& p, const Point& q)
+  {
+    for (int k = 0; k < 3; ++k)
+      if (!CGAL::is_positive(cross(q - p, frame.corner(k) - p)) && CGAL::is_positive(cross(q - p, frame.corner((k + 1) % 3) - p)))
+        return k;
+    return 0;
+  }
+
+  static FT position_of_exit(const Face_frame<FT>& frame, int k, const Point& p, const Point& q)
+  {
+    const FT a = cross(q - p, frame.corner(k) - p), b = cross(q - p, frame.corner((k + 1) % 3) - p);
+    if (!CGAL::is_negative(a)) return FT(0);
+    if (!CGAL::is_positive(b)) return frame.edge_length(k);
+    return (a / (a - b)) * frame.edge_length(k);
+  }
+
+  bool is_in_face(const Surface_point_& p, Index face) const
+  {
+    if (p.kind == Surface_point_::FACE) return p.element == face;
+    if (p.kind == Surface_point_::EDGE)
+      return m_mesh.face(p.element) == face ||
+             (m_mesh.twin(p.element) != no_index && m_mesh.face(m_mesh.twin(p.element)) == face);
+    const Index h = 3 * face;
+    return m_mesh.source(h) == p.element || m_mesh.source(h + 1) == p.element || m_mesh.source(h + 2) == p.element;
+  }
+
+  // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space.
+  bool ends_in(Index face, const Point& p, const Path_start<FT>& start, Surface_point_& end, bool& is_source) const
+  {
+    is_source = start.pseudo_source == no_index;
+    if (!is_source)
+    {
+      end = Surface_point_::at_vertex(start.pseudo_source);
+      return is_in_face(end, face);
+    }
+    const Source_place<FT>& place = m_initial.places[start.root.primitive()];
+    if (!is_in_face(place.first, face) || !is_in_face(place.second, face)) return false;
+    end = m_initial.primitives[start.root.primitive()].is_segment ? foot_in(face, p, place) : place.first;
+    return true;
+  }
+
+  // The nearest point of a segment in the face.
+  Surface_point_ foot_in(Index face, const Point& p, const Source_place<FT>& place) const
+  {
+    Point a, b;
+    unsigned edges_of_a, edges_of_b;
+    position_in_face(m_mesh, place.first, face, a, edges_of_a);
+    position_in_face(m_mesh, place.second, face, b, edges_of_b);
+    const Point u = b - a;
+    const FT t = dot(p - a, u) / dot(u, u);
+    if (!CGAL::is_positive(t)) return place.first;
+    if (!(t < FT(1))) return place.second;
+    const Point foot = a + t * u;
+    const unsigned edge = edges_of_a & edges_of_b;
+    if (edge)
+    {
+      const int k = edge == 1 ? 0 : edge == 2 ? 1 : 2;
+      return on_edge(3 * face + Index(k), Face_frame<FT>(m_mesh, face).along(k, foot));
+    }
+    Surface_point_ end;
+    end.kind = Surface_point_::FACE;
+    end.element = face;
+    end.x = foot.x;
+    end.y = foot.y;
+    return end;
   }
 
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
+  const Path_starts<FT> m_start;
 };
 
 } // namespace internal

@@ -28,21 +28,26 @@ public:
   {
   }
 
-  // Everything that starts from the sources.
-  void start()
+  // Everything that starts from the sources, but for primitives before the given one.
+  void start(Index first_primitive)
   {
+    const auto starts = [&](const auto& what) { return what.root.primitive() >= first_primitive; };
     // first the vertices that are sources, which have their own fans; then what reaches vertices, maybe at no distance
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
-        if ((s.back.corner == no_index) == is_source) m_state.update_vertex(s.vertex, s.distance, s.back, s.root);
-    for (const auto& f : m_initial.fans) spread(f.vertex, f.from, f.to, f.first, f.root, no_index);
+        if (starts(s) && (s.back.corner == no_index) == is_source)
+          m_state.update_vertex(s.vertex, s.distance, s.back, s.root, no_index);
+    for (const auto& f : m_initial.fans)
+      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.root, no_index);
     for (const auto& e : m_initial.edges)
     {
+      if (!starts(e)) continue;
       Window w{FT(0), FT(-1), FT(0), e.b0, e.b1, FT(0), FT(0), e.root, Window::make_bits(true, no_index)};
       m_state.append(e.halfedge, w);
     }
     for (const auto& l : m_initial.local)
     {
+      if (!starts(l.window)) continue;
       m_state.schedule(l.face);
       if (l.window.origin == STARTS_AT_CORNER) continue; // its rays are those of a fan
       const Face_frame<FT> frame(m_mesh, l.face);
@@ -56,7 +61,7 @@ public:
   {
     if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
     m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
-    const Ray back = m_state.field.back[v];
+    const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
     m_sector.for_each_sector_behind(
       back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v); });
@@ -136,8 +141,9 @@ private:
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
       const Index e = m_mesh.next(h), p = m_mesh.previous(h);
       m_state.schedule(m_mesh.face(h));
-      m_state.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root);
-      m_state.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root);
+      m_state.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root,
+                            pseudo_source);
+      m_state.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source);
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;

@@ -52,6 +52,15 @@ public:
   void clear() { m_sources.clear(); }
   std::size_t size() const { return m_sources.size(); }
 
+  // Whether this is another set and some later sources.
+  bool extends(const Source_set& before) const
+  {
+    auto i = m_sources.begin();
+    for (auto j = before.m_sources.begin(); j != before.m_sources.end(); ++i, ++j)
+      if (i == m_sources.end() || i->first != j->first) return false;
+    return true;
+  }
+
   Initial_windows<FT> initial_windows(const Unfolded_mesh<FT>& mesh) const
   {
     Initial_windows<FT> initial(mesh);

@@ -70,7 +70,9 @@ public:
       const Index h = halfedges[i];
       if (is_source[h]) continue;
       is_source[h] = 1;
-      const Index primitive = m_out.add_primitive(source, Index(i), true);
+      const Index primitive = m_out.add_primitive(
+        {source, Index(i), true},
+        {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
       m_out.add_edge_windows(h, FT(0), m_mesh[h].length, Root(primitive, Source_side::NONE), Root(primitive, Source_side::NONE));
       if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
       ends.push_back(m_mesh.source(h));
@@ -80,7 +82,8 @@ public:
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (Index v : ends)
     {
-      const Root root(m_out.add_primitive(source, v, false), Source_side::NONE);
+      const Surface_point_ place = Surface_point_::at_vertex(v);
+      const Root root(m_out.add_primitive({source, v, false}, {place, place}), Source_side::NONE);
       m_out.seeds.push_back({v, FT(0), Ray(), root});
       m_mesh.for_each_fan(v, [&](Index first) { add_fan_between_edges(v, first, is_source, root); });
     }
@@ -127,7 +130,7 @@ private:
 
   void add_segment(Index source, const Segment& s)
   {
-    const Index primitive = m_out.add_primitive(source, s.part, true);
+    const Index primitive = m_out.add_primitive({source, s.part, true}, {s.first, s.second});
     const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
@@ -197,7 +200,7 @@ private:
 
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
   {
-    const Root root(m_out.add_primitive(source, part, false), Source_side::CAP);
+    const Root root(m_out.add_primitive({source, part, false}, {p, p}), Source_side::CAP);
     if (p.kind == Surface_point_::VERTEX)
     {
       const Ray r = ray_of(s, at_second);
@@ -214,7 +217,7 @@ private:
   void add_joint(Index source, const Segment& in, const Segment& out)
   {
     const Surface_point_& p = out.first;
-    const Index primitive = m_out.add_primitive(source, out.part, false);
+    const Index primitive = m_out.add_primitive({source, out.part, false}, {p, p});
     const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {

@@ -38,16 +38,33 @@ public:
   {
   }
 
+  // Propagates what starts from the primitives from `first_primitive` on. What the field says already stays where nothing
+  // improves it.
+  //
   // consumer.take(faces) is called with the faces that the front has passed, with each once, while the lists of their
   // halfedges, and the distances at their corners, are final and still there; consumer.settle(distance) whenever all faces
   // with points nearer than the distance have been taken.
-  template <class Consumer>
-  void run(Consumer& consumer)
+  //
+  // goes_on(distance, faces) is asked ever so often, once all points up to the distance are final; `faces` is the number of
+  // those that the front has passed. If it says no, the distance becomes the maximum distance.
+  template <class Consumer, class Condition>
+  void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {
-    m_spreading.start();
-    std::size_t settled = 1;
+    const bool is_update = first_primitive > 0;
+    m_spreading.start(first_primitive);
+    std::size_t settled = 1, asked = 1;
     while (m_state.queue.advance())
     {
+      if (m_state.queue.current() > asked)
+      { // less one bucket, against rounding
+        asked = m_state.queue.current();
+        const FT final_up_to(double(asked - 1) * m_state.queue.width());
+        if (!goes_on(final_up_to, m_number_of_passed))
+        {
+          m_state.maximum = (std::min)(m_state.maximum, final_up_to);
+          break;
+        }
+      }
       if (const std::size_t oldest = m_state.unfinished.oldest(m_state.queue.current()); oldest > settled)
       { // less one bucket, against rounding
         consumer.settle(FT(double(oldest - 1) * m_state.queue.width()));
@@ -62,13 +79,27 @@ public:
         m_spreading.spread_from_pseudo_source(i);
     }
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!(m_state.face_state[f] & State::FINISHED) && is_reached(f)) finish(f);
+      if (!(m_state.face_state[f] & State::FINISHED) && (is_update ? m_state.face_state[f] != 0 : is_reached(f))) finish(f);
     hand_over(consumer);
     for (FT& d : m_state.field.distance)
       if (d > m_state.maximum) d = Number_policy<FT>::infinity();
   }
 
   const Wavefront_counts& counts() const { return m_state.counts; }
+
+  const FT& maximum() const { return m_state.maximum; }
+
+  // No point of the face is farther than this: a corner's distance and the way from there.
+  FT largest_distance(Index f) const
+  {
+    FT bound = Number_policy<FT>::infinity();
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const FT way = (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length);
+      bound = (std::min)(bound, FT(m_state.field.distance[m_mesh.source(h)] + way));
+    }
+    return bound;
+  }
 
 private:
   // Takes the list of a halfedge: reduces it to its lower envelope and propagates what is new.
@@ -96,18 +127,6 @@ private:
     return false;
   }
 
-  // No point of the face is farther than this: a corner's distance and the way from there.
-  FT largest_distance(Index f) const
-  {
-    FT bound = Number_policy<FT>::infinity();
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const FT way = (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length);
-      bound = (std::min)(bound, FT(m_state.field.distance[m_mesh.source(h)] + way));
-    }
-    return bound;
-  }
-
   void try_to_finish(Index f)
   {
     if (m_state.face_state[f] & State::FINISHED) return;
@@ -131,9 +150,12 @@ private:
   {
     if (m_passed.empty()) return;
     consumer.take(m_passed);
-    if (!m_keep)
-      for (Index f : m_passed)
-        for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
+    for (Index f : m_passed)
+    {
+      if (m_keep) m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
+    }
+    m_number_of_passed += m_passed.size();
     m_passed.clear();
   }
 
@@ -144,6 +166,7 @@ private:
   Lower_envelope<FT> m_envelope;
   Batch_propagation<Traits> m_propagate;
   std::vector<Index> m_passed; // faces that the consumer has not taken yet
+  std::size_t m_number_of_passed = 0;
 };
 
 } // namespace internal

@@ -9,9 +9,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfinished_faces.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
 
 #include <algorithm>
@@ -20,18 +19,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// What is known of the distance field: at the vertices always, on the edges as far as the lists were kept.
-template <class FT>
-struct Geodesic_field
-{
-  std::vector<FT> distance;              // per vertex
-  std::vector<Ray_at_vertex<FT>> back;   // per vertex, the direction back to the source
-  std::vector<Root> root;                // per vertex
-  Window_lists<FT> lists;                // per halfedge
-
-  void release_lists() { lists = Window_lists<FT>(); }
-};
 
 struct Wavefront_counts
 {
@@ -48,20 +35,18 @@ public:
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2 };
   enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
 
+  // The field says what is known already.
   Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)
     : mesh(mesh), maximum(maximum_distance), field(field), queue(0.25 * CGAL::to_double(mesh.mean_edge_length())),
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
       unfinished(mesh.number_of_faces())
   {
-    field.distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
-    field.back.assign(mesh.number_of_vertices(), Ray());
-    field.root.assign(mesh.number_of_vertices(), Root());
     field.lists = Window_lists<FT>(mesh.number_of_halfedges());
   }
 
-  // A path to v of length d, that leaves v along `back`. A vertex where shortest paths bend becomes a pseudo-source once
-  // the front is there.
-  void update_vertex(Index v, const FT& d, const Ray& back, Root root)
+  // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where shortest
+  // paths bend becomes a pseudo-source once the front is there.
+  void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source)
   {
     FT& known = field.distance[v];
     if (!(d < known)) return;
@@ -70,7 +55,7 @@ public:
     if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
     if (ties) return;
-    field.back[v] = back;
+    field.back[v] = Way_back<FT>(back, pseudo_source);
     field.root[v] = root;
     vertex_state[v] &= char(~WAITS);
     if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
@@ -112,7 +97,7 @@ public:
     Output(Wavefront_state& front, Index g, std::size_t n) : m_front(front), m_halfedge(g)
     {
       if (g == no_index || (front.face_state[front.mesh.face(g)] & FINISHED)) return;
-      m_next = m_first = front.field.lists.room(front.field.lists.get_or_create(g), n);
+      m_next = m_first = front.field.lists.room(front.field.list(g), n);
     }
 
     bool is_open() const { return m_first != nullptr; }
@@ -156,7 +141,7 @@ public:
   };
 
   const Unfolded_mesh<FT>& mesh;
-  const FT maximum;
+  FT maximum;
   Geodesic_field<FT>& field;
   Bucket_queue queue;
   std::vector<char> vertex_state, face_state;

@@ -90,7 +90,7 @@ public:
   Window_lists() = default;
   explicit Window_lists(std::size_t number_of_halfedges) : m_list_of(number_of_halfedges, no_index) {}
 
-  bool has(Index h) const { return m_list_of[h] != no_index; }
+  bool has(Index h) const { return h < m_list_of.size() && m_list_of[h] != no_index; }
   const List& get(Index h) const
   {
     static const List empty;

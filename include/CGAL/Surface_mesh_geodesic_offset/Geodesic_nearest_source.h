@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_NEAREST_SOURCE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_NEAREST_SOURCE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief says which source is nearest to a point of the surface, and which point of it. Where several are nearest, it is one of
+them.
+
+\tparam FT_ a number type
+\tparam FaceLocation the type of locations
+*/
+template <class FT_, class FaceLocation>
+struct Geodesic_nearest_source
+{
+  std::size_t source;    ///< id of the source, as returned when it was added
+  std::size_t part;      ///< number of the point, or of the segment, within the source; of a set of edges: of the edge in the
+                         ///< range, or the index of the vertex
+  bool is_segment;       ///< whether the nearest point lies inside a segment (or an edge), and not at one of its ends
+  Source_side side;      ///< side of the source from which it is reached
+  FT_ distance;          ///< length of the shortest path
+  FaceLocation location; ///< the nearest point of the source
+};
+
+} // namespace CGAL
+
+#endif

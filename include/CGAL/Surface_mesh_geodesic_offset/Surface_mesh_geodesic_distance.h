@@ -1,0 +1,340 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_DISTANCE_H
+#define CGAL_SURFACE_MESH_GEODESIC_DISTANCE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_nearest_source.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Farthest_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief computes exact geodesic distances and shortest paths on a triangle mesh, from any number of points, polylines and edges,
+by the extended Xin-Wang algorithm \cgalCite{XYH11}.
+
+The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
+Sources are added, then `build()` propagates the distances, then the const member functions answer. They may be called
+from several threads at once. Points that no path reaches are at infinity. Lengths and distances are in the units of the mesh's
+points.
+
+Adding or removing sources leaves the result of the last build as it is until `build()` or `update()` is called.
+
+The template parameters are those of `Surface_mesh_geodesic_sources`.
+*/
+template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
+class Surface_mesh_geodesic_distance
+  : public Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap>
+{
+  typedef Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Base;
+
+public:
+  /// \name Types
+  /// @{
+  typedef typename Base::vertex_descriptor vertex_descriptor;
+  typedef typename Base::halfedge_descriptor halfedge_descriptor;
+  typedef typename Base::face_descriptor face_descriptor;
+  typedef typename Base::FT FT;
+  typedef typename Base::Point_3 Point_3;
+  typedef typename Base::Vector_3 Vector_3;
+  typedef typename Base::Face_location Face_location;
+
+  /// the answer of `nearest_source()`
+  typedef Geodesic_nearest_source<FT, Face_location> Nearest_source;
+
+  /// counts and times of a build
+  typedef Geodesic_offset_statistics Statistics;
+  /// @}
+
+protected:
+  typedef typename Base::Surface Surface;
+  typedef typename Base::Surface_point Surface_point;
+  typedef typename Base::Index Index;
+  typedef Geodesic_offset::internal::Number_policy<FT> Policy;
+  typedef Geodesic_offset::internal::Build_request<FT> Request;
+  typedef Geodesic_offset::internal::Geodesic_build<Traits> Build;
+  typedef Geodesic_offset::internal::Path_start<FT> Path_start;
+
+  using Base::classified;
+  using Base::m_sources;
+  using Base::m_surface;
+  using Base::m_traits;
+  using Base::unfolded;
+
+public:
+  using Base::Base;
+
+  /// \name Building
+  /// @{
+
+  /// propagates the distances from the sources over the surface. Without any source, all points are at infinity.
+  ///
+  /// In the worst case O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Memory is that of the
+  /// front, and some 40 bytes a window if windows are kept.
+  ///
+  /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `maximum_distance(d)`, `keep_windows(b)`,
+  ///        `targets(range)`, `visitor(f)`
+  /// \throws std::invalid_argument if the maximum distance is negative or not a number, or a target is not a valid location.
+  ///         Then, and after an exception of the visitor, the last build is still there.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  void build(const NamedParameters& np = parameters::default_values())
+  {
+    const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
+    fresh->propagate(m_traits);
+    m_built = fresh;
+  }
+
+  /// brings the last build up to date with the sources: only what the sources that were added since then improve is propagated.
+  /// The result is that of `build()` with the parameters `maximum_distance` and `keep_windows` of the last build. If sources
+  /// were removed since then, or if it was cancelled or stopped at its targets, all is computed anew. While it runs there are
+  /// two fields in memory.
+  /// \param np an optional named parameter, `visitor(f)`
+  /// \throws std::logic_error if `!is_built()`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  void update(const NamedParameters& np = parameters::default_values())
+  {
+    const Build& b = built();
+    Request r = request(np);
+    r.targets.clear();
+    r.maximum = b.request().maximum;
+    r.keeps_windows = b.kept;
+    const bool grows = b.is_whole() && m_sources.extends(b.sources);
+    const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
+    fresh->propagate(m_traits);
+    m_built = fresh;
+  }
+
+  /// whether distances have been computed.
+  bool is_built() const { return m_built != nullptr; }
+
+  /// whether the visitor has cancelled the last build. Then distances up to `covered_distance()` are there nevertheless.
+  /// \throws std::logic_error if `!is_built()`, like all queries.
+  bool is_cancelled() const { return built().is_cancelled; }
+
+  /// the distance up to which the distances were computed, inclusive: the maximum distance, or less if the build was cancelled
+  /// or has stopped at its targets; infinity if all is known. All points farther away are at infinity.
+  FT covered_distance() const { return built().maximum; }
+
+  /// counts of the last build.
+  const Statistics& statistics() const { return built().statistics; }
+  /// @}
+
+  /// \name Queries
+  /// A `Location` is a `vertex_descriptor` or a `Face_location`. At vertices these functions take constant time. Elsewhere they
+  /// need kept windows, and take time linear in the number of windows of a face. They throw `std::invalid_argument` if the
+  /// location is not valid, and `std::logic_error` if the windows that they need were not kept.
+  /// @{
+
+  /// the distance of a point from the nearest source; infinity if it is unreachable or farther than `covered_distance()`.
+  template <class Location>
+  FT distance_to_sources(const Location& location) const
+  {
+    return start_at(location).distance;
+  }
+
+  /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
+  /// their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a number where the nearest
+  /// source has no sides: points, sets of edges, and beyond the ends of open polylines.
+  template <class Location>
+  double signed_distance_to_sources(const Location& location) const
+  {
+    const Path_start start = start_at(location);
+    const double d = CGAL::to_double(start.distance);
+    if (d == 0 || !start.is_reached()) return d;
+    switch (start.root.side())
+    {
+    case Source_side::LEFT: return -d;
+    case Source_side::RIGHT: return d;
+    default: return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  /// the nearest source and the nearest point of it; nothing if the point is unreachable or farther than `covered_distance()`.
+  /// Takes, in addition, time linear in the number of edges that the shortest path crosses.
+  template <class Location>
+  std::optional<Nearest_source> nearest_source(const Location& location) const
+  {
+    const Path_start start = start_at(location);
+    if (!start.is_reached()) return std::nullopt;
+    Surface_point end;
+    trace(classified(location), [&](const Surface_point& p) { end = p; });
+    const auto& primitive = built().initial.primitives[start.root.primitive()];
+    return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
+                          start.root.side(), start.distance, m_surface->location(end)};
+  }
+
+  /// the gradient of the distance: the unit vector that points straight away from where the shortest path goes first, in the
+  /// plane of the face in which it starts. The null vector at sources and at points that have no distance. Where there are
+  /// several shortest paths, it belongs to one of them.
+  template <class Location>
+  Vector_3 gradient(const Location& location) const
+  {
+    const Path_start start = start_at(location);
+    if (!start.is_reached() || start.face == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
+      return CGAL::NULL_VECTOR;
+    const auto way = start.from - start.to;
+    return m_surface->vector(start.face, (FT(1) / length(way)) * way);
+  }
+
+  /// puts the distances of all vertices into a map.
+  /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `FT` as value
+  template <class VertexDistanceMap>
+  void vertex_distances(VertexDistanceMap map) const
+  {
+    const Build& b = built();
+    for (vertex_descriptor v : vertices(m_surface->tm)) put(map, v, b.field.distance[m_surface->index_of(v)]);
+  }
+
+  /// what `source_labels()` says of vertices that have no distance.
+  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
+
+  /// puts the id of the nearest source of all vertices into a map: the geodesic Voronoi diagram of the sources.
+  /// \tparam VertexLabelMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `std::size_t` as value
+  template <class VertexLabelMap>
+  void source_labels(VertexLabelMap map) const
+  {
+    const Build& b = built();
+    for (vertex_descriptor v : vertices(m_surface->tm))
+    {
+      const Index i = m_surface->index_of(v);
+      const bool has_distance = Policy::is_finite(b.field.distance[i]);
+      put(map, v, has_distance ? std::size_t(b.initial.source_of[b.field.root[i].primitive()]) : no_source());
+    }
+  }
+
+  /// the largest distance of the surface, not counting points that have none, and a point at that distance. It may lie inside a
+  /// face. Needs kept windows; takes time linear in the size of the mesh and little more, on most meshes.
+  /// \throws std::logic_error if the windows were not kept, or no point has a distance, or `covered_distance()` is finite
+  std::pair<Face_location, FT> farthest_point() const
+  {
+    const Build& b = built_with_windows();
+    Index face;
+    Geodesic_offset::internal::Point_in_face<FT> p;
+    FT distance;
+    if (Policy::is_finite(b.maximum) ||
+        !Geodesic_offset::internal::Farthest_point<FT>(unfolded(), b.initial, b.field)(face, p, distance))
+      throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
+                             "everywhere, or there is no source");
+    return {m_surface->location(face, p), distance};
+  }
+
+  /// the same without the point.
+  FT largest_distance() const { return farthest_point().second; }
+  /// @}
+
+  /// \name Shortest Paths
+  /// From a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source: the point itself, a point on each
+  /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only the
+  /// point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of points, and
+  /// the exceptions are those of the queries.
+  /// @{
+
+  /// \param out an output iterator for `Face_location`
+  template <class Location, class OutputIterator>
+  OutputIterator shortest_path_to_sources(const Location& location, OutputIterator out) const
+  {
+    trace(classified(location), [&](const Surface_point& p) { *out++ = m_surface->location(p); });
+    return out;
+  }
+
+  /// \param out an output iterator for `Point_3`
+  template <class Location, class OutputIterator>
+  OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
+  {
+    trace(classified(location), [&](const Surface_point& p) { *out++ = m_surface->point(p); });
+    return out;
+  }
+
+  /// \param visitor is called with what the path meets, as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)` for a
+  ///        point on an edge, at the part `t` of the way from the source of the halfedge to its target; `visitor(vertex)`;
+  ///        `visitor(face, barycentric_coordinates)` for a point inside a face.
+  template <class Location, class Visitor>
+  void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
+  {
+    trace(classified(location), [&](const Surface_point& p) {
+      if (p.kind == Surface_point::VERTEX)
+        visitor(m_surface->vertex_of[p.element]);
+      else if (p.kind == Surface_point::EDGE)
+        visitor(m_surface->halfedge_of(p.element), FT(p.x / unfolded()[p.element].length));
+      else
+      {
+        const Face_location l = m_surface->location(p);
+        visitor(l.first, l.second);
+      }
+    });
+  }
+  /// @}
+
+protected:
+  const Build& built() const
+  {
+    if (!m_built) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
+    return *m_built;
+  }
+
+  const Build& built_with_windows() const
+  {
+    if (!built().kept)
+      throw std::logic_error("Surface_mesh_geodesic_offset: this query needs build(parameters::keep_windows(true))");
+    return *m_built;
+  }
+
+  const Build& built_for(const Surface_point& p) const
+  {
+    return p.kind == Surface_point::VERTEX ? built() : built_with_windows();
+  }
+
+  template <class Location>
+  Path_start start_at(const Location& location) const
+  {
+    const Surface_point p = classified(location);
+    const Build& b = built_for(p);
+    const Path_start start = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field)(p);
+    return start.distance > b.maximum ? Path_start() : start;
+  }
+
+  template <class Function>
+  void trace(const Surface_point& p, const Function& out) const
+  {
+    const Build& b = built_for(p);
+    Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, b.maximum, out);
+  }
+
+  template <class NamedParameters>
+  Request request(const NamedParameters& np) const
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    Request r;
+    r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_maximum_distance), Policy::infinity());
+    if (!(r.maximum >= FT(0)))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the maximum distance is negative or not a number");
+    r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
+    r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
+    static const std::array<vertex_descriptor, 0> none{};
+    const auto targets = choose_parameter(get_parameter(np, internal_np::geodesic_targets), std::cref(none));
+    for (const auto& t : targets.get()) r.targets.push_back(classified(t));
+    return r;
+  }
+
+  std::shared_ptr<const Build> m_built;
+};
+
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_SOURCES_H
+#define CGAL_SURFACE_MESH_GEODESIC_SOURCES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_locator.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief a triangle mesh and a set of sources on it: points, polylines, and edges. The base of the classes that compute distances
+and offsets from them.
+
+The mesh is not copied and not modified; it must outlive the object and must not change meanwhile.
+
+\tparam Traits a model of `SurfaceMeshGeodesicOffsetTraits`
+\tparam VertexIndexMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and an unsigned integer type as
+        value: indices from 0. %Default: the mesh's internal map, or one made for it.
+\tparam FaceIndexMap the same for faces
+\tparam VertexPointMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a 3D point as value.
+        %Default: the mesh's `vertex_point`.
+*/
+template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
+class Surface_mesh_geodesic_sources
+{
+public:
+  typedef typename Traits::Triangle_mesh Triangle_mesh;
+  typedef boost::graph_traits<Triangle_mesh> Graph_traits;
+
+  /// \name Types
+  /// @{
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  typedef typename Traits::Vector_3 Vector_3;
+  typedef typename Traits::Kernel::Ray_3 Ray_3;
+
+  /// as `Polygon_mesh_processing::Barycentric_coordinates`
+  typedef std::array<FT, 3> Barycentric_coordinates;
+  /// as `Polygon_mesh_processing::Face_location`: a face and coordinates with respect to the source of the face's
+  /// halfedge, its target, and the third vertex
+  typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
+
+  typedef typename Default::Get<VertexIndexMap, typename GetInitializedVertexIndexMap<Triangle_mesh>::const_type>::type
+    Vertex_index_map;
+  typedef typename Default::Get<FaceIndexMap, typename GetInitializedFaceIndexMap<Triangle_mesh>::const_type>::type
+    Face_index_map;
+  typedef typename Default::Get<
+    VertexPointMap, typename boost::property_map<Triangle_mesh, boost::vertex_point_t>::const_type>::type
+    Vertex_point_map;
+
+protected:
+  typedef Geodesic_offset::internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>
+    Surface;
+  typedef Geodesic_offset::internal::Surface_point<FT> Surface_point;
+  typedef Geodesic_offset::internal::Source_set<FT> Source_set;
+  typedef Geodesic_offset::internal::Index Index;
+
+public:
+  /// \name Construction
+  /// Takes time linear in the size of the mesh, and some 250 bytes a vertex.
+  /// @{
+
+  /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.
+  /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite.
+  explicit Surface_mesh_geodesic_sources(const Triangle_mesh& tm, const Traits& traits = Traits())
+    : Surface_mesh_geodesic_sources(tm, get_initialized_vertex_index_map(tm), get_initialized_face_index_map(tm),
+                                    get(boost::vertex_point, tm), traits)
+  {
+  }
+
+  /// the same with property maps.
+  Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
+                                Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+    : m_traits(traits),
+      m_surface(std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map)),
+      m_locator(std::make_shared<Geodesic_offset::internal::Surface_locator<Surface>>(m_surface))
+  {
+  }
+  /// @}
+
+  /// \name Sources
+  /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again.
+  /// @{
+
+  /// adds a vertex.
+  std::size_t add_source_point(vertex_descriptor v)
+  {
+    return m_sources.add(unfolded(), {classified(v)}, Source_set::POINT);
+  }
+
+  /// adds a point anywhere on the surface. Coordinates that are zero up to round-off (1e-13) put it on the edge, or at
+  /// the vertex.
+  /// \throws std::invalid_argument if the coordinates are not finite or outside of the face.
+  std::size_t add_source_point(const Face_location& location)
+  {
+    return m_sources.add(unfolded(), {classified(location)}, Source_set::POINT);
+  }
+
+  /// adds a polyline whose vertices lie anywhere on the surface, and whose segments are straight in a face, or along an
+  /// edge. It may cross itself and other sources. Repeated points are allowed; a polyline of one point is a point.
+  ///
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  /// \param closed whether the last point is joined to the first one
+  /// \throws std::invalid_argument if the range is empty, or if two consecutive points have no face in common.
+  template <class FaceLocationRange>
+  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false)
+  {
+    std::vector<Surface_point> points;
+    for (const Face_location& l : locations) points.push_back(classified(l));
+    return m_sources.add(unfolded(), std::move(points), closed ? Source_set::CLOSED_POLYLINE : Source_set::OPEN_POLYLINE);
+  }
+
+  /// adds a set of edges.
+  /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
+  /// \throws std::invalid_argument if the range is empty.
+  template <class EdgeRange>
+  std::size_t add_source_edges(const EdgeRange& edges)
+  {
+    std::vector<Index> halfedges;
+    for (const edge_descriptor e : edges)
+    {
+      halfedge_descriptor h = halfedge(e, m_surface->tm);
+      if (is_border(h, m_surface->tm)) h = opposite(h, m_surface->tm);
+      halfedges.push_back(Geodesic_offset::internal::index_of_halfedge(h, m_surface->tm, m_surface->fim));
+    }
+    return m_sources.add_edges(unfolded(), std::move(halfedges));
+  }
+
+  /// removes a source.
+  /// \throws std::invalid_argument if there is no source with this id.
+  void remove_source(std::size_t id) { m_sources.remove(id); }
+
+  void clear_sources() { m_sources.clear(); }
+
+  std::size_t number_of_sources() const { return m_sources.size(); }
+  /// @}
+
+  /// \name Location
+  /// The tree that these functions need is built when one of them is called for the first time. The `tolerance` is a length: a
+  /// location within it of a vertex or an edge is exactly there. Without it, it is the round-off of the coordinates.
+  /// Each takes logarithmic time on most meshes.
+  /// @{
+
+  /// the location nearest to a point in space.
+  /// \throws std::invalid_argument if the mesh has no faces, or a coordinate is not finite.
+  Face_location locate(const Point_3& p) const { return locate(p, m_locator->default_tolerance()); }
+  Face_location locate(const Point_3& p, const FT& tolerance) const { return m_locator->locate(p, tolerance); }
+
+  /// the location where a ray meets the surface first; one whose face is the null face if it misses the surface.
+  /// \throws std::invalid_argument as above.
+  Face_location locate(const Ray_3& r) const { return locate(r, m_locator->default_tolerance()); }
+  Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_locator->locate(r, tolerance); }
+  /// @}
+
+protected:
+  const Geodesic_offset::internal::Unfolded_mesh<FT>& unfolded() const { return m_surface->unfolded; }
+
+  Surface_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(m_surface->index_of(v)); }
+  Surface_point classified(const Face_location& l) const
+  {
+    return Geodesic_offset::internal::classify<FT>(unfolded(), m_surface->index_of(l.first), l.second);
+  }
+
+  Traits m_traits;
+  std::shared_ptr<const Surface> m_surface;
+  Source_set m_sources;
+
+private:
+  std::shared_ptr<const Geodesic_offset::internal::Surface_locator<Surface>> m_locator;
+};
+
+} // namespace CGAL
+
+#endif
