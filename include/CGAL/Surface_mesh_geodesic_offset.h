@@ -92,8 +92,8 @@ public:
   }
 
   /// the same with a callback: `f(distance, curves)` is called once for each distance, in increasing order, with a
-  /// `const FT&` and a `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited, it is
-  /// called up to the largest one that has curves.
+  /// `const FT&` and a `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited,
+  /// it is called up to the largest one that has curves.
   template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, const Function& f,
                                             const NamedParameters& np = parameters::default_values(),
@@ -105,8 +105,8 @@ public:
     m_built = fresh;
   }
 
-  /// the offset curves at one or several distances. From kept windows, if there are any; else distances are propagated once more,
-  /// up to the largest level and once for all levels.
+  /// the offset curves at one or several distances. From kept windows, if there are any; else distances are propagated
+  /// once more, up to the largest level and once for all levels.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below

@@ -117,8 +117,8 @@ public:
   /// calls `f(location, i)` for points along the curve, where `i` is the number of the piece that the point is taken from.
   /// The polyline through the points is nowhere farther from the curve than `chord_tolerance`: an arc of radius
   /// \f$ r \f$ is divided into equal parts of angle \f$ s \f$ with \f$ 2 r \sin^2 (s/4) \f$, the height of the arc over the
-  /// chord, at most the tolerance, and both lie in the plane of one face. All points are on the curve. A closed curve repeats
-  /// its first point at the end.
+  /// chord, at most the tolerance, and both lie in the plane of one face. All points are on the curve. A closed curve
+  /// repeats its first point at the end.
   /// \pre `chord_tolerance > 0`
   template <class Function>
   void discretize(const FT& chord_tolerance, const Function& f) const

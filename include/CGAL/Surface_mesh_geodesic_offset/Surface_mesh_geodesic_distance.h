@@ -25,13 +25,13 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief computes exact geodesic distances and shortest paths on a triangle mesh, from any number of points, polylines and edges,
-by the extended Xin-Wang algorithm \cgalCite{XYH11}.
+\brief computes exact geodesic distances and shortest paths on a triangle mesh, from any number of points, polylines and
+edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
 The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
 Sources are added, then `build()` propagates the distances, then the const member functions answer. They may be called
-from several threads at once. Points that no path reaches are at infinity. Lengths and distances are in the units of the mesh's
-points.
+from several threads at once. Points that no path reaches are at infinity. Lengths and distances are in the units of the
+mesh's points.
 
 Adding or removing sources leaves the result of the last build as it is until `build()` or `update()` is called.
 
@@ -99,10 +99,10 @@ public:
     m_built = fresh;
   }
 
-  /// brings the last build up to date with the sources: only what the sources that were added since then improve is propagated.
-  /// The result is that of `build()` with the parameters `maximum_distance` and `keep_windows` of the last build. If sources
-  /// were removed since then, or if it was cancelled or stopped at its targets, all is computed anew. While it runs there are
-  /// two fields in memory.
+  /// brings the last build up to date with the sources: only what the sources that were added since then improve is
+  /// propagated. The result is that of `build()` with the parameters `maximum_distance` and `keep_windows` of the last
+  /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, all is computed anew.
+  /// While it runs there are two fields in memory.
   /// \param np an optional named parameter, `visitor(f)`
   /// \throws std::logic_error if `!is_built()`
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -126,8 +126,8 @@ public:
   /// \throws std::logic_error if `!is_built()`, like all queries.
   bool is_cancelled() const { return built().is_cancelled; }
 
-  /// the distance up to which the distances were computed, inclusive: the maximum distance, or less if the build was cancelled
-  /// or has stopped at its targets; infinity if all is known. All points farther away are at infinity.
+  /// the distance up to which the distances were computed, inclusive: the maximum distance, or less if the build was
+  /// cancelled or has stopped at its targets; infinity if all is known. All points farther away are at infinity.
   FT covered_distance() const { return built().maximum; }
 
   /// counts of the last build.
@@ -135,9 +135,10 @@ public:
   /// @}
 
   /// \name Queries
-  /// A `Location` is a `vertex_descriptor` or a `Face_location`. At vertices these functions take constant time. Elsewhere they
-  /// need kept windows, and take time linear in the number of windows of a face. They throw `std::invalid_argument` if the
-  /// location is not valid, and `std::logic_error` if the windows that they need were not kept.
+  /// A `Location` is a `vertex_descriptor` or a `Face_location`. At vertices these functions take constant time.
+  /// Elsewhere they need kept windows, and take time linear in the number of windows of a face. They throw
+  /// `std::invalid_argument` if the location is not valid, and `std::logic_error` if the windows that they need were not
+  /// kept.
   /// @{
 
   /// the distance of a point from the nearest source; infinity if it is unreachable or farther than `covered_distance()`.
@@ -164,8 +165,8 @@ public:
     }
   }
 
-  /// the nearest source and the nearest point of it; nothing if the point is unreachable or farther than `covered_distance()`.
-  /// Takes, in addition, time linear in the number of edges that the shortest path crosses.
+  /// the nearest source and the nearest point of it; nothing if the point is unreachable or farther than
+  /// `covered_distance()`. Takes, in addition, time linear in the number of edges that the shortest path crosses.
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
   {
@@ -217,20 +218,20 @@ public:
     }
   }
 
-  /// the largest distance of the surface, not counting points that have none, and a point at that distance. It may lie inside a
-  /// face. Needs kept windows; takes time linear in the size of the mesh and little more, on most meshes.
+  /// the largest distance of the surface, not counting points that have none, and a point at that distance. It may lie
+  /// inside a face. Needs kept windows; takes time linear in the size of the mesh and little more, on most meshes.
   /// \throws std::logic_error if the windows were not kept, or no point has a distance, or `covered_distance()` is finite
   std::pair<Face_location, FT> farthest_point() const
   {
     const Build& b = built_with_windows();
     Index face;
-    Geodesic_offset::internal::Point_in_face<FT> p;
+    typename Base::Barycentric_coordinates weights;
     FT distance;
     if (Policy::is_finite(b.maximum) ||
-        !Geodesic_offset::internal::Farthest_point<FT>(unfolded(), b.initial, b.field)(face, p, distance))
+        !Geodesic_offset::internal::Farthest_point<FT>(unfolded(), b.initial, b.field)(face, weights, distance))
       throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
                              "everywhere, or there is no source");
-    return {m_surface->location(face, p), distance};
+    return {Face_location(m_surface->face_of[face], weights), distance};
   }
 
   /// the same without the point.
@@ -239,9 +240,9 @@ public:
 
   /// \name Shortest Paths
   /// From a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source: the point itself, a point on each
-  /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only the
-  /// point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of points, and
-  /// the exceptions are those of the queries.
+  /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only
+  /// the point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of
+  /// points, and the exceptions are those of the queries.
   /// @{
 
   /// \param out an output iterator for `Face_location`
@@ -260,9 +261,9 @@ public:
     return out;
   }
 
-  /// \param visitor is called with what the path meets, as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)` for a
-  ///        point on an edge, at the part `t` of the way from the source of the halfedge to its target; `visitor(vertex)`;
-  ///        `visitor(face, barycentric_coordinates)` for a point inside a face.
+  /// \param visitor is called with what the path meets, as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)`
+  ///        for a point on an edge, at the part `t` of the way from the source of the halfedge to its target;
+  ///        `visitor(vertex)`; `visitor(face, barycentric_coordinates)` for a point inside a face.
   template <class Location, class Visitor>
   void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
   {

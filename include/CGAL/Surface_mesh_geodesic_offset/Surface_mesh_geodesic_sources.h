@@ -24,8 +24,8 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief a triangle mesh and a set of sources on it: points, polylines, and edges. The base of the classes that compute distances
-and offsets from them.
+\brief a triangle mesh and a set of sources on it: points, polylines, and edges. The base of the classes that compute
+distances and offsets from them.
 
 The mesh is not copied and not modified; it must outlive the object and must not change meanwhile.
 
@@ -157,9 +157,9 @@ public:
   /// @}
 
   /// \name Location
-  /// The tree that these functions need is built when one of them is called for the first time. The `tolerance` is a length: a
-  /// location within it of a vertex or an edge is exactly there. Without it, it is the round-off of the coordinates.
-  /// Each takes logarithmic time on most meshes.
+  /// The tree that these functions need is built when one of them is called for the first time. The `tolerance` is a
+  /// length: a location within it of a vertex or an edge is exactly there. Without it, it is the round-off of the
+  /// coordinates. Each takes logarithmic time on most meshes.
   /// @{
 
   /// the location nearest to a point in space.

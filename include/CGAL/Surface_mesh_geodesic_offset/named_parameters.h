@@ -54,8 +54,8 @@ struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
   }
 
   /// a function object `bool(double)`. It is told, every now and then, which part of the surface the front has passed: from
-  /// 0 to 1, never decreasing, and 1 at the end alone. If it returns `false` the build is cancelled. (`parameters::visitor()` is
-  /// that of \cgal; it can be given alone, or behind one of these.)
+  /// 0 to 1, never decreasing, and 1 at the end alone. If it returns `false` the build is cancelled.
+  /// (`parameters::visitor()` is that of \cgal; it can be given alone, or behind one of these.)
   template <class Visitor>
   auto visitor(const Visitor& v) const
   {

@@ -56,17 +56,34 @@ public:
 
   void set_face(Index face)
   {
-    m_face = face;
-    m_frame = Face_frame<FT>(m_mesh, face);
-    m_size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
-    m_windows.clear();
-    m_lowest.clear();
+    start(face);
+    const auto all = [](const Window<FT>&) { return true; };
     for (int k = 0; k < 3; ++k)
-      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) { add_window(w, k); });
-    const auto range = local_windows(m_initial, face);
-    for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
-    m_has_local_sources = range.first != range.second;
+      m_field.for_each_window(3 * face + Index(k), all, [&](const Window<FT>& w) { add_window(w, k); });
+    add_local_windows();
     for (int k = 0; k < 3; ++k) add_corner(k);
+  }
+
+  // The same without windows that can't be the nearest ones at p: then distance() is right there, and no function elsewhere.
+  void set_face_at(Index face, const Point& p)
+  {
+    start(face);
+    FT best = Number_policy<FT>::infinity();
+    for (int k = 0; k < 3; ++k) best = (std::min)(best, by_corner(k, p));
+    add_local_windows();
+    for (const Window_in_face& w : m_windows) best = (std::min)(best, w.path_length(p));
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
+      // no path through the window is shorter than the straight one, whether it is there or not
+      const auto may_be_nearest = [&](const Window<FT>& w) { return w.distance_at(q.x, q.y) <= best + rounding_of(best); };
+      m_field.for_each_window(3 * face + Index(k), may_be_nearest, [&](const Window<FT>& w) {
+        add_window(w, k);
+        best = (std::min)(best, m_windows.back().path_length(p));
+      });
+    }
+    for (int k = 0; k < 3; ++k)
+      if (by_corner(k, p) <= best + rounding_of(best)) add_corner(k);
   }
 
   Index face() const { return m_face; }
@@ -83,9 +100,9 @@ public:
     return low;
   }
 
-  // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side rather
-  // than of the cap beside it. Every path round a chord is valid, so a point that rounding leaves between two cones is no
-  // exception.
+  // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side
+  // rather than of the cap beside it. Every path round a chord is valid, so a point that rounding leaves between two
+  // cones is no exception.
   FT distance(const Point& p, std::size_t& nearest) const
   {
     FT best = Number_policy<FT>::infinity();
@@ -109,6 +126,27 @@ public:
   }
 
 private:
+  void start(Index face)
+  {
+    m_face = face;
+    m_frame = Face_frame<FT>(m_mesh, face);
+    m_size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
+    m_windows.clear();
+    m_lowest.clear();
+  }
+
+  void add_local_windows()
+  {
+    const auto range = local_windows(m_initial, m_face);
+    for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
+    m_has_local_sources = range.first != range.second;
+  }
+
+  FT by_corner(int k, const Point& p) const
+  {
+    return m_field.distance[m_mesh.source(3 * m_face + Index(k))] + length(p - m_frame.corner(k));
+  }
+
   FT rounding_of(const FT& distance) const
   {
     return Number_policy<FT>::rounding(64) * (distance + m_size);

@@ -99,7 +99,8 @@ public:
   const Row& weights() const { return m_weights; } // barycentric coordinates of the farthest point in its face
 
 private:
-  // Usually some fifty triangles are halved in a face, one for each bit of the distance.
+  // So the search ends. Usually some fifty triangles are halved in a face, one for each bit of the distance; thousands in
+  // needle faces at whose edge the maximum lies.
   static constexpr int maximum_count = 20000;
 
   // A window that may give a distance in a triangle, and its path lengths to the corners.
@@ -254,15 +255,6 @@ public:
     }
     if (face == no_index) return false;
     search_faces(face, weights, distance);
-    return true;
-  }
-
-  // The same with the point in the face's frame.
-  bool operator()(Index& face, Point& point, FT& distance) const
-  {
-    std::array<FT, 3> weights;
-    if (!(*this)(face, weights, distance)) return false;
-    point = Face_frame<FT>(m_mesh, face).point(weights);
     return true;
   }
 

@@ -81,7 +81,8 @@ public:
     if (lists.has(h)) return lists.get(h);
     Window_list<FT>& list = lists.get_or_create(h);
     if (!m_before) return list;
-    kept.for_each(h, m_before->distance, m_before->root, [&](const Window& w) {
+    const auto all = [](const Window&) { return true; };
+    kept.for_each(h, m_before->distance, m_before->root, all, [&](const Window& w) {
       *lists.room(list, 1) = w;
       lists.extend(list, 1);
       list.data[list.taken++].set_propagated();
@@ -89,17 +90,19 @@ public:
     return list;
   }
 
-  // Calls f(window) for each window that is final on a halfedge, in order.
-  template <class Function>
-  void for_each_window(Index h, const Function& f) const
+  // Calls f(window) for each window that is final on a halfedge, in order, if accept(window) says so; that must not look at
+  // the distances at the ends.
+  template <class Condition, class Function>
+  void for_each_window(Index h, const Condition& accept, const Function& f) const
   {
     if (lists.has(h))
     {
       const Window_list<FT>& list = lists.get(h);
-      for (Index i = 0; i < list.taken; ++i) f(list.data[i]);
+      for (Index i = 0; i < list.taken; ++i)
+        if (accept(list.data[i])) f(list.data[i]);
     }
     else
-      kept.for_each(h, distance, root, f);
+      kept.for_each(h, distance, root, accept, f);
   }
 
 private:

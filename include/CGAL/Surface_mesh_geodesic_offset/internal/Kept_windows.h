@@ -27,8 +27,8 @@ public:
 
   bool is_empty() const { return m_begin.empty(); }
 
-  // Keeps the lists of the halfedges of a face; of those that have none, what was kept before stays. Windows of pseudo-sources
-  // that have come nearer since (`distance`: per vertex) are nowhere the best ones any more.
+  // Keeps the lists of the halfedges of a face; of those that have none, what was kept before stays. Windows of
+  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more.
   void keep(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, std::size_t number_of_faces)
   {
     if (m_begin.empty()) m_begin.assign(4 * number_of_faces, 0);
@@ -52,12 +52,21 @@ public:
     std::copy(begin, begin + 4, m_begin.begin() + 4 * face);
   }
 
-  // Calls f(window) for the windows of a halfedge, in order. `distance` and `root`, per vertex, are those of the field.
-  template <class Function>
-  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Function& f) const
+  // Calls f(window) for the windows of a halfedge, in order, if accept(window) says so before the distances at the ends are
+  // found. `distance` and `root`, per vertex, are those of the field.
+  template <class Condition, class Function>
+  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Condition& accept,
+                const Function& f) const
   {
     if (m_begin.empty()) return;
-    for (Index i = first(h), n = last(h); i < n; ++i) f(unpack(at(i), distance, root));
+    for (Index i = first(h), n = last(h); i < n; ++i)
+    {
+      Window w = unpack(at(i), distance, root);
+      if (!accept(w)) continue;
+      w.d0 = w.distance_at(w.b0);
+      w.d1 = w.distance_at(w.b1);
+      f(w);
+    }
   }
 
   // Gives the places back that were left behind when faces were kept anew, once they are many.
@@ -112,6 +121,7 @@ private:
     return p;
   }
 
+  // Without the distances at the ends.
   Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
   {
     Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root, 0};
@@ -127,8 +137,6 @@ private:
       w.root = root[value - 1];
       w.bits = Window::make_bits(false, value - 1);
     }
-    w.d0 = w.distance_at(w.b0);
-    w.d1 = w.distance_at(w.b1);
     return w;
   }
 

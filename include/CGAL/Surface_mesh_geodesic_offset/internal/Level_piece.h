@@ -31,8 +31,8 @@ struct Level_piece
 };
 
 // A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent: up to some
-// 1e-8 of the level or of the edges of the mesh, since the cut below the level is that much wider where the distance is flat.
-// `scale`: the level and the mean edge length, together.
+// 1e-8 of the level or of the edges of the mesh, since the cut below the level is that much wider where the distance is
+// flat. `scale`: the level and the mean edge length, together.
 template <class FT>
 bool is_point(const std::vector<Level_piece<FT>>& pieces, const FT& scale)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The distance of a point, and how the shortest path begins there: at a vertex as the propagation has left it, elsewhere by the
-// windows of the faces around.
+// The distance of a point, and how the shortest path begins there: at a vertex as the propagation has left it, elsewhere
+// by the windows of the faces around.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_START_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_START_H
@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A shortest path goes from `from` straight to `to`, in the frame of the face where it starts: up to the pseudo-source, or to
-// the source if there is none.
+// A shortest path goes from `from` straight to `to`, in the frame of the face where it starts: up to the pseudo-source,
+// or to the source if there is none.
 template <class FT>
 struct Path_start
 {
@@ -79,7 +79,8 @@ private:
       unsigned edges;
       position_in_face(m_mesh, p, f, q, edges);
       std::size_t i;
-      const Face_field<FT> field(m_mesh, m_initial, m_field, f);
+      Face_field<FT> field(m_mesh, m_initial, m_field);
+      field.set_face_at(f, q);
       const FT d = field.distance(q, i);
       if (!Number_policy<FT>::is_finite(d)) continue;
       const int liking = field.preference(i, q);

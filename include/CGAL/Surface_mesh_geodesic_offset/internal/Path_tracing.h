@@ -54,7 +54,8 @@ private:
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any.
   template <class Function>
-  Surface_point_ follow(const Path_start<FT>& start, const Surface_point_& origin, bool& is_source, const Function& out) const
+  Surface_point_ follow(const Path_start<FT>& start, const Surface_point_& origin, bool& is_source,
+                        const Function& out) const
   {
     Index face = start.face;
     Point p = start.from, q = start.to;
@@ -131,9 +132,9 @@ private:
   // The edge that the way from a point inside the face leaves through.
   static int exit_from_inside(const Face_frame<FT>& frame, const Point& p, const Point& q)
   {
+    const auto is_on_left = [&](int k) { return CGAL::is_positive(cross(q - p, frame.corner(k % 3) - p)); };
     for (int k = 0; k < 3; ++k)
-      if (!CGAL::is_positive(cross(q - p, frame.corner(k) - p)) && CGAL::is_positive(cross(q - p, frame.corner((k + 1) % 3) - p)))
-        return k;
+      if (!is_on_left(k) && is_on_left(k + 1)) return k;
     return 0;
   }
 

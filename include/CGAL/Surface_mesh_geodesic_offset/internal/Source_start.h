@@ -73,7 +73,8 @@ public:
       const Index primitive = m_out.add_primitive(
         {source, Index(i), true},
         {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
-      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, Root(primitive, Source_side::NONE), Root(primitive, Source_side::NONE));
+      const Root root(primitive, Source_side::NONE);
+      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, root, root);
       if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
       ends.push_back(m_mesh.source(h));
       ends.push_back(m_mesh.target(h));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Locates points and rays on the surface. An AABB tree says which face; where in it, and on which edge or vertex, is
-// decided here: the coordinates that a tree's constructed point has in a needle face can be far off.
+// decided here. Projections on needle faces are our own too: those of the kernels can be far off.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_LOCATOR_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SURFACE_LOCATOR_H
@@ -18,6 +18,7 @@
 #else
 #include <CGAL/AABB_traits.h>
 #endif
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -146,8 +147,25 @@ private:
   FT m_foot; // of the height, on the base
 };
 
+// The kernel, as the tree uses it, with this projection.
+template <class Kernel>
+struct Kernel_with_triangle_projection : Kernel
+{
+  struct Construct_projected_point_3
+  {
+    typename Kernel::Point_3 operator()(const typename Kernel::Triangle_3& t, const typename Kernel::Point_3& p) const
+    {
+      const std::array<typename Kernel::Point_3, 3> c = {t[0], t[1], t[2]};
+      const std::array<typename Kernel::FT, 3> w = Triangle_projection<Kernel>(c).nearest(p);
+      return CGAL::barycenter(c[0], w[0], c[1], w[1], c[2], w[2]);
+    }
+  };
+
+  Construct_projected_point_3 construct_projected_point_3_object() const { return Construct_projected_point_3(); }
+};
+
 // The tree is built at the first query. Queries may come from several threads. A mesh without faces has no location: all
-// functions throw std::logic_error. Isolated vertices are never found. Surface: a Geodesic_surface.
+// functions throw std::invalid_argument. Isolated vertices are never found. Surface: a Geodesic_surface.
 template <class Surface>
 class Surface_locator
 {
@@ -236,9 +254,9 @@ private:
 
   typedef AABB_face_graph_triangle_primitive<Triangle_mesh, Point_map> Primitive;
 #if __has_include(<CGAL/AABB_traits_3.h>)
-  typedef AABB_tree<AABB_traits_3<Kernel, Primitive>> Tree;
+  typedef AABB_tree<AABB_traits_3<Kernel_with_triangle_projection<Kernel>, Primitive>> Tree;
 #else
-  typedef AABB_tree<AABB_traits<Kernel, Primitive>> Tree;
+  typedef AABB_tree<AABB_traits<Kernel_with_triangle_projection<Kernel>, Primitive>> Tree;
 #endif
 
   const Tree& tree() const
@@ -246,7 +264,7 @@ private:
     std::call_once(m_once, [this] {
       const Triangle_mesh& tm = m_surface->tm;
       if (faces(tm).begin() == faces(tm).end())
-        throw std::logic_error("Surface_mesh_geodesic_offset: there is nothing to locate on a mesh without faces");
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: there is nothing to locate on a mesh without faces");
       m_tree.rebuild(faces(tm).begin(), faces(tm).end(), tm, Point_map{m_surface.get()});
       std::vector<typename Tree::Point_and_primitive_id> hints; // the tree's own would have each vertex several times
       for (Index v = 0; v < m_surface->unfolded.number_of_vertices(); ++v)

@@ -131,7 +131,8 @@ private:
   {
     if (m_state.face_state[f] & State::FINISHED) return;
     const FT bound = largest_distance(f);
-    const std::size_t done = Number_policy<FT>::is_finite(bound) ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
+    const bool is_bounded = Number_policy<FT>::is_finite(bound);
+    const std::size_t done = is_bounded ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
     if (done <= m_state.queue.current())
       finish(f);
     else

@@ -44,8 +44,8 @@ public:
     field.lists = Window_lists<FT>(mesh.number_of_halfedges());
   }
 
-  // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where shortest
-  // paths bend becomes a pseudo-source once the front is there.
+  // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
+  // shortest paths bend becomes a pseudo-source once the front is there.
   void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source)
   {
     FT& known = field.distance[v];

@@ -54,8 +54,8 @@ public:
 
   // `levels`: increasing. `curves`: all curves of these levels on all sides, in any order.
   //
-  // For each level, linear in the mesh (edges and vertices are looked at, only), plus the pieces and the faces that the level
-  // may pass through, each times the windows of its face.
+  // For each level, linear in the mesh (edges and vertices are looked at, only), plus the pieces and the faces that the
+  // level may pass through, each times the windows of its face.
   Validation_report operator()(const std::vector<FT>& levels, const std::vector<Offset_curve>& curves) const
   {
     Validation_report report(m_options.largest_number_of_texts);

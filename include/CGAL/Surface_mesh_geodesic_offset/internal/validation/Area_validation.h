@@ -6,8 +6,8 @@
 // From the curves by Green's theorem: the boundary of the near part runs along the pieces, and from where a curve leaves the
 // face counterclockwise along the boundary of the face to where the next one enters. From the field by bounds: D is
 // 1-Lipschitz in a face (along any path of length l it changes by at most l), so a triangle all of whose points are
-// within r of a point c is near if D(c) + r < d and far if D(c) - r >= d; otherwise its longest edge is halved. What is still
-// undecided in the end is what the bounds differ by.
+// within r of a point c is near if D(c) + r < d and far if D(c) - r >= d; otherwise its longest edge is halved. What is
+// still undecided in the end is what the bounds differ by.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_AREA_VALIDATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_AREA_VALIDATION_H

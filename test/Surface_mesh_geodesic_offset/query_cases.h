@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes with random sources and random points to ask at.
+
+#ifndef GEODESIC_OFFSET_TEST_QUERY_CASES_H
+#define GEODESIC_OFFSET_TEST_QUERY_CASES_H
+
+#include "data_meshes.h"
+#include "generated_meshes.h"
+#include "path_tools.h"
+#include "plane_section.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace test {
+
+/// A mesh, points of it to ask at, and sources to draw from.
+struct Query_case
+{
+  Query_case(const std::string& name, const Soup& soup)
+    : name(name), mesh(Generated_mesh<test::Surface_mesh>(soup).mesh), checker(mesh)
+  {}
+  Query_case(const std::string& name, const test::Surface_mesh& m) : name(name), mesh(m), checker(mesh)
+  {}
+  Query_case(const Query_case&) = delete;
+
+  /// A point of any kind, or a plane section, or a part of one.
+  Any_source random_source(Random& random) const
+  {
+    const std::size_t kind = uniform_index(random, 5);
+    if (kind < 3) return {{random_location(checker.locations, mesh, random, kind)}, false};
+    const auto sections = random_plane_section(mesh, random());
+    if (sections.empty()) // the plane has missed the mesh
+      return {{random_location(checker.locations, mesh, random, 0)}, false};
+    const auto& section = sections[uniform_index(random, sections.size())];
+    if (kind == 4) return {section.locations, section.closed};
+    const std::size_t first = uniform_index(random, section.locations.size());
+    const std::size_t last =
+      (std::min)(section.locations.size(), first + 1 + uniform_index(random, 20));
+    return {Path_locations(section.locations.begin() + std::ptrdiff_t(first),
+                           section.locations.begin() + std::ptrdiff_t(last)),
+            false};
+  }
+
+  Path_locations random_points(Random& random, std::size_t count) const
+  {
+    Path_locations result;
+    for (std::size_t i = 0; i < count; ++i)
+      result.push_back(random_location(checker.locations, mesh, random, i % 3));
+    return result;
+  }
+
+  std::string name;
+  test::Surface_mesh mesh;
+  Path_checker checker;
+};
+
+typedef std::vector<std::unique_ptr<Query_case>> Query_cases;
+
+/// Ten small meshes, or eight without the data directory.
+inline Query_cases query_cases()
+{
+  Query_cases cases;
+  const std::pair<const char*, Soup> generated[] = {
+    {"rectangle", rotated(random_rectangle(2, 1, 150, 10, 1), 1)},
+    {"grid", planar_grid(14, 12, Diagonals::alternating)},
+    {"box", rotated(box_sides(1, 0.7, 0.4).triangulated(40, 4, 2), 2)},
+    {"saddle", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 3)},
+    {"icosphere", icosphere(3)},
+    {"genus 5", marching_genus_5(10)},
+    {"torus", torus(24, 16)},
+    {"L", l_shape(80, 5, 4)}};
+  for (const auto& mesh : generated)
+    cases.push_back(std::make_unique<Query_case>(mesh.first, mesh.second));
+  for (const char* name : {"anchor.off", "mesh_with_border.off"})
+  {
+    test::Surface_mesh mesh;
+    const std::string reason =
+      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    if (reason.empty()) cases.push_back(std::make_unique<Query_case>(name, mesh));
+    else std::cout << name << ": skipped, " << reason << std::endl;
+  }
+  return cases;
+}
+
+inline double largest_vertex_distance(const Geodesic& geodesic, const test::Surface_mesh& mesh)
+{
+  double result = 0;
+  for (Vertex_index v : vertices(mesh))
+    if (std::isfinite(geodesic.distance_to_sources(v)))
+      result = (std::max)(result, geodesic.distance_to_sources(v));
+  return result;
+}
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_QUERY_CASES_H

@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The farthest point: closed forms in the plane and on polyhedra, and on generated and data meshes
+// no sample may be farther, and the distance must be taken at the point.
+
+#include "closed_forms.h"
+#include "data_meshes.h"
+#include "planar_polyline.h"
+#include "test_check.h"
+
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+typedef std::pair<Face_location, double> Farthest;
+
+Worst_error& error()
+{
+  static Worst_error worst(1e-12, 4);
+  return worst;
+}
+
+/// Builds, and checks what holds of every farthest point.
+Farthest farthest_point(Geodesic& geodesic, const test::Surface_mesh& mesh)
+{
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Farthest result = geodesic.farthest_point();
+  CHECK(result.second == geodesic.largest_distance());
+  for (const double w : result.first.second) CHECK(w >= -1e-13 && w <= 1 + 1e-13);
+  CHECK_CLOSE(error(), geodesic.distance_to_sources(result.first), result.second);
+  for (const auto v : vertices(mesh))
+  {
+    const double d = geodesic.distance_to_sources(v);
+    if (std::isfinite(d)) CHECK_DETAIL(d <= result.second, values(d, result.second));
+  }
+  return result;
+}
+
+/// The point is at one of the places, up to `tolerance`.
+void check_place(const Point_2& p, const std::vector<Point_2>& places, double tolerance = 1e-11)
+{
+  double nearest = infinity;
+  for (const Point_2& q : places) nearest = (std::min)(nearest, distance(p, q));
+  CHECK_DETAIL(nearest <= tolerance, std::to_string(p.x()) + ' ' + std::to_string(p.y()));
+}
+
+/// Points of a planar mesh as sources, and where the farthest points are.
+void points_in_plane(const Planar_mesh& plane, const std::vector<Point_2>& sources,
+                     const std::vector<Point_2>& places)
+{
+  Geodesic geodesic(plane.data.mesh);
+  for (const Point_2& p : sources) geodesic.add_source_point(plane.location(p));
+  double expected = infinity;
+  for (const Point_2& p : sources) expected = (std::min)(expected, distance(p, places.front()));
+  const Farthest result = farthest_point(geodesic, plane.data.mesh);
+  CHECK_CLOSE(error(), result.second, expected);
+  check_place(plane.uv(result.first), places);
+}
+
+void unit_square()
+{
+  const Point_2 a(0, 0), b(1, 0), c(1, 1), d(0, 1), m(0.5, 0.5);
+  const std::pair<const char*, Soup> soups[] = {
+    {"two triangles", random_rectangle(1, 1, 0, 0, 1)},
+    {"random square", random_rectangle(1, 1, 60, 4, 2)},
+    {"turned random square", rotated(random_rectangle(1, 1, 60, 4, 3), 5)},
+    {"forward grid", planar_grid(8, 8, Diagonals::forward, 0.125)},
+    {"odd grid", planar_grid(7, 7, Diagonals::alternating, 1. / 7)},
+    {"random grid", planar_grid(9, 9, Diagonals::random, 1. / 9)}};
+  for (const auto& soup : soups)
+  {
+    Report::instance().set_context(soup.first);
+    const Planar_mesh plane(soup.second);
+    points_in_plane(plane, {a}, {c});
+    points_in_plane(plane, {m}, {a, b, c, d});
+    points_in_plane(plane, {a, b, c, d}, {m});
+    points_in_plane(plane, {a, c}, {b, d});
+    points_in_plane(plane, {a, b}, {Point_2(0.5, 1)}); // where two distances tie on the border
+    points_in_plane(plane, {Point_2(0.5, 0)}, {c, d});
+    points_in_plane(plane, {a, b, Point_2(0.5, 1)},
+                    {Point_2(0.5, 0.375), Point_2(0, 0.625), Point_2(1, 0.625)});
+    points_in_plane(plane, {a, b, c, d, m},
+                    {Point_2(0.5, 0), Point_2(1, 0.5), Point_2(0.5, 1), Point_2(0, 0.5)});
+  }
+}
+
+/// A triangle with its vertices as sources: the circumcentre, or a point of the longest edge.
+void triangle_from_its_vertices()
+{
+  Report::instance().set_context("triangle from its vertices");
+  const Point_2 a(0, 0), b(1, 0);
+  for (const Point_2& c : {Point_2(0.5, std::sqrt(0.75)), Point_2(0.3, 0.8), Point_2(0.6, 1.9),
+                           Point_2(0, 1), Point_2(0.2, 0.1), Point_2(0.55, 0.01)})
+  {
+    Soup soup;
+    for (const Point_2& p : {a, b, c}) soup.points.push_back(Point_3(p.x(), p.y(), 0));
+    soup.add_triangle({{0, 1, 2}}, 0, {{a, b, c}});
+    const double angle_at_c = std::acos(((a - c) * (b - c)) / (distance(a, c) * distance(b, c)));
+    std::vector<Point_2> places;
+    if (angle_at_c <= CGAL_PI / 2 + 1e-9) places.push_back(CGAL::circumcenter(a, b, c));
+    else
+    {
+      // as far from c as from a or b
+      const double ta = (c - a).squared_length() / (2 * c.x()),
+                   tb = (c - b).squared_length() / (2 * (1 - c.x()));
+      places.push_back(ta > tb ? Point_2(ta, 0) : Point_2(1 - tb, 0));
+    }
+    points_in_plane(Planar_mesh(soup), {a, b, c}, places);
+    points_in_plane(Planar_mesh(rotated(soup, 7)), {a, b, c}, places);
+  }
+}
+
+/// Two parallel polylines: the distance is largest all along a line.
+void strip(const Planar_mesh& plane, double low, double high, double height)
+{
+  Geodesic geodesic(plane.data.mesh);
+  plane.add(geodesic, {Point_2(0, low), Point_2(4, low)});
+  plane.add(geodesic, {Point_2(0, high), Point_2(4, high)});
+  const Farthest result = farthest_point(geodesic, plane.data.mesh);
+  CHECK_CLOSE(error(), result.second, (std::max)({low, (high - low) / 2, height - high}));
+}
+
+void strips()
+{
+  for (unsigned seed = 1; seed <= 4; ++seed)
+  {
+    Report::instance().set_context("strip " + std::to_string(seed));
+    const Planar_mesh random(random_rectangle(4, 3, 80, 6, seed)),
+      turned(rotated(random_rectangle(4, 3, 80, 6, seed), seed));
+    const Planar_mesh grid(planar_grid(16, 12, Diagonals(seed - 1), 0.25));
+    const Planar_mesh needles(random_rectangle(4, 0.003, 40, 3, seed));
+    for (const Planar_mesh* plane : {&random, &turned, &grid})
+    {
+      strip(*plane, 0.25, 2.75, 3);
+      strip(*plane, 1, 2, 3);
+      strip(*plane, 0.4, 0.5, 3);
+      strip(*plane, 1.1, 2.9, 3);
+    }
+    strip(needles, 0.001, 0.0025, 0.003);
+    strip(needles, 0.0001, 0.0029, 0.003);
+  }
+}
+
+/// Patches of closed form: the distance at the point, and a given largest one.
+void from_point(const std::string& name, const Soup& soup, std::size_t source_patch,
+                const Point_2& source, double expected)
+{
+  Report::instance().set_context(name);
+  const Generated_mesh<test::Surface_mesh> data(soup);
+  // the face of the patch that contains the point
+  for (std::size_t i = 0; i < data.faces.size(); ++i)
+  {
+    if (data.patches[i] != source_patch) continue;
+    const std::array<Point_2, 3>& c = data.uv[i];
+    std::array<double, 3> w;
+    const double all = CGAL::area(c[0], c[1], c[2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      w[k] = CGAL::area(source, c[(k + 1) % 3], c[(k + 2) % 3]) / all;
+    if (*std::min_element(w.begin(), w.end()) < -1e-13) continue;
+    for (double& x : w)
+      if (std::abs(x) < 1e-14) x = 0;
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_point(Face_location(data.faces[i], w));
+    const Farthest result = farthest_point(geodesic, data.mesh);
+    CHECK_CLOSE(error(), result.second, expected);
+    return;
+  }
+  CHECK(!"no face contains the source");
+}
+
+void polyhedra()
+{
+  for (const std::size_t n : {1, 2, 3, 5})
+  {
+    const std::string suffix = " of " + std::to_string(n);
+    from_point("cube from a corner" + suffix, cube_grid(n), 0, Point_2(0, 0), std::sqrt(5.));
+    from_point("cube from the centre of a side" + suffix, cube_grid(n), 0, Point_2(0.5, 0.5), 2);
+  }
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    // not the opposite corner, but a quarter of the way from it along the diagonal of the square
+    // side
+    const Polyhedron_sides box = box_sides(1, 1, 2);
+    for (const std::size_t points : {0, 2, 10})
+      from_point("box from a corner", rotated(box.triangulated(points, points / 2, seed), seed), 0,
+                 box.uv(0)[0], std::sqrt(130.) / 4);
+    const Polyhedron_sides tetrahedron = tetrahedron_sides();
+    const double edge = distance(tetrahedron.uv(0)[0], tetrahedron.uv(0)[1]);
+    for (const std::size_t points : {0, 2, 10})
+      from_point("tetrahedron from a corner",
+                 rotated(tetrahedron.triangulated(points, points / 2, seed), seed), 0,
+                 tetrahedron.uv(0)[0], edge * 2 / std::sqrt(3.));
+  }
+}
+
+/// No sample is farther, neither anywhere nor near the point.
+void check_samples(const Geodesic& geodesic, const test::Surface_mesh& mesh,
+                   const Farthest& farthest, std::size_t count, Random& random)
+{
+  const Locations<test::Surface_mesh> on_mesh(mesh);
+  const std::vector<test::Surface_mesh::Face_index> all(faces(mesh).begin(), faces(mesh).end());
+  const auto check = [&](const Face_location& l)
+  {
+    const double d = geodesic.distance_to_sources(l);
+    if (std::isfinite(d))
+      CHECK_DETAIL(d <= farthest.second * (1 + 1e-12), values(d, farthest.second));
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    check(Face_location(all[uniform_index(random, all.size())], random_barycentric(random)));
+  std::vector<test::Surface_mesh::Face_index> around;
+  for (const auto v : on_mesh.corners(farthest.first.first))
+    for (const auto h : CGAL::halfedges_around_target(v, mesh))
+      if (!is_border(h, mesh)) around.push_back(face(h, mesh));
+  for (std::size_t i = 0; i < count; ++i)
+    check(Face_location(around[uniform_index(random, around.size())], random_barycentric(random)));
+  for (double t = 0.1; t > 1e-9; t /= 3)
+    for (int i = 0; i < 20; ++i)
+    {
+      Face_location l(farthest.first.first, random_barycentric(random));
+      for (std::size_t k = 0; k < 3; ++k)
+        l.second[k] = (1 - t) * farthest.first.second[k] + t * l.second[k];
+      check(l);
+    }
+}
+
+/// Sources of all kinds: points, paths over vertices, edges.
+void sources_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh,
+                          std::size_t samples, unsigned seed)
+{
+  Random random(seed);
+  const Locations<test::Surface_mesh> on_mesh(mesh);
+  const std::vector<test::Surface_mesh::Face_index> all(faces(mesh).begin(), faces(mesh).end());
+  const auto random_face = [&] { return all[uniform_index(random, all.size())]; };
+  for (int kind = 0; kind < 6; ++kind)
+  {
+    Report::instance().set_context(name + ", kind " + std::to_string(kind));
+    Geodesic geodesic(mesh);
+    if (kind == 0) geodesic.add_source_point(on_mesh.corners(random_face())[0]);
+    else if (kind == 1)
+      geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
+    else if (kind == 2)
+      for (int i = 0; i < 6; ++i)
+        geodesic.add_source_point(Face_location(random_face(), random_barycentric(random)));
+    else if (kind == 3) // inside a face
+    {
+      const auto f = random_face();
+      std::vector<Face_location> path;
+      for (int i = 0; i < 3; ++i) path.push_back(Face_location(f, random_barycentric(random)));
+      geodesic.add_source_polyline(path, true);
+    }
+    else if (kind == 4) // over vertices
+    {
+      std::vector<Face_location> path;
+      auto h = halfedge(random_face(), mesh);
+      for (int i = 0; i < 8 && !is_border(h, mesh); ++i)
+      {
+        path.push_back(on_mesh.at_vertex(source(h, mesh)));
+        h = opposite(next(h, mesh), mesh);
+      }
+      geodesic.add_source_polyline(path);
+    }
+    else
+    {
+      std::vector<test::Surface_mesh::Edge_index> border;
+      for (const auto e : edges(mesh))
+        if (mesh.is_border(e)) border.push_back(e);
+      if (border.empty()) border.push_back(mesh.edge(halfedge(random_face(), mesh)));
+      geodesic.add_source_edges(border);
+    }
+    check_samples(geodesic, mesh, farthest_point(geodesic, mesh), samples, random);
+  }
+}
+
+void generated_meshes()
+{
+  const std::pair<const char*, Soup> soups[] = {
+    {"jittered grid", jittered_grid(12, 9, 4)},
+    {"regular grid", planar_grid(10, 10, Diagonals::alternating, 0.5)},
+    {"needles", random_rectangle(1, 1e-3, 30, 4, 6)},
+    {"L", l_shape(30, 5, 2)},
+    {"cube", cube_grid(5)},
+    {"icosphere", icosphere(3)},
+    {"torus", torus(24, 12)},
+    {"saddle", saddle_fan()},
+    {"disc", needle_fan(64)},
+    {"marching sphere", marching_sphere(8)},
+    {"genus 5", marching_genus_5(10)}};
+  for (const auto& soup : soups)
+    for (unsigned seed = 1; seed <= 3; ++seed)
+      sources_of_all_kinds(soup.first,
+                           Generated_mesh<test::Surface_mesh>(rotated(soup.second, seed)).mesh,
+                           1500, seed);
+}
+
+void data_meshes()
+{
+  std::size_t used = 0;
+  for (const std::filesystem::path& file : data_files())
+  {
+    test::Surface_mesh mesh;
+    if (!read_data_mesh(file, 6000, mesh).empty()) continue;
+    sources_of_all_kinds(file.filename().string(), mesh, 200, 1);
+    ++used;
+  }
+  std::cout << used << " meshes of the data directory used" << std::endl;
+}
+
+void unreached_parts()
+{
+  Report::instance().set_context("unreached parts");
+  const Generated_mesh<test::Surface_mesh> two(
+    []
+    {
+      Soup soup = planar_grid(2, 2), other = planar_grid(20, 20);
+      const std::size_t n = soup.points.size();
+      for (const Point_3& p : other.points) soup.points.push_back(p + Vector_3(9, 0, 0));
+      for (const auto& t : other.triangles) soup.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
+      return soup;
+    }());
+  Geodesic geodesic(two.mesh);
+  CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  CHECK_THROWS(geodesic.farthest_point(), std::logic_error); // no source
+
+  geodesic.add_source_point(two.vertices[0]);
+  CHECK_CLOSE(error(), farthest_point(geodesic, two.mesh).second, std::sqrt(8.));
+  const auto support =
+    Locations<test::Surface_mesh>(two.mesh).support(geodesic.farthest_point().first);
+  CHECK(support.size() == 1 && support[0].first == two.vertices[8]);
+  geodesic.build();
+  CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
+  CHECK_THROWS(geodesic.largest_distance(), std::logic_error);
+  geodesic.build(CGAL::parameters::maximum_distance(1.5).keep_windows(true));
+  CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
+}
+
+} // namespace
+
+int main()
+{
+  std::cout.precision(3);
+  unit_square();
+  triangle_from_its_vertices();
+  strips();
+  polyhedra();
+  generated_meshes();
+  data_meshes();
+  unreached_parts();
+  std::cout << "worst relative error of the distance " << error().error() << std::endl;
+  return Report::instance().finish("test_farthest_point");
+}

@@ -1,0 +1,346 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The nearest source of a point, and labels of vertices: in the plane against brute force over the
+// sources, elsewhere against dense sampling and the distance from the point found. Paths meet
+// polylines at right angles.
+
+#include "data_meshes.h"
+#include "path_tools.h"
+#include "plane_section.h"
+#include "planar_polyline.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+struct Totals
+{
+  std::size_t points = 0, ties = 0, at_segments = 0, at_points = 0, feet = 0;
+  double location = 0, foot = 0;
+};
+
+// A source in the plane: a point, or a polyline of legs; `leg_of` of each segment as given.
+struct Planar_source
+{
+  Any_source source;
+  std::vector<Point_2> points; // of source.locations
+  std::vector<Leg> legs;
+  std::vector<std::size_t> leg_of;
+};
+
+struct Candidate
+{
+  double distance;
+  Point_2 foot;
+  std::size_t source;
+};
+
+Point_2 uv_of(const Planar_mesh& plane, const Face_location& l)
+{
+  const std::array<Point_2, 3>& c = plane.data.uv[plane.data.face_number(l.first)];
+  double x = 0, y = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    x += l.second[k] * c[k].x();
+    y += l.second[k] * c[k].y();
+  }
+  return Point_2(x, y);
+}
+
+Planar_source random_planar_source(Planar_mesh& plane, std::size_t number, unsigned seed)
+{
+  Planar_source result;
+  result.source.closed = number % 3 == 2;
+  if (number % 3 == 0) result.source.locations = {plane.generator.random_location(0)};
+  else
+  {
+    const auto path = plane.generator.random_path(1 + (seed + number) % 4 + number % 3 / 2,
+                                                  result.source.closed);
+    result.source.locations = path.locations;
+    result.legs = path.legs;
+  }
+  for (const Face_location& l : result.source.locations) result.points.push_back(plane.uv(l));
+  std::size_t leg = 0; // a leg ends at the location where its end is
+  const std::size_t n = result.points.size();
+  for (std::size_t i = 0; i + (result.source.closed ? 0 : 1) < n && !result.legs.empty(); ++i)
+  {
+    result.leg_of.push_back(leg);
+    if (distance(result.points[(i + 1) % n], result.legs[leg].b) < 1e-12) ++leg;
+  }
+  CHECK(leg == result.legs.size());
+  return result;
+}
+
+std::vector<Candidate> candidates(const std::vector<Planar_source>& sources, const Point_2& p)
+{
+  std::vector<Candidate> result;
+  for (std::size_t s = 0; s < sources.size(); ++s)
+  {
+    if (sources[s].legs.empty())
+      result.push_back({distance(p, sources[s].points[0]), sources[s].points[0], s});
+    for (const Leg& leg : sources[s].legs)
+    {
+      const double t = inner_foot(p, leg.a, leg.b);
+      if (t > 0)
+        result.push_back({segment_distance(p, leg.a, leg.b), leg.a + t * (leg.b - leg.a), s});
+      for (const Point_2& end : {leg.a, leg.b}) result.push_back({distance(p, end), end, s});
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  return result;
+}
+
+// The number of the segment or point, and the side, of a nearest source point at `foot`.
+template <class Nearest>
+void check_part(const Planar_source& source, const Nearest& nearest, const Point_2& p,
+                const Point_2& foot, Totals& totals)
+{
+  if (source.legs.empty())
+  {
+    CHECK(!nearest.is_segment && nearest.part == 0 && nearest.side == CGAL::Source_side::NONE);
+    ++totals.at_points;
+    return;
+  }
+  double to_joint = infinity, to_corner = infinity; // from the foot
+  for (const Point_2& q : source.points) to_joint = (std::min)(to_joint, distance(foot, q));
+  for (const Leg& leg : source.legs)
+    to_corner = (std::min)(to_corner, (std::min)(distance(foot, leg.a), distance(foot, leg.b)));
+  if (to_joint > 1e-9) CHECK(nearest.is_segment);
+  if (nearest.is_segment)
+  {
+    ++totals.at_segments;
+    if (!CHECK(nearest.part < source.leg_of.size())) return;
+    // on the line of the segment (those straight on from it act as one with it), and orthogonal
+    const Leg& leg = source.legs[source.leg_of[nearest.part]];
+    const Vector_2 along = (leg.b - leg.a) / distance(leg.a, leg.b);
+    CHECK(std::abs(along.x() * (foot - leg.a).y() - along.y() * (foot - leg.a).x()) <= 1e-11);
+    if (to_corner > 1e-9) CHECK(std::abs((p - foot) * along) <= 1e-11);
+  }
+  else
+  {
+    ++totals.at_points;
+    if (!CHECK(nearest.part < source.points.size())) return;
+    CHECK(distance(source.points[nearest.part], foot) <= 1e-11);
+  }
+  const auto side = Signed_distance(source.legs, source.source.closed)(p, 1e-9).second;
+  if (side != 0)
+    CHECK_DETAIL(int(nearest.side) == side, values(double(int(nearest.side)), double(side)));
+}
+
+void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, Totals& totals)
+{
+  std::vector<Planar_source> sources;
+  std::map<std::size_t, std::size_t> number_of; // by id
+  Geodesic geodesic(plane.data.mesh);
+  const std::size_t gone = geodesic.add_source_point(plane.data.vertices[0]);
+  for (std::size_t i = 0; i < 1 + seed % 4; ++i)
+  {
+    sources.push_back(random_planar_source(plane, i + seed, seed));
+    number_of[sources.back().source.add_to(geodesic)] = i;
+  }
+  geodesic.remove_source(gone); // so ids are not the numbers of the sources
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  std::map<Vertex_index, std::size_t> labels;
+  geodesic.source_labels(boost::make_assoc_property_map(labels));
+  CHECK(labels.size() == plane.data.vertices.size());
+
+  const auto check = [&](const auto& query, const Point_2& p)
+  {
+    const auto nearest = geodesic.nearest_source(query);
+    if (!CHECK(nearest.has_value()) || !CHECK(number_of.count(nearest->source) == 1)) return false;
+    const std::vector<Candidate> all = candidates(sources, p);
+    ++totals.points;
+    CHECK_CLOSE(worst, nearest->distance, all[0].distance);
+    const std::size_t source = number_of[nearest->source];
+    const Point_2 foot = uv_of(plane, nearest->location);
+    // whatever it is, it is one of the nearest
+    bool is_one = false, is_tie = false;
+    for (const Candidate& c : all)
+    {
+      if (c.distance > all[0].distance + 1e-9) break;
+      const double off = distance(c.foot, foot);
+      if (c.source == source && off <= 1e-11) is_one = true;
+      if (c.source != all[0].source || distance(c.foot, all[0].foot) > 1e-9) is_tie = true;
+    }
+    CHECK(is_one || is_tie);
+    totals.ties += is_tie ? 1 : 0;
+    if (is_tie) return false;
+    totals.location = (std::max)(totals.location, distance(foot, all[0].foot));
+    check_part(sources[source], *nearest, p, all[0].foot, totals);
+    const Vector_3 gradient = geodesic.gradient(query);
+    if (all[0].distance > 1e-6) CHECK(std::abs(gradient.squared_length() - 1) <= 1e-12);
+    return true;
+  };
+  for (auto v : plane.data.vertices)
+    if (check(v, plane.uv(plane.generator.locations().at_vertex(v))))
+      CHECK(labels[v] == geodesic.nearest_source(v)->source);
+  for (int i = 0; i < 150; ++i)
+  {
+    const Face_location l = plane.generator.random_location(0);
+    check(l, plane.uv(l));
+  }
+  for (const Planar_source& s : sources)
+    for (const Face_location& l : s.source.locations)
+    {
+      const auto nearest = geodesic.nearest_source(l);
+      CHECK(nearest && nearest->distance <= 1e-14 * 16);
+    }
+}
+
+// How far a point is from the given segment, and from the line through it.
+double off_segment(const Mesh_locations& locations, const Path_locations& polyline, std::size_t i,
+                   const Point_3& p, bool line, Vector_3& direction)
+{
+  const Point_3 a = locations.point(polyline[i]),
+                b = locations.point(polyline[(i + 1) % polyline.size()]);
+  direction = b - a;
+  return std::sqrt(line ? CGAL::squared_distance(p, Kernel::Line_3(a, b))
+                        : CGAL::squared_distance(p, Kernel::Segment_3(a, b)));
+}
+
+// Plane sections as sources on any mesh.
+void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned seed,
+              Totals& totals)
+{
+  Report::instance().set_context(name);
+  Random random(seed);
+  Path_checker checker(mesh);
+  const Mesh_locations& locations = checker.locations;
+  Geodesic geodesic(mesh), sampled(mesh);
+  std::map<std::size_t, Path_locations> polylines; // by id
+  double step = 0;
+  for (const auto& section : random_plane_section(mesh, seed))
+  {
+    polylines[geodesic.add_source_polyline(section.locations, section.closed)] = section.locations;
+    for (std::size_t i = 0; i < section.number_of_segments(); ++i)
+    {
+      const int samples = 16;
+      for (int k = 0; k <= samples; ++k)
+        sampled.add_source_point(section.between(locations, i, double(k) / samples));
+      step = (std::max)(step, distance(locations.point(section.between(locations, i, 0)),
+                                       locations.point(section.between(locations, i, 1))) /
+                                samples);
+    }
+  }
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  sampled.build(CGAL::parameters::keep_windows(true));
+
+  for (int i = 0; i < 120; ++i)
+  {
+    const Face_location query = random_location(locations, mesh, random, std::size_t(i) % 3);
+    const auto nearest = geodesic.nearest_source(query);
+    CHECK(nearest.has_value() == std::isfinite(sampled.distance_to_sources(query)));
+    if (!nearest) continue;
+    ++totals.points;
+    const double d = nearest->distance, approximate = sampled.distance_to_sources(query);
+    CHECK_DETAIL(d <= approximate * (1 + 1e-12) + 1e-14 * checker.scale &&
+                   approximate <= d + step / 2 * (1 + 1e-9),
+                 values(d, approximate));
+    if (i < 40) // the point found is as far away as it says
+    {
+      Geodesic from_it(mesh);
+      from_it.add_source_point(nearest->location);
+      from_it.build(CGAL::parameters::keep_windows(true));
+      const double back = from_it.distance_to_sources(query);
+      CHECK_DETAIL(std::abs(back - d) <= 1e-12 * checker.scale, values(back, d));
+    }
+    if (!CHECK(polylines.count(nearest->source) == 1)) continue;
+    const Path_locations& polyline = polylines[nearest->source];
+    if (!CHECK(nearest->part < polyline.size())) continue;
+    const Point_3 foot = checker.point(nearest->location);
+    const Path_locations path = checker(geodesic, query);
+    Vector_3 direction;
+    if (!nearest->is_segment)
+    {
+      ++totals.at_points;
+      CHECK(distance(foot, checker.point(polyline[nearest->part])) <= 1e-12 * checker.scale);
+      continue;
+    }
+    ++totals.at_segments;
+    // on the segment, or on another one straight on from it
+    CHECK(off_segment(locations, polyline, nearest->part, foot, true, direction) <=
+          1e-12 * checker.scale);
+    double off = infinity;
+    Vector_3 ignored;
+    for (std::size_t k = 0; k < polyline.size(); ++k)
+      off = (std::min)(off, off_segment(locations, polyline, k, foot, false, ignored));
+    CHECK(off <= 1e-12 * checker.scale);
+    if (path.size() < 2 || direction.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
+    const Vector_3 last = checker.point(path.back()) - checker.point(path[path.size() - 2]);
+    if (last.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
+    ++totals.feet;
+    const double cosine = unit(last) * unit(direction);
+    totals.foot = (std::max)(totals.foot, std::abs(cosine));
+    CHECK_DETAIL(std::abs(cosine) <= 1e-9, values(cosine, 0));
+  }
+}
+
+} // namespace
+
+int main()
+{
+  std::cout.precision(3);
+  Totals totals;
+  Worst_error worst(1e-12, 4);
+  const std::pair<const char*, Soup> planar[] = {
+    {"rectangle", random_rectangle(4, 3, 120, 6, 1)},
+    {"turned rectangle", rotated(random_rectangle(4, 3, 120, 6, 2), 3)},
+    {"two triangles", random_rectangle(4, 3, 0, 0, 1)},
+    {"jittered grid", jittered_grid(9, 7, 4)},
+    {"alternating grid", planar_grid(8, 8, Diagonals::alternating, 0.5)}};
+  for (const auto& soup : planar)
+    for (unsigned seed = 1; seed <= 20; ++seed)
+      try
+      {
+        Report::instance().set_context(std::string(soup.first) + ", seed " + std::to_string(seed));
+        Planar_mesh plane(soup.second, seed);
+        compare_with_plane(plane, seed, worst, totals);
+      }
+      catch (const std::exception& e)
+      {
+        CHECK_DETAIL(!"an exception was thrown", e.what());
+      }
+  std::cout << "plane: " << totals.points << " points, " << totals.ties << " near ties, "
+            << totals.at_segments << " nearest to segments, " << totals.at_points
+            << " to points; worst relative error of the distance " << worst.error()
+            << ", of the location " << totals.location << std::endl;
+
+  totals = Totals();
+  const std::pair<const char*, Soup> generated[] = {
+    {"torus", torus(30, 20)},
+    {"genus 5", marching_genus_5(10)},
+    {"box", box_sides(1, 0.7, 0.45).triangulated(60, 5, 1)},
+    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 5)},
+    {"L", l_shape(80, 5, 8)}};
+  const auto run = [&](const std::string& name, const test::Surface_mesh& mesh)
+  {
+    try
+    {
+      for (unsigned seed : {1u, 2u}) sections(name, mesh, seed, totals);
+    }
+    catch (const std::exception& e)
+    {
+      CHECK_DETAIL(!"an exception was thrown", e.what());
+    }
+  };
+  for (const auto& soup : generated)
+    run(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
+  for (const char* name : {"anchor.off", "elephant.off", "mesh_with_border.off"})
+  {
+    test::Surface_mesh mesh;
+    const std::string reason =
+      read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh);
+    if (reason.empty()) run(name, mesh);
+    else std::cout << name << ": skipped, " << reason << std::endl;
+  }
+  std::cout << "elsewhere: " << totals.points << " points, " << totals.at_segments
+            << " nearest to segments, " << totals.at_points << " to points; " << totals.feet
+            << " paths to segments, worst cosine " << totals.foot << std::endl;
+  return Report::instance().finish("test_nearest_source");
+}
