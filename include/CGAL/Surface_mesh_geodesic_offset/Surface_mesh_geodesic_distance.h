@@ -173,8 +173,8 @@ public:
     const Path_start start = start_at(location);
     if (!start.is_reached()) return std::nullopt;
     Surface_point end;
-    trace(classified(location), [&](const Surface_point& p) { end = p; });
-    const auto& primitive = built().initial.primitives[start.root.primitive()];
+    const auto& primitive =
+      built().initial.primitives[trace(classified(location), [&](const Surface_point& p) { end = p; })];
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
                           start.root.side(), start.distance, m_surface->location(end)};
   }
@@ -310,10 +310,10 @@ protected:
   }
 
   template <class Function>
-  void trace(const Surface_point& p, const Function& out) const
+  Index trace(const Surface_point& p, const Function& out) const
   {
     const Build& b = built_for(p);
-    Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, b.maximum, out);
+    return Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, b.maximum, out);
   }
 
   template <class NamedParameters>

@@ -11,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -61,10 +63,10 @@ struct Face_window
   FT left_side(const Point& p) const { return cross(ray_direction(left), p - left); }
   FT right_side(const Point& p) const { return cross(ray_direction(right), p - right); }
 
-  // For strips that start inside the face: p is not behind the source.
-  bool is_in_front(const Point& p) const
+  // For strips that start inside the face: p is not behind the source, or by the allowance at most.
+  bool is_in_front(const Point& p, const FT& allowance = FT(0)) const
   {
-    return !(is_parallel() && origin == STARTS_IN_FACE) || !CGAL::is_negative(distance_at(p));
+    return !(is_parallel() && origin == STARTS_IN_FACE) || distance_at(p) >= -allowance;
   }
 
   bool contains(const Point& p) const
@@ -76,7 +78,7 @@ struct Face_window
   bool contains(const Point& p, const FT& allowance) const
   {
     return left_side(p) <= allowance * length(ray_direction(left)) &&
-           right_side(p) >= -allowance * length(ray_direction(right)) && is_in_front(p);
+           right_side(p) >= -allowance * length(ray_direction(right)) && is_in_front(p, allowance);
   }
 
   // The length of a path through the window to p: straight if p is in the cone, or if the rays start at a point of the
@@ -84,9 +86,11 @@ struct Face_window
   FT path_length(const Point& p) const
   {
     if (origin >= STARTS_IN_FACE && !is_parallel()) return distance_at(p);
-    if (!is_in_front(p)) return Number_policy<FT>::infinity();
+    // a point on the source is in front of it on both sides, whatever rounding does
+    const FT rounding = Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y));
+    if (!is_in_front(p, rounding)) return Number_policy<FT>::infinity();
     const bool off_left = CGAL::is_positive(left_side(p)), off_right = CGAL::is_negative(right_side(p));
-    if (!off_left && !off_right) return distance_at(p);
+    if (!off_left && !off_right) return (std::max)(distance_at(p), FT(0));
     const FT l = distance_at(left) + length(p - left), r = distance_at(right) + length(p - right);
     if (off_left && off_right) return (std::min)(l, r);
     return off_left ? l : r;

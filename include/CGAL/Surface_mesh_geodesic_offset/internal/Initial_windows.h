@@ -83,7 +83,8 @@ public:
       add_flat_sector(p, nullptr, nullptr, root);
   }
 
-  // Call once everything is added: shows the fans in the faces round their vertices, and orders the local windows by face.
+  // Call once everything is added: shows the fans in the faces round their vertices, and orders the local windows by
+  // face, those on edges by halfedge.
   void finish()
   {
     for (const Vertex_fan& f : fans)
@@ -92,6 +93,16 @@ public:
       });
     std::stable_sort(local.begin(), local.end(),
                      [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge_window& a, const Edge_window& b) { return a.halfedge < b.halfedge; });
+  }
+
+  // Calls f(window) for the parts of a halfedge that are source. Call finish() first.
+  template <class Function>
+  void for_each_edge_window(Index h, const Function& f) const
+  {
+    auto i = std::lower_bound(edges.begin(), edges.end(), h, [](const Edge_window& w, Index g) { return w.halfedge < g; });
+    for (; i != edges.end() && i->halfedge == h; ++i) f(*i);
   }
 
   std::vector<Source_primitive> primitives;

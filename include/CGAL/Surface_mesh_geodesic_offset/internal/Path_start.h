@@ -31,6 +31,23 @@ struct Path_start
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
 };
 
+// Goes from p straight on towards q, over to the face beyond an edge that p lies on; the points change frames. Returns through
+// which of its edges the way goes on.
+template <class FT>
+int cross_edge(const Unfolded_mesh<FT>& mesh, Index& face, int edge, Point_in_face<FT>& p, Point_in_face<FT>& q)
+{
+  const Face_frame<FT> before(mesh, face);
+  const Index g = mesh.twin(3 * face + Index(edge));
+  face = mesh.face(g);
+  const int k = int(g % 3);
+  const Face_frame<FT> frame(mesh, face);
+  p = frame.on_edge(k, before.to_twin(edge, p).x);
+  q = frame.from_halfedge(k, before.to_twin(edge, q));
+  // seen across the edge, its source is on the left
+  const int apex = (k + 2) % 3;
+  return CGAL::is_negative(cross(q - p, frame.corner(apex) - p)) ? apex : (k + 1) % 3;
+}
+
 template <class FT>
 class Path_starts
 {
@@ -91,6 +108,14 @@ private:
       }
       start.distance = (std::min)(start.distance, d);
     }
+    // through the edge that the point is on: the path starts on the other side
+    if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE)
+      for (const Index h : {p.element, m_mesh.twin(p.element)})
+        if (h == 3 * start.face + Index(start.exit) && m_mesh.twin(h) != no_index)
+        {
+          start.exit = cross_edge(m_mesh, start.face, start.exit, start.from, start.to);
+          break;
+        }
     return start;
   }
 

@@ -30,43 +30,45 @@ public:
   }
 
   // Calls out(surface point) for p, for each edge that the path crosses and each vertex that it passes, and for the source
-  // point where it ends. Nothing if p is farther than the maximum.
+  // point where it ends. Returns the primitive where it ends. Nothing if p is farther than the maximum.
   template <class Function>
-  void operator()(const Surface_point_& p, const FT& maximum, const Function& out) const
+  Index operator()(const Surface_point_& p, const FT& maximum, const Function& out) const
   {
     Path_start<FT> start = m_start(p);
-    if (!start.is_reached() || start.distance > maximum) return;
+    if (!start.is_reached() || start.distance > maximum) return no_index;
     out(p);
     const Index limit = Index(m_mesh.number_of_vertices());
     for (Index guard = 0; start.face != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
     {
-      bool is_source = false;
-      const Surface_point_ end = follow(start, p, is_source, out);
-      out(end);
-      if (is_source) return;
-      start = m_start.at_vertex(end.element);
+      const End end = follow(start, out);
+      out(end.point);
+      if (end.primitive != no_index) return end.primitive;
+      start = m_start.at_vertex(end.point.element);
     }
+    return start.root.primitive();
   }
 
 private:
+  struct End
+  {
+    Surface_point_ point;
+    Index primitive; // no_index at a vertex on the way
+  };
+
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any.
   template <class Function>
-  Surface_point_ follow(const Path_start<FT>& start, const Surface_point_& origin, bool& is_source,
-                        const Function& out) const
+  End follow(const Path_start<FT>& start, const Function& out) const
   {
     Index face = start.face;
     Point p = start.from, q = start.to;
     int exit = start.exit;
-    // a window that enters through the edge that the point is on: the path starts on the other side
-    if (exit != -1 && lies_on(origin, 3 * face + Index(exit)) && m_mesh.twin(3 * face + Index(exit)) != no_index)
-      exit = cross_edge(face, exit, p, q);
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      if (Surface_point_ end; ends_in(face, p, start, end, is_source)) return end;
+      if (End end; ends_in(face, p, length(q - p), start, end)) return end;
       const Face_frame<FT> frame(m_mesh, face);
       if (exit == -1) exit = exit_from_inside(frame, p, q);
       const Index h = 3 * face + Index(exit);
@@ -78,18 +80,21 @@ private:
         {
           const Index v = at_target ? m_mesh.target(h) : m_mesh.source(h);
           const Point corner = frame.corner(at_target ? (exit + 1) % 3 : exit);
-          if (!is_way_by(v, length(corner - p), length(q - p), start)) continue;
-          is_source = CGAL::is_zero(m_field.distance[v]);
-          return Surface_point_::at_vertex(v);
+          if (is_way_by(v, length(corner - p), length(q - p), start)) return at_vertex(v);
         }
       if (is_border) break;
       out(on_edge(h, t));
       p = frame.on_edge(exit, t);
-      exit = cross_edge(face, exit, p, q);
+      exit = cross_edge(m_mesh, face, exit, p, q);
     }
     // rounding at the border, and nothing better to say
-    is_source = start.pseudo_source == no_index;
-    return is_source ? m_initial.places[start.root.primitive()].first : Surface_point_::at_vertex(start.pseudo_source);
+    if (start.pseudo_source != no_index) return at_vertex(start.pseudo_source);
+    return {m_initial.places[start.root.primitive()].first, start.root.primitive()};
+  }
+
+  End at_vertex(Index v) const
+  {
+    return {Surface_point_::at_vertex(v), CGAL::is_zero(m_field.distance[v]) ? m_field.root[v].primitive() : no_index};
   }
 
   // Whether the way by a vertex is as short as the rest of the path, straight on.
@@ -100,11 +105,6 @@ private:
     return d < start.distance && d + to_vertex <= rest + Number_policy<FT>::rounding(256) * start.distance;
   }
 
-  bool lies_on(const Surface_point_& p, Index h) const
-  {
-    return p.kind == Surface_point_::EDGE && (p.element == h || m_mesh.twin(p.element) == h);
-  }
-
   static Surface_point_ on_edge(Index h, const FT& t)
   {
     Surface_point_ p;
@@ -112,21 +112,6 @@ private:
     p.element = h;
     p.x = t;
     return p;
-  }
-
-  // Goes over to the face beyond the edge; returns through which of its edges the way to q goes on.
-  int cross_edge(Index& face, int exit, Point& p, Point& q) const
-  {
-    const Face_frame<FT> before(m_mesh, face);
-    const Index g = m_mesh.twin(3 * face + Index(exit));
-    face = m_mesh.face(g);
-    const int k = int(g % 3);
-    const Face_frame<FT> frame(m_mesh, face);
-    p = frame.on_edge(k, before.to_twin(exit, p).x);
-    q = frame.from_halfedge(k, before.to_twin(exit, q));
-    // seen across the edge, its source is on the left
-    const int apex = (k + 2) % 3;
-    return CGAL::is_negative(cross(q - p, frame.corner(apex) - p)) ? apex : (k + 1) % 3;
   }
 
   // The edge that the way from a point inside the face leaves through.
@@ -156,45 +141,68 @@ private:
     return m_mesh.source(h) == p.element || m_mesh.source(h + 1) == p.element || m_mesh.source(h + 2) == p.element;
   }
 
-  // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space.
-  bool ends_in(Index face, const Point& p, const Path_start<FT>& start, Surface_point_& end, bool& is_source) const
+  // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space. A path to one
+  // segment may end at another one of the source: windows of segments in one line have become one.
+  bool ends_in(Index face, const Point& p, const FT& rest, const Path_start<FT>& start, End& end) const
   {
-    is_source = start.pseudo_source == no_index;
-    if (!is_source)
+    if (start.pseudo_source != no_index)
     {
-      end = Surface_point_::at_vertex(start.pseudo_source);
-      return is_in_face(end, face);
+      end = at_vertex(start.pseudo_source);
+      return is_in_face(end.point, face);
     }
-    const Source_place<FT>& place = m_initial.places[start.root.primitive()];
-    if (!is_in_face(place.first, face) || !is_in_face(place.second, face)) return false;
-    end = m_initial.primitives[start.root.primitive()].is_segment ? foot_in(face, p, place) : place.first;
-    return true;
+    end.primitive = no_index;
+    FT nearest = rest + Number_policy<FT>::rounding(256) * (start.distance + length(p));
+    const auto consider = [&](Index primitive) {
+      const Source_place<FT>& place = m_initial.places[primitive];
+      if (m_initial.source_of[primitive] != m_initial.source_of[start.root.primitive()] ||
+          !is_in_face(place.first, face) || !is_in_face(place.second, face))
+        return;
+      Surface_point_ point = place.first;
+      const FT d = distance_in(face, p, primitive, point);
+      if (!(d < nearest)) return;
+      nearest = d;
+      end = {point, primitive};
+    };
+    consider(start.root.primitive());
+    if (end.primitive == no_index || m_initial.primitives[start.root.primitive()].is_segment)
+    {
+      const auto local = local_windows(m_initial, face);
+      for (auto i = local.first; i != local.second; ++i) consider(i->window.root.primitive());
+      for (Index h = 3 * face; h < 3 * face + 3; ++h)
+        m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root.primitive()); });
+    }
+    return end.primitive != no_index;
   }
 
-  // The nearest point of a segment in the face.
-  Surface_point_ foot_in(Index face, const Point& p, const Source_place<FT>& place) const
+  // The distance of p, in the face, from a point or segment that lies in the face, too, and its nearest point.
+  FT distance_in(Index face, const Point& p, Index primitive, Surface_point_& nearest) const
   {
+    const Source_place<FT>& place = m_initial.places[primitive];
     Point a, b;
     unsigned edges_of_a, edges_of_b;
     position_in_face(m_mesh, place.first, face, a, edges_of_a);
+    nearest = place.first;
+    if (!m_initial.primitives[primitive].is_segment) return length(a - p);
     position_in_face(m_mesh, place.second, face, b, edges_of_b);
     const Point u = b - a;
     const FT t = dot(p - a, u) / dot(u, u);
-    if (!CGAL::is_positive(t)) return place.first;
-    if (!(t < FT(1))) return place.second;
+    if (!CGAL::is_positive(t)) return length(a - p);
+    nearest = place.second;
+    if (!(t < FT(1))) return length(b - p);
     const Point foot = a + t * u;
-    const unsigned edge = edges_of_a & edges_of_b;
-    if (edge)
+    if (const unsigned edge = edges_of_a & edges_of_b)
     {
       const int k = edge == 1 ? 0 : edge == 2 ? 1 : 2;
-      return on_edge(3 * face + Index(k), Face_frame<FT>(m_mesh, face).along(k, foot));
+      nearest = on_edge(3 * face + Index(k), Face_frame<FT>(m_mesh, face).along(k, foot));
     }
-    Surface_point_ end;
-    end.kind = Surface_point_::FACE;
-    end.element = face;
-    end.x = foot.x;
-    end.y = foot.y;
-    return end;
+    else
+    {
+      nearest.kind = Surface_point_::FACE;
+      nearest.element = face;
+      nearest.x = foot.x;
+      nearest.y = foot.y;
+    }
+    return length(foot - p);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

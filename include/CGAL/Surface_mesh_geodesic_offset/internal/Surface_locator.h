@@ -261,10 +261,10 @@ private:
 
   const Tree& tree() const
   {
-    std::call_once(m_once, [this] {
-      const Triangle_mesh& tm = m_surface->tm;
-      if (faces(tm).begin() == faces(tm).end())
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: there is nothing to locate on a mesh without faces");
+    const Triangle_mesh& tm = m_surface->tm;
+    if (faces(tm).begin() == faces(tm).end()) // not in call_once(), which hangs after an exception with some libraries
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: there is nothing to locate on a mesh without faces");
+    std::call_once(m_once, [&] {
       m_tree.rebuild(faces(tm).begin(), faces(tm).end(), tm, Point_map{m_surface.get()});
       std::vector<typename Tree::Point_and_primitive_id> hints; // the tree's own would have each vertex several times
       for (Index v = 0; v < m_surface->unfolded.number_of_vertices(); ++v)
