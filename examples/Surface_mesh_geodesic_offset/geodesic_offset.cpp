@@ -176,8 +176,8 @@ void run(const Options& options)
   check_spacing(options, input.bounding_box_diagonal());
 
   const Stopwatch setup_time;
-  const Sources sources(input, options);
   Geodesic geodesic(mesh);
+  const Sources sources(input, options, geodesic);
   sources.add_to(geodesic);
   figures.setup_seconds = setup_time.seconds();
   for(const std::string& remark : sources.remarks())

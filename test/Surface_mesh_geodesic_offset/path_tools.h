@@ -151,9 +151,9 @@ public:
   Point_3 point(Vertex_index v) const { return mesh_.point(v); }
   Point_3 point(const Face_location& l) const { return locations.point(l); }
 
-  /// The path from `query`, after all checks: its forms agree, it starts at the query point and ends
-  /// at the nearest source point, it is connected and as long as the distance, and starts against
-  /// the gradient.
+  /// The path from `query`, after all checks: its forms agree, it starts at the query point and
+  /// ends at the nearest source point, it is connected and as long as the distance, and starts
+  /// against the gradient.
   template <class Query>
   Path_locations operator()(const Geodesic& geodesic, const Query& query, bool has_windows = true)
   {
@@ -239,9 +239,9 @@ private:
   {
     CHECK(is_connected(path));
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
-      CHECK_DETAIL(point(path[i]) != point(path[i + 1]),
-                   "points " + std::to_string(i) + " and the next of " +
-                     std::to_string(path.size()));
+      CHECK_DETAIL(point(path[i]) != point(path[i + 1]), "points " + std::to_string(i) +
+                                                           " and the next of " +
+                                                           std::to_string(path.size()));
   }
 
   void check_gradient(const Vector_3& gradient, const Path_locations& path) const

@@ -23,7 +23,8 @@ struct Query_case
   Query_case(const std::string& name, const Soup& soup)
     : name(name), mesh(Generated_mesh<test::Surface_mesh>(soup).mesh), checker(mesh)
   {}
-  Query_case(const std::string& name, const test::Surface_mesh& m) : name(name), mesh(m), checker(mesh)
+  Query_case(const std::string& name, const test::Surface_mesh& m)
+    : name(name), mesh(m), checker(mesh)
   {}
   Query_case(const Query_case&) = delete;
 

@@ -82,8 +82,7 @@ void check_differences(const Geodesic& geodesic, const Mesh_locations& locations
   {
     const double x = by * (v * axes.x), y = by * (v * axes.y);
     const double w2 = y / gy, w1 = (x - w2 * gx) / ex;
-    return Face_location(l.first,
-                         {{l.second[0] - w1 - w2, l.second[1] + w1, l.second[2] + w2}});
+    return Face_location(l.first, {{l.second[0] - w1 - w2, l.second[1] + w1, l.second[2] + w2}});
   };
   const double d = geodesic.distance_to_sources(l);
   if (h > 1e-3 * d) return; // nearly at the source
@@ -159,8 +158,7 @@ int main()
   Totals totals;
   const auto run_all = [&](const std::string& name, const test::Surface_mesh& mesh)
   {
-    for (unsigned seed : {1u, 2u, 3u})
-      try
+    for (unsigned seed : {1u, 2u, 3u}) try
       {
         run(name, mesh, seed, seed != 3, totals);
       }

@@ -59,8 +59,8 @@ Planar_source random_planar_source(Planar_mesh& plane, std::size_t number, unsig
   if (number % 3 == 0) result.source.locations = {plane.generator.random_location(0)};
   else
   {
-    const auto path = plane.generator.random_path(1 + (seed + number) % 4 + number % 3 / 2,
-                                                  result.source.closed);
+    const auto path =
+      plane.generator.random_path(1 + (seed + number) % 4 + number % 3 / 2, result.source.closed);
     result.source.locations = path.locations;
     result.legs = path.legs;
   }
@@ -271,7 +271,8 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
     for (std::size_t k = 0; k < polyline.size(); ++k)
       off = (std::min)(off, off_segment(locations, polyline, k, foot, false, ignored));
     CHECK(off <= 1e-12 * checker.scale);
-    if (path.size() < 2 || direction.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
+    if (path.size() < 2 || direction.squared_length() < CGAL::square(1e-5 * checker.scale))
+      continue;
     const Vector_3 last = checker.point(path.back()) - checker.point(path[path.size() - 2]);
     if (last.squared_length() < CGAL::square(1e-5 * checker.scale)) continue;
     ++totals.feet;
@@ -295,8 +296,7 @@ int main()
     {"jittered grid", jittered_grid(9, 7, 4)},
     {"alternating grid", planar_grid(8, 8, Diagonals::alternating, 0.5)}};
   for (const auto& soup : planar)
-    for (unsigned seed = 1; seed <= 20; ++seed)
-      try
+    for (unsigned seed = 1; seed <= 20; ++seed) try
       {
         Report::instance().set_context(std::string(soup.first) + ", seed " + std::to_string(seed));
         Planar_mesh plane(soup.second, seed);

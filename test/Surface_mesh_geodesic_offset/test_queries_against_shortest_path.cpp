@@ -129,8 +129,7 @@ void compare(const std::string& name, const test::Surface_mesh& mesh,
   const auto start = std::chrono::steady_clock::now();
   std::string failure;
   const auto expected = reference_distances(mesh, sources, queries, failure);
-  totals.seconds +=
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  totals.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!expected)
   {
     std::replace(failure.begin(), failure.end(), '\n', ' ');
@@ -186,8 +185,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, std::size_t co
     Report::instance().set_context(name + ", from " + kinds[kind]);
     std::vector<Face_location> sources;
     for (std::size_t i = 0; i < (kind == 3 ? 5 : 1); ++i)
-      sources.push_back(
-        random_location(check.locations, mesh, random, kind == 3 ? i % 3 : kind));
+      sources.push_back(random_location(check.locations, mesh, random, kind == 3 ? i % 3 : kind));
     try
     {
       compare(Report::instance().context(), mesh, sources, random, (count + 3 - kind) / 4, check,
@@ -201,9 +199,9 @@ void run(const std::string& name, const test::Surface_mesh& mesh, std::size_t co
   std::cout << name << ": " << num_faces(mesh) << " faces, " << totals.queries
             << " points; worst relative difference " << worst.error() << "; " << check.totals.paths
             << " paths of " << check.totals.points << " points, " << check.totals.unreachable
-            << " unreachable, worst difference of length and distance "
-            << check.totals.worst_length << "; " << totals.other_paths << " of "
-            << totals.vertex_paths << " paths are others without kept windows";
+            << " unreachable, worst difference of length and distance " << check.totals.worst_length
+            << "; " << totals.other_paths << " of " << totals.vertex_paths
+            << " paths are others without kept windows";
   if (totals.proved > 0)
     std::cout << "; Surface_mesh_shortest_path is too long at " << totals.proved
               << " points, proved by paths";
@@ -219,15 +217,15 @@ int main(int argc, char* argv[])
   std::vector<std::string> names(argv + (std::min)(argc, 2), argv + argc);
   const bool all = names.empty();
   if (all)
-    names = {"elephant.off", "anchor.off",           "mask_cone.off", "cow.off",   "fandisk.off",
-             "homer.off",    "mesh_with_border.off", "holes.off",     "bull.off",  "cheese.off"};
+    names = {"elephant.off", "anchor.off",           "mask_cone.off", "cow.off",  "fandisk.off",
+             "homer.off",    "mesh_with_border.off", "holes.off",     "bull.off", "cheese.off"};
   if (all && count > 1000)
     names.insert(names.end(), {"camel.off", "retinal.off", "dino.off", "femur.off", "rotor.off",
                                "horizons.off", "three_peaks.off", "lion-head.off", "blade.off"});
   if (all)
-    for (const auto& mesh : {std::make_pair("torus", torus(24, 16)),
-                             std::make_pair("L", l_shape(120, 6, 3)),
-                             std::make_pair("cube", cube_grid(6))})
+    for (const auto& mesh :
+         {std::make_pair("torus", torus(24, 16)), std::make_pair("L", l_shape(120, 6, 3)),
+          std::make_pair("cube", cube_grid(6))})
       run(mesh.first, Generated_mesh<test::Surface_mesh>(rotated(mesh.second, 7)).mesh, count / 4);
   for (const std::string& name : names)
   {

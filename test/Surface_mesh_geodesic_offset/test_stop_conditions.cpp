@@ -19,7 +19,8 @@ struct Totals
 
 // What is known of a field that was stopped early: the full field up to the covered distance, and
 // nothing beyond it.
-void check_covered(Query_case& c, const Geodesic& part, const Geodesic& full, bool keep, Random& random)
+void check_covered(Query_case& c, const Geodesic& part, const Geodesic& full, bool keep,
+                   Random& random)
 {
   const double covered = part.covered_distance();
   CHECK_DETAIL(covered > 0, std::to_string(covered));
@@ -84,7 +85,8 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   std::vector<Vertex_index> some = used_vertices(c.mesh);
   for (Vertex_index& v : some) std::swap(v, some[uniform_index(random, some.size())]);
   some.resize((std::min)(some.size(), std::size_t(50)));
-  std::sort(some.begin(), some.end(), [&](Vertex_index v, Vertex_index w)
+  std::sort(some.begin(), some.end(),
+            [&](Vertex_index v, Vertex_index w)
             { return full.distance_to_sources(v) < full.distance_to_sources(w); });
   for (const bool near : {true, false})
   {
@@ -161,8 +163,7 @@ int main(int argc, char* argv[])
   Totals totals;
   for (const auto& c : query_cases())
     for (unsigned seed = 1; seed <= 6 * times; ++seed)
-      for (const bool keep : {true, false})
-        try
+      for (const bool keep : {true, false}) try
         {
           stops(*c, seed, keep, totals);
         }

@@ -113,16 +113,16 @@ std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh&
       }
       break;
     default:
-      {
-        std::map<Vertex_index, double> distances;
-        std::map<Vertex_index, std::size_t> labels;
-        geodesic.vertex_distances(boost::make_assoc_property_map(distances));
-        geodesic.source_labels(boost::make_assoc_property_map(labels));
-        for (const auto& d : distances) answers.push_back(d.second);
-        for (const auto& l : labels) answers.push_back(double(l.second));
-        answers.push_back(double(geodesic.statistics().windows_propagated));
-        answers.push_back(geodesic.covered_distance());
-      }
+    {
+      std::map<Vertex_index, double> distances;
+      std::map<Vertex_index, std::size_t> labels;
+      geodesic.vertex_distances(boost::make_assoc_property_map(distances));
+      geodesic.source_labels(boost::make_assoc_property_map(labels));
+      for (const auto& d : distances) answers.push_back(d.second);
+      for (const auto& l : labels) answers.push_back(double(l.second));
+      answers.push_back(double(geodesic.statistics().windows_propagated));
+      answers.push_back(geodesic.covered_distance());
+    }
     }
   }
   return result;
@@ -186,14 +186,12 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
 
 int main()
 {
-  const std::pair<const char*, Soup> meshes[] = {{"torus", torus(30, 20)},
-                                                 {"genus 5", marching_genus_5(10)},
-                                                 {"grid", planar_grid(15, 15)}};
+  const std::pair<const char*, Soup> meshes[] = {
+    {"torus", torus(30, 20)}, {"genus 5", marching_genus_5(10)}, {"grid", planar_grid(15, 15)}};
   for (const auto& mesh : meshes)
   {
     const Generated_mesh<test::Surface_mesh> data(rotated(mesh.second, 3));
-    for (const bool keep : {true, false})
-      try
+    for (const bool keep : {true, false}) try
       {
         run(mesh.first, data.mesh, keep);
       }

@@ -85,7 +85,7 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
   {
     step("update " + std::to_string(round + 1));
     if (seed % 7 != 0 || round > 0) add(); // sometimes nothing has changed
-    if (seed % 4 == 0) // a visitor may watch
+    if (seed % 4 == 0)                     // a visitor may watch
     {
       double last = 0;
       geodesic.update(CGAL::parameters::visitor(
@@ -156,8 +156,7 @@ int main(int argc, char* argv[])
   Totals totals;
   for (const auto& c : query_cases())
     for (unsigned seed = 1; seed <= 10 * times; ++seed)
-      for (const bool keep : {true, false})
-        try
+      for (const bool keep : {true, false}) try
         {
           updates(*c, seed, keep, totals);
         }

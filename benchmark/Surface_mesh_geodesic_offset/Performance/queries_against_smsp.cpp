@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One vertex source, queries at random points inside faces: CGAL::Surface_mesh_shortest_path against
-// Surface_mesh_geodesic_offset in one run, each in a process of its own, as a Markdown table:
-// queries per second, of the distance and of the whole path as points in space; memory a vertex, of
-// the tree (growth of the peak) and of the kept windows (as they say; and growth of the peak).
+// One vertex source, queries at random points inside faces: CGAL::Surface_mesh_shortest_path
+// against Surface_mesh_geodesic_offset in one run, each in a process of its own, as a Markdown
+// table: queries per second, of the distance and of the whole path as points in space; memory a
+// vertex, of the tree (growth of the peak) and of the kept windows (as they say; and growth of the
+// peak).
 //
 //   queries_against_smsp [--queries N] [--vertex I] [--repeat N] MESH...
 //       default: 10000, 0, 1; of N runs, the fastest counts
@@ -57,7 +58,8 @@ std::vector<Face_location> random_points(const Mesh& mesh, std::size_t count)
   std::vector<Face_location> result;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto face = static_cast<Mesh::size_type>(uniform() * static_cast<double>(num_faces(mesh)));
+    const auto face =
+      static_cast<Mesh::size_type>(uniform() * static_cast<double>(num_faces(mesh)));
     std::array<double, 3> w;
     double sum = 0;
     for (double& x : w) sum += x = -std::log(uniform());
@@ -131,7 +133,8 @@ bool compare(const std::string& file, const Options& options)
   if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) ||
       options.vertex >= num_vertices(mesh))
   {
-    std::cerr << file << " is not a manifold triangle mesh with a vertex " << options.vertex << '\n';
+    std::cerr << file << " is not a manifold triangle mesh with a vertex " << options.vertex
+              << '\n';
     return false;
   }
   const Mesh::Vertex_index source(static_cast<Mesh::size_type>(options.vertex));
@@ -159,23 +162,22 @@ bool compare(const std::string& file, const Options& options)
                     [&](const Face_location& p, auto way)
                     { solver.shortest_path_points_to_source_points(p.first, p.second, way); });
                 });
-  const Measured_run ours =
-    fastest_run(options.repetitions,
-                [&](std::vector<double>& out, std::uint64_t&)
-                {
-                  Geodesic solver(mesh);
-                  measure(
-                    points, out,
-                    [&]
-                    {
-                      solver.add_source_point(source);
-                      solver.build(CGAL::parameters::keep_windows(true));
-                      return solver.statistics().kept_bytes;
-                    },
-                    [&](const Face_location& p) { return solver.distance_to_sources(p); },
-                    [&](const Face_location& p, auto way)
-                    { solver.shortest_path_points_to_sources(p, way); });
-                });
+  const Measured_run ours = fastest_run(
+    options.repetitions,
+    [&](std::vector<double>& out, std::uint64_t&)
+    {
+      Geodesic solver(mesh);
+      measure(
+        points, out,
+        [&]
+        {
+          solver.add_source_point(source);
+          solver.build(CGAL::parameters::keep_windows(true));
+          return solver.statistics().kept_bytes;
+        },
+        [&](const Face_location& p) { return solver.distance_to_sources(p); },
+        [&](const Face_location& p, auto way) { solver.shortest_path_points_to_sources(p, way); });
+    });
 
   double worst = 0;
   for (std::size_t i = NUMBER_OF_FIGURES; i < ours.distances.size(); ++i)
@@ -220,8 +222,7 @@ int main(int argc, char* argv[])
   }
   if (files.empty() || options.queries == 0 || options.repetitions == 0)
   {
-    std::cerr
-      << "usage: queries_against_smsp [--queries N] [--vertex I] [--repeat N] MESH...\n";
+    std::cerr << "usage: queries_against_smsp [--queries N] [--vertex I] [--repeat N] MESH...\n";
     return 2;
   }
   std::cout << "| mesh | vertices | SMSP build s | ours build s | SMSP distances/s | ours "

@@ -10,7 +10,7 @@
 #define GEODESIC_OFFSET_PLANE_SECTION_H
 
 #include "common.h"
-#include "locator.h"
+#include "location.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>

@@ -7,7 +7,7 @@
 #define GEODESIC_OFFSET_SOURCES_H
 
 #include "common.h"
-#include "locator.h"
+#include "location.h"
 #include "mesh_input.h"
 #include "options.h"
 #include "plane_section.h"
@@ -30,7 +30,7 @@ class Sources
 {
   const Mesh_input& m_input;
   const Mesh&       m_mesh;
-  Locator           m_locate;
+  const Geodesic&   m_geodesic; // locates points
   Path_finder       m_find_path;
 
   std::vector<Vertex>           m_vertices;
@@ -41,13 +41,13 @@ class Sources
   std::vector<std::string>      m_remarks;
 
 public:
-  Sources(const Mesh_input& input, const Options& options)
-    : m_input(input), m_mesh(input.mesh()), m_locate(input.mesh()), m_find_path(input.mesh())
+  Sources(const Mesh_input& input, const Options& options, const Geodesic& geodesic)
+    : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic), m_find_path(input.mesh())
   {
     for(std::size_t i : options.source_vertices)
       add_vertex(i, options.mesh);
     for(const std::array<double, 3>& p : options.source_points)
-      m_points.push_back(m_locate(Point(p[0], p[1], p[2])));
+      m_points.push_back(m_geodesic.locate(Point(p[0], p[1], p[2])));
     for(const std::string& file : options.source_polylines)
       for(const File_polyline& polyline : read_polylines(file))
         add_polyline(polyline, file);
@@ -151,7 +151,7 @@ private:
     for(std::size_t i = 0; i < n; ++i)
     {
       const bool last_of_closed = polyline.closed && i + 1 == n;
-      const Face_location location = last_of_closed ? polyline.locations.front() : m_locate(from.points[i]);
+      const Face_location location = last_of_closed ? polyline.locations.front() : m_geodesic.locate(from.points[i]);
       if(polyline.locations.empty())
       {
         polyline.locations.push_back(location);

@@ -8,7 +8,7 @@
 #define GEODESIC_OFFSET_SURFACE_PATH_H
 
 #include "common.h"
-#include "locator.h"
+#include "location.h"
 
 #include <algorithm>
 #include <array>

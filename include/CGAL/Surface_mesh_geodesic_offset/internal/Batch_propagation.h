@@ -160,16 +160,21 @@ private:
   void round_the_end(Index h, const Window_propagation<FT>& face, const Window& w, const FT& b, const FT& d)
   {
     if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
-    const FT bx = b - face.apex_x;
-    update_apex(h, face, d + square_root<FT>(bx * bx + face.apex_y * face.apex_y), bx, -face.apex_y, w);
+    const FT bx = b - face.apex_x, by = -face.apex_y;
+    const FT length = square_root<FT>(bx * bx + by * by);
+    // up to rounding straight to the image: that tells the direction better, where the face is tiny
+    const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+    const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
+    const bool is_straight = off <= away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
+    update_apex(h, face, d + length, is_straight ? ix : bx, is_straight ? iy : by, w, !is_straight);
   }
 
   // (bx, by): from the apex back towards the source, in the frame of h.
   void update_apex(Index h, const Window_propagation<FT>& face, const FT& d, const FT& bx, const FT& by,
-                   const Window& w)
+                   const Window& w, bool is_bent = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_state.update_vertex(m_mesh.apex(h), d, back, w.root, w.pseudo_source());
+    m_state.update_vertex(m_mesh.apex(h), d, back, w.root, w.pseudo_source(), is_bent);
   }
 
   Wavefront_state<FT>& m_state;

@@ -93,8 +93,7 @@ private:
 
   void add_list(Index h, const FT& level, bool reversed)
   {
-    const auto all = [](const Window<FT>&) { return true; };
-    m_field.for_each_window(h, all, [&](const Window<FT>& w) {
+    m_field.for_each_window(h, [&](const Window<FT>& w) {
       FT lo = w.b0, hi = w.b1;
       if (near_part(w.is_parallel(), w.x, w.y, FT(level - w.sigma), lo, hi))
         add(lo, hi, level, lo == w.b0 ? w.d0 : level, hi == w.b1 ? w.d1 : level, reversed);

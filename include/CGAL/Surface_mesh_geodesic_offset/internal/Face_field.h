@@ -57,33 +57,33 @@ public:
   void set_face(Index face)
   {
     start(face);
-    const auto all = [](const Window<FT>&) { return true; };
     for (int k = 0; k < 3; ++k)
-      m_field.for_each_window(3 * face + Index(k), all, [&](const Window<FT>& w) { add_window(w, k); });
+      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) { add_window(w, k); });
     add_local_windows();
     for (int k = 0; k < 3; ++k) add_corner(k);
   }
 
-  // The same without windows that can't be the nearest ones at p: then distance() is right there, and no function elsewhere.
+  // The same from kept windows, without those that can't be the nearest ones at p: then distance() is right there, and no function elsewhere.
   void set_face_at(Index face, const Point& p)
   {
+    m_field.kept.prefetch(face);
     start(face);
     FT best = Number_policy<FT>::infinity();
     for (int k = 0; k < 3; ++k) best = (std::min)(best, by_corner(k, p));
     add_local_windows();
     for (const Window_in_face& w : m_windows) best = (std::min)(best, w.path_length(p));
+    FT limit = best + rounding_of(best);
     for (int k = 0; k < 3; ++k)
-    {
+    { // no path through a window is shorter than the straight one from its image, whether that is there or not
       const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
-      // no path through the window is shorter than the straight one, whether it is there or not
-      const auto may_be_nearest = [&](const Window<FT>& w) { return w.distance_at(q.x, q.y) <= best + rounding_of(best); };
-      m_field.for_each_window(3 * face + Index(k), may_be_nearest, [&](const Window<FT>& w) {
+      m_field.for_each_window_within(3 * face + Index(k), q.x, q.y, limit, [&](const Window<FT>& w) {
         add_window(w, k);
         best = (std::min)(best, m_windows.back().path_length(p));
+        limit = best + rounding_of(best);
       });
     }
     for (int k = 0; k < 3; ++k)
-      if (by_corner(k, p) <= best + rounding_of(best)) add_corner(k);
+      if (by_corner(k, p) <= limit) add_corner(k);
   }
 
   Index face() const { return m_face; }
@@ -133,6 +133,8 @@ private:
     m_size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
     m_windows.clear();
     m_lowest.clear();
+    m_windows.reserve(16);
+    m_lowest.reserve(16);
   }
 
   void add_local_windows()

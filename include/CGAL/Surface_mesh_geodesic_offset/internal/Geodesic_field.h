@@ -42,6 +42,7 @@ class Geodesic_field
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
+  FT maximum = Number_policy<FT>::infinity(); // up to this distance all is final, or will be
   std::vector<FT> distance;       // per vertex
   std::vector<Way_back<FT>> back; // per vertex
   std::vector<Root> root;         // per vertex
@@ -81,8 +82,7 @@ public:
     if (lists.has(h)) return lists.get(h);
     Window_list<FT>& list = lists.get_or_create(h);
     if (!m_before) return list;
-    const auto all = [](const Window&) { return true; };
-    kept.for_each(h, m_before->distance, m_before->root, all, [&](const Window& w) {
+    kept.for_each(h, m_before->distance, m_before->root, [&](const Window& w) {
       *lists.room(list, 1) = w;
       lists.extend(list, 1);
       list.data[list.taken++].set_propagated();
@@ -90,19 +90,25 @@ public:
     return list;
   }
 
-  // Calls f(window) for each window that is final on a halfedge, in order, if accept(window) says so; that must not look at
-  // the distances at the ends.
-  template <class Condition, class Function>
-  void for_each_window(Index h, const Condition& accept, const Function& f) const
+  // Calls f(window) for each window that is final on a halfedge, in order.
+  template <class Function>
+  void for_each_window(Index h, const Function& f) const
   {
     if (lists.has(h))
     {
       const Window_list<FT>& list = lists.get(h);
-      for (Index i = 0; i < list.taken; ++i)
-        if (accept(list.data[i])) f(list.data[i]);
+      for (Index i = 0; i < list.taken; ++i) f(list.data[i]);
     }
     else
-      kept.for_each(h, distance, root, accept, f);
+      kept.for_each(h, distance, root, f);
+  }
+
+  // The same for kept windows that may give the point (x, y), in the frame of the halfedge, a distance up to the limit, which
+  // may fall meanwhile.
+  template <class Function>
+  void for_each_window_within(Index h, const FT& x, const FT& y, const FT& limit, const Function& f) const
+  {
+    kept.for_each_within(h, distance, root, x, y, limit, f);
   }
 
 private:

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
@@ -76,7 +77,14 @@ struct Geodesic_surface
 
   Point_3 point(const Surface_point<FT>& p) const
   {
-    if (p.kind != Surface_point<FT>::VERTEX) return point(location(p));
+    if (p.kind == Surface_point<FT>::FACE) return point(location(p));
+    if (p.kind == Surface_point<FT>::EDGE)
+    {
+      const FT t = p.x / unfolded[p.element].length;
+      const auto &a = get(vpm, vertex_of[unfolded.source(p.element)]), &b = get(vpm, vertex_of[unfolded.target(p.element)]);
+      const auto between = [&](const auto& x, const auto& y) { return FT((FT(1) - t) * FT(x) + t * FT(y)); };
+      return Point_3(between(a.x(), b.x()), between(a.y(), b.y()), between(a.z(), b.z()));
+    }
     const auto& q = get(vpm, vertex_of[p.element]);
     return Point_3(FT(q.x()), FT(q.y()), FT(q.z()));
   }
@@ -90,14 +98,13 @@ struct Geodesic_surface
   // A vector in the frame of a face, in space.
   Vector_3 vector(Index face, const Point_in_face<FT>& v) const
   {
-    const Unfolded_halfedge<FT>& u = unfolded[3 * face];
-    const FT b = v.y / u.apex_y, a = (v.x - b * u.apex_x) / u.length;
     const halfedge_descriptor h = halfedge(face_of[face], tm);
-    const auto &p = get(vpm, source(h, tm)), &q = get(vpm, target(h, tm)), &r = get(vpm, target(next(h, tm), tm));
-    const auto combine = [&](const auto& x, const auto& y, const auto& z) {
-      return FT(a * (FT(y) - FT(x)) + b * (FT(z) - FT(x)));
-    };
-    return Vector_3(combine(p.x(), q.x(), r.x()), combine(p.y(), q.y(), r.y()), combine(p.z(), q.z(), r.z()));
+    const auto corner = [&](halfedge_descriptor g) { return point(Surface_point<FT>::at_vertex(index_of(source(g, tm)))); };
+    const Point_3 p = corner(h);
+    const Vector_3 x = corner(next(h, tm)) - p;
+    const Vector_3 y = CGAL::cross_product(CGAL::cross_product(x, corner(prev(h, tm)) - p), x);
+    const auto unit = [](const Vector_3& u) { return u / square_root<FT>(u.squared_length()); };
+    return v.x * unit(x) + v.y * unit(y);
   }
 
   Point_3 point(const Face_location& l) const

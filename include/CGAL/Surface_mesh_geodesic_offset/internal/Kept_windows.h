@@ -52,20 +52,45 @@ public:
     std::copy(begin, begin + 4, m_begin.begin() + 4 * face);
   }
 
-  // Calls f(window) for the windows of a halfedge, in order, if accept(window) says so before the distances at the ends are
-  // found. `distance` and `root`, per vertex, are those of the field.
-  template <class Condition, class Function>
-  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Condition& accept,
-                const Function& f) const
+  // Calls f(window) for the windows of a halfedge, in order. `distance` and `root`, per vertex, are those of the field.
+  template <class Function>
+  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Function& f) const
+  {
+    if (m_begin.empty()) return;
+    for (Index i = first(h), n = last(h); i < n; ++i) f(unpack(at(i), distance, root));
+  }
+
+  // Says that the windows of a face will be asked for at once: otherwise each line of memory is waited for.
+  __attribute__((always_inline)) void prefetch(Index face) const
+  {
+#if defined(__GNUC__)
+    if (m_begin.empty()) return;
+    for (Index i = first(3 * face), n = last(3 * face + 2); i < n; ++i) __builtin_prefetch(&at(i));
+#else
+    (void)face;
+#endif
+  }
+
+  // The same without windows whose images are farther than the limit from the point (x, y).
+  template <class Function>
+  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const FT& x, const FT& y,
+                       const FT& limit, const Function& f) const
   {
     if (m_begin.empty()) return;
     for (Index i = first(h), n = last(h); i < n; ++i)
     {
-      Window w = unpack(at(i), distance, root);
-      if (!accept(w)) continue;
-      w.d0 = w.distance_at(w.b0);
-      w.d1 = w.distance_at(w.b1);
-      f(w);
+      const Packed& p = at(i);
+      const Index value = p.bits >> 1;
+      if (p.bits & 1u)
+      {
+        if (m_sigma[value] - (p.x * x + p.y * y) > limit) continue;
+      }
+      else
+      {
+        const FT r = value == 0 ? limit : FT(limit - distance[value - 1]), u = p.x - x, v = p.y - y;
+        if (CGAL::is_negative(r) || u * u + v * v > r * r) continue;
+      }
+      f(unpack(p, distance, root));
     }
   }
 
@@ -121,7 +146,6 @@ private:
     return p;
   }
 
-  // Without the distances at the ends.
   Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
   {
     Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root, 0};
@@ -137,6 +161,8 @@ private:
       w.root = root[value - 1];
       w.bits = Window::make_bits(false, value - 1);
     }
+    w.d0 = w.distance_at(w.b0);
+    w.d1 = w.distance_at(w.b1);
     return w;
   }
 

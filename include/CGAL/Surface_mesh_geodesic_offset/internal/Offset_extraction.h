@@ -132,15 +132,17 @@ private:
   void range_of(Index face, FT& near, FT& far) const
   {
     FT longest(0);
-    far = Number_policy<FT>::infinity();
+    far = m_field.maximum;
     near = FT(0);
     for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
+    longest *= FT(1) + Number_policy<FT>::rounding(16);
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     {
       const FT& d = m_field.distance[m_mesh.source(h)];
-      if (!Number_policy<FT>::is_finite(d)) continue;
-      far = (std::min)(far, FT(d + (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length)));
-      near = (std::max)(near, FT(d - longest * (FT(1) + Number_policy<FT>::rounding(16))));
+      if (Number_policy<FT>::is_finite(d))
+        far = (std::min)(far, FT(d + (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length)));
+      const FT lowest = (std::min)(d, m_field.maximum); // what has no distance is farther than the maximum
+      if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(lowest - longest));
     }
     if (!Number_policy<FT>::is_finite(far))
       far = FT(0);

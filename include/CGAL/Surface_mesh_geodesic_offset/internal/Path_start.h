@@ -34,15 +34,16 @@ struct Path_start
 // Goes from p straight on towards q, over to the face beyond an edge that p lies on; the points change frames. Returns through
 // which of its edges the way goes on.
 template <class FT>
-int cross_edge(const Unfolded_mesh<FT>& mesh, Index& face, int edge, Point_in_face<FT>& p, Point_in_face<FT>& q)
+int cross_edge(const Unfolded_mesh<FT>& mesh, Index& face, Face_frame<FT>& frame, int edge, Point_in_face<FT>& p,
+               Point_in_face<FT>& q)
 {
-  const Face_frame<FT> before(mesh, face);
   const Index g = mesh.twin(3 * face + Index(edge));
+  const Point_in_face<FT> a = frame.to_twin(edge, p), b = frame.to_twin(edge, q);
   face = mesh.face(g);
+  frame = Face_frame<FT>(mesh, face);
   const int k = int(g % 3);
-  const Face_frame<FT> frame(mesh, face);
-  p = frame.on_edge(k, before.to_twin(edge, p).x);
-  q = frame.from_halfedge(k, before.to_twin(edge, q));
+  p = frame.on_edge(k, a.x);
+  q = frame.from_halfedge(k, b);
   // seen across the edge, its source is on the left
   const int apex = (k + 2) % 3;
   return CGAL::is_negative(cross(q - p, frame.corner(apex) - p)) ? apex : (k + 1) % 3;
@@ -90,13 +91,16 @@ private:
   {
     Path_start<FT> start;
     int preference = 0;
-    for (Index f : faces_of(m_mesh, p))
+    Face_field<FT> field(m_mesh, m_initial, m_field);
+    const bool is_on_edge = p.kind == Surface_point<FT>::EDGE;
+    for (const Index f : {is_on_edge ? m_mesh.face(p.element) : p.element,
+                          is_on_edge && m_mesh.twin(p.element) != no_index ? m_mesh.face(m_mesh.twin(p.element)) : no_index})
     {
+      if (f == no_index) continue;
       Point q;
       unsigned edges;
       position_in_face(m_mesh, p, f, q, edges);
       std::size_t i;
-      Face_field<FT> field(m_mesh, m_initial, m_field);
       field.set_face_at(f, q);
       const FT d = field.distance(q, i);
       if (!Number_policy<FT>::is_finite(d)) continue;
@@ -107,13 +111,16 @@ private:
         set(start, f, q, field.windows()[i]);
       }
       start.distance = (std::min)(start.distance, d);
+      // on the source
+      if (start.distance <= Number_policy<FT>::rounding(16) * field.size()) start.distance = FT(0);
     }
     // through the edge that the point is on: the path starts on the other side
     if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE)
       for (const Index h : {p.element, m_mesh.twin(p.element)})
         if (h == 3 * start.face + Index(start.exit) && m_mesh.twin(h) != no_index)
         {
-          start.exit = cross_edge(m_mesh, start.face, start.exit, start.from, start.to);
+          Face_frame<FT> frame(m_mesh, start.face);
+          start.exit = cross_edge(m_mesh, start.face, frame, start.exit, start.from, start.to);
           break;
         }
     return start;

@@ -66,26 +66,38 @@ private:
     Point p = start.from, q = start.to;
     int exit = start.exit;
     const Index limit = Index(m_mesh.number_of_halfedges());
+    Face_frame<FT> frame(m_mesh, face);
+    Index last_vertex = no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      if (End end; ends_in(face, p, length(q - p), start, end)) return end;
-      const Face_frame<FT> frame(m_mesh, face);
+      if (End end; ends_in(face, p, q, start, end)) return end;
       if (exit == -1) exit = exit_from_inside(frame, p, q);
       const Index h = 3 * face + Index(exit);
       const FT t = position_of_exit(frame, exit, p, q), size = m_mesh[h].length;
       const bool is_border = m_mesh.twin(h) == no_index;
       const bool ahead = CGAL::is_positive(dot(q - p, frame.direction(exit)));
       for (const bool at_target : {ahead, !ahead})
-        if (is_border || (at_target ? size - t : t) <= FT(nearby) * size)
-        {
-          const Index v = at_target ? m_mesh.target(h) : m_mesh.source(h);
-          const Point corner = frame.corner(at_target ? (exit + 1) % 3 : exit);
-          if (is_way_by(v, length(corner - p), length(q - p), start)) return at_vertex(v);
-        }
+      {
+        const Index v = at_target ? m_mesh.target(h) : m_mesh.source(h);
+        const Point to_vertex = frame.corner(at_target ? (exit + 1) % 3 : exit) - p;
+        const FT off = cross(q - p, to_vertex), near = FT(nearby) * FT(nearby) * dot(q - p, q - p);
+        const bool passes = off * off <= near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)) ||
+                            (at_target ? size - t : t) <= FT(nearby) * size;
+        if ((passes && is_way_by(v, length(to_vertex), length(q - p), start)) ||
+            (is_border && m_field.distance[v] < start.distance))
+          return at_vertex(v);
+      }
       if (is_border) break;
-      out(on_edge(h, t));
+      // vertices in the way that the path passes by, but not as closely as to start from there anew
+      const FT rounding = Number_policy<FT>::rounding(4) * size;
+      const Index v = t <= rounding ? m_mesh.source(h) : t >= size - rounding ? m_mesh.target(h) : no_index;
+      if (v == no_index)
+        out(on_edge(h, t));
+      else if (v != last_vertex)
+        out(Surface_point_::at_vertex(v));
+      last_vertex = v;
       p = frame.on_edge(exit, t);
-      exit = cross_edge(m_mesh, face, exit, p, q);
+      exit = cross_edge(m_mesh, face, frame, exit, p, q);
     }
     // rounding at the border, and nothing better to say
     if (start.pseudo_source != no_index) return at_vertex(start.pseudo_source);
@@ -143,52 +155,58 @@ private:
 
   // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space. A path to one
   // segment may end at another one of the source: windows of segments in one line have become one.
-  bool ends_in(Index face, const Point& p, const FT& rest, const Path_start<FT>& start, End& end) const
+  bool ends_in(Index face, const Point& p, const Point& q, const Path_start<FT>& start, End& end) const
   {
     if (start.pseudo_source != no_index)
     {
       end = at_vertex(start.pseudo_source);
       return is_in_face(end.point, face);
     }
+    if (!m_initial.primitives[start.root.primitive()].is_segment)
+    {
+      end = {m_initial.places[start.root.primitive()].first, start.root.primitive()};
+      return is_in_face(end.point, face);
+    }
     end.primitive = no_index;
-    FT nearest = rest + Number_policy<FT>::rounding(256) * (start.distance + length(p));
+    const FT extent = (std::max)({m_mesh[3 * face].length, m_mesh[3 * face + 1].length, m_mesh[3 * face + 2].length});
+    const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
+    // as near to q as the direction is exact: the next segment, in the next face, may be meant
+    FT nearest = FT(nearby) * length(q - p) + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
     const auto consider = [&](Index primitive) {
       const Source_place<FT>& place = m_initial.places[primitive];
       if (m_initial.source_of[primitive] != m_initial.source_of[start.root.primitive()] ||
           !is_in_face(place.first, face) || !is_in_face(place.second, face))
         return;
       Surface_point_ point = place.first;
-      const FT d = distance_in(face, p, primitive, point);
-      if (!(d < nearest)) return;
-      nearest = d;
+      const Point foot = foot_in(face, p, primitive, point);
+      const FT miss = length(foot - q);
+      if (length(foot - p) > longest || !(miss < nearest)) return;
+      nearest = miss;
       end = {point, primitive};
     };
     consider(start.root.primitive());
-    if (end.primitive == no_index || m_initial.primitives[start.root.primitive()].is_segment)
-    {
-      const auto local = local_windows(m_initial, face);
-      for (auto i = local.first; i != local.second; ++i) consider(i->window.root.primitive());
-      for (Index h = 3 * face; h < 3 * face + 3; ++h)
-        m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root.primitive()); });
-    }
+    const auto local = local_windows(m_initial, face);
+    for (auto i = local.first; i != local.second; ++i) consider(i->window.root.primitive());
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root.primitive()); });
     return end.primitive != no_index;
   }
 
-  // The distance of p, in the face, from a point or segment that lies in the face, too, and its nearest point.
-  FT distance_in(Index face, const Point& p, Index primitive, Surface_point_& nearest) const
+  // The nearest point of a point or segment that lies in the face; p lies there, too.
+  Point foot_in(Index face, const Point& p, Index primitive, Surface_point_& nearest) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
     Point a, b;
     unsigned edges_of_a, edges_of_b;
     position_in_face(m_mesh, place.first, face, a, edges_of_a);
     nearest = place.first;
-    if (!m_initial.primitives[primitive].is_segment) return length(a - p);
+    if (!m_initial.primitives[primitive].is_segment) return a;
     position_in_face(m_mesh, place.second, face, b, edges_of_b);
     const Point u = b - a;
     const FT t = dot(p - a, u) / dot(u, u);
-    if (!CGAL::is_positive(t)) return length(a - p);
+    if (!CGAL::is_positive(t)) return a;
     nearest = place.second;
-    if (!(t < FT(1))) return length(b - p);
+    if (!(t < FT(1))) return b;
     const Point foot = a + t * u;
     if (const unsigned edge = edges_of_a & edges_of_b)
     {
@@ -202,7 +220,7 @@ private:
       nearest.x = foot.x;
       nearest.y = foot.y;
     }
-    return length(foot - p);
+    return foot;
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -145,6 +145,7 @@ private:
       return;
     }
     const FT size = length(s.b - s.a);
+    const FT extent = (std::max)({frame.edge_length(0), frame.edge_length(1), frame.edge_length(2)});
     const Point t = (FT(1) / size) * (s.b - s.a);
     const Point n = {-t.y, t.x};
     m_out.add_strip(s.face, s.a, s.b, n, left);
@@ -153,11 +154,14 @@ private:
     {
       const Point v = frame.corner(k) - s.a;
       const FT foot = dot(t, v);
-      const FT allowance = Number_policy<FT>::rounding(16) * (size + length(v)); // on the normal through an end
+      // on the normal through an end, up to the rounding of its direction
+      const FT direction = Number_policy<FT>::rounding(16) * (size + extent) / size;
+      const FT allowance = (std::min)(direction, Number_policy<FT>::rounding(1 << 20)) * (size + length(v));
       if (foot < -allowance || foot > size + allowance) continue;
-      const FT height = dot(n, v);
+      const FT beyond = CGAL::is_negative(foot) ? FT(-foot) : (std::max)(FT(foot - size), FT(0));
+      const FT height = dot(n, v), distance = square_root<FT>(height * height + beyond * beyond);
       const Point back = CGAL::is_negative(height) ? n : FT(-1) * n;
-      m_out.seed_corner(s.face, frame, k, CGAL::abs(height), back, CGAL::is_negative(height) ? right : left);
+      m_out.seed_corner(s.face, frame, k, distance, back, CGAL::is_negative(height) ? right : left);
     }
   }
 

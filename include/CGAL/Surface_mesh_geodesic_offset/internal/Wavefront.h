@@ -51,6 +51,7 @@ public:
   void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {
     const bool is_update = first_primitive > 0;
+    m_state.field.maximum = m_state.maximum;
     m_spreading.start(first_primitive);
     std::size_t settled = 1, asked = 1;
     while (m_state.queue.advance())
@@ -62,6 +63,7 @@ public:
         if (!goes_on(final_up_to, m_number_of_passed))
         {
           m_state.maximum = (std::min)(m_state.maximum, final_up_to);
+          m_state.field.maximum = m_state.maximum;
           break;
         }
       }

@@ -32,7 +32,7 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef Ray_at_vertex<FT> Ray;
 
-  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2 };
+  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
   enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
 
   // The field says what is known already.
@@ -46,18 +46,28 @@ public:
 
   // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
   // shortest paths bend becomes a pseudo-source once the front is there.
-  void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source)
+  // A bent path has gone round the end of a window that misses v by
+  // rounding: a straight one that is as long tells the direction better.
+  void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source, bool is_bent = false)
   {
     FT& known = field.distance[v];
+    const FT rounding = known * Number_policy<FT>::rounding(64);
+    if (!is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && root == field.root[v] &&
+        CGAL::abs(FT(d - known)) <= rounding)
+    {
+      field.back[v] = Way_back<FT>(back, pseudo_source);
+      vertex_state[v] &= char(~IS_BENT);
+    }
     if (!(d < known)) return;
     // what rounding improves comes from no other root, and is no reason to spread again
-    const bool ties = d >= known - known * Number_policy<FT>::rounding(64);
+    const bool ties = d >= known - rounding;
     if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
     if (ties) return;
     field.back[v] = Way_back<FT>(back, pseudo_source);
     field.root[v] = root;
-    vertex_state[v] &= char(~WAITS);
+    vertex_state[v] &= char(~(WAITS | IS_BENT));
+    if (is_bent) vertex_state[v] |= IS_BENT;
     if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     queue.push_vertex(queue.bucket_of(d), v);

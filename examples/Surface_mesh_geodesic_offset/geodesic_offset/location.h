@@ -1,29 +1,18 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points on the surface: finding them, and the faces that share them.
+// Points on the surface, and the faces that share them.
 
-#ifndef GEODESIC_OFFSET_LOCATOR_H
-#define GEODESIC_OFFSET_LOCATOR_H
+#ifndef GEODESIC_OFFSET_LOCATION_H
+#define GEODESIC_OFFSET_LOCATION_H
 
 #include "common.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_traits_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#endif
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <memory>
 #include <vector>
 
 namespace geodesic_offset {
@@ -101,64 +90,6 @@ inline bool share_a_face(const Mesh& mesh, const Face_location& a, const Face_lo
   return std::find_first_of(fa.begin(), fa.end(), fb.begin(), fb.end()) != fa.end();
 }
 
-// Nearest points of the surface. The tree is built at the first question.
-class Locator
-{
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-#if CGAL_VERSION_NR >= 1060000000
-  using Tree_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
-#else
-  using Tree_traits = CGAL::AABB_traits<Kernel, Primitive>;
-#endif
-  using Tree = CGAL::AABB_tree<Tree_traits>;
-
-  const Mesh&           m_mesh;
-  std::unique_ptr<Tree> m_tree;
-
-public:
-  explicit Locator(const Mesh& mesh) : m_mesh(mesh) {}
-
-  Face_location operator()(const Point& query)
-  {
-    namespace PMP = CGAL::Polygon_mesh_processing;
-    if(!m_tree)
-    {
-      m_tree = std::make_unique<Tree>();
-      PMP::build_AABB_tree(m_mesh, *m_tree);
-    }
-    return snapped(PMP::locate_with_AABB_tree(query, *m_tree, m_mesh));
-  }
-
-private:
-  // A point that is a vertex or lies on an edge up to the rounding of its own coordinates is put there exactly: next to
-  // it, the shortest paths beyond the vertex would start from a detour.
-  Face_location snapped(Face_location location) const
-  {
-    const std::array<Vertex, 3> v = vertices_of(m_mesh, location.first);
-    double size = 0, longest = 0;
-    for(int i = 0; i < 3; ++i)
-    {
-      const Point& p = m_mesh.point(v[i]);
-      size = std::max({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-      longest = std::max(longest, CGAL::to_double(CGAL::squared_distance(p, m_mesh.point(v[(i + 1) % 3]))));
-    }
-    const double area = std::sqrt(CGAL::squared_area(m_mesh.point(v[0]), m_mesh.point(v[1]), m_mesh.point(v[2])));
-    const double altitude = 2 * area / std::sqrt(longest);
-    const double rounding = 32 * std::numeric_limits<double>::epsilon() * std::max(size, altitude);
-
-    double sum = 0;
-    for(double& b : location.second)
-    {
-      if(!(b * altitude > rounding))
-        b = 0;
-      sum += b;
-    }
-    for(double& b : location.second)
-      b /= sum;
-    return location;
-  }
-};
-
 } // namespace geodesic_offset
 
-#endif // GEODESIC_OFFSET_LOCATOR_H
+#endif // GEODESIC_OFFSET_LOCATION_H
