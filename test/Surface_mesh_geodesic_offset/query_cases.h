@@ -87,6 +87,22 @@ inline Query_cases query_cases()
   return cases;
 }
 
+/// Calls f(case, seed, whether windows are kept) for all cases, with each of the seeds from 1 on.
+template <class Function>
+void for_each_query_case(unsigned seeds, const Function& f)
+{
+  for (const auto& c : query_cases())
+    for (unsigned seed = 1; seed <= seeds; ++seed)
+      for (const bool keep : {true, false}) try
+        {
+          f(*c, seed, keep);
+        }
+        catch (const std::exception& e)
+        {
+          CHECK_DETAIL(!"an exception was thrown", e.what());
+        }
+}
+
 inline double largest_vertex_distance(const Geodesic& geodesic, const test::Surface_mesh& mesh)
 {
   double result = 0;

@@ -161,16 +161,7 @@ int main(int argc, char* argv[])
   const unsigned times = argc > 1 ? unsigned(std::stoul(argv[1])) : 1;
   std::cout.precision(3);
   Totals totals;
-  for (const auto& c : query_cases())
-    for (unsigned seed = 1; seed <= 6 * times; ++seed)
-      for (const bool keep : {true, false}) try
-        {
-          stops(*c, seed, keep, totals);
-        }
-        catch (const std::exception& e)
-        {
-          CHECK_DETAIL(!"an exception was thrown", e.what());
-        }
+  for_each_query_case(6 * times, [&](Query_case& c, unsigned seed, bool keep) { stops(c, seed, keep, totals); });
   CHECK(totals.cancelled > 0);
   const auto percent = [&](std::size_t part)
   { return 100 * double(part) / double(totals.all_windows); };

@@ -154,16 +154,7 @@ int main(int argc, char* argv[])
   const unsigned times = argc > 1 ? unsigned(std::stoul(argv[1])) : 1;
   std::cout.precision(3);
   Totals totals;
-  for (const auto& c : query_cases())
-    for (unsigned seed = 1; seed <= 10 * times; ++seed)
-      for (const bool keep : {true, false}) try
-        {
-          updates(*c, seed, keep, totals);
-        }
-        catch (const std::exception& e)
-        {
-          CHECK_DETAIL(!"an exception was thrown", e.what());
-        }
+  for_each_query_case(10 * times, [&](Query_case& c, unsigned seed, bool keep) { updates(c, seed, keep, totals); });
   std::cout << totals.cases << " cases, " << totals.updates << " updates, with "
             << 100 * double(totals.update_windows) / double(totals.scratch_windows)
             << " % of the windows from scratch; worst relative difference of offset lengths "

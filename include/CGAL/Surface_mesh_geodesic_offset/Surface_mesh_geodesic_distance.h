@@ -145,7 +145,7 @@ public:
   template <class Location>
   FT distance_to_sources(const Location& location) const
   {
-    return start_at(location).distance;
+    return start_at(classified(location)).distance;
   }
 
   /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
@@ -154,7 +154,7 @@ public:
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
-    const Path_start start = start_at(location);
+    const Path_start start = start_at(classified(location));
     const double d = CGAL::to_double(start.distance);
     if (d == 0 || !start.is_reached()) return d;
     switch (start.root.side())
@@ -170,11 +170,11 @@ public:
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
   {
-    const Path_start start = start_at(location);
+    const Surface_point p = classified(location);
+    const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
     Surface_point end;
-    const auto& primitive =
-      built().initial.primitives[trace(classified(location), [&](const Surface_point& p) { end = p; })];
+    const auto& primitive = built().initial.primitives[trace(p, start, [&](const Surface_point& q) { end = q; })];
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
                           start.root.side(), start.distance, m_surface->location(end)};
   }
@@ -185,7 +185,7 @@ public:
   template <class Location>
   Vector_3 gradient(const Location& location) const
   {
-    const Path_start start = start_at(location);
+    const Path_start start = start_at(classified(location));
     if (!start.is_reached() || start.face == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
       return CGAL::NULL_VECTOR;
     const auto way = start.from - start.to;
@@ -249,7 +249,7 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_to_sources(const Location& location, OutputIterator out) const
   {
-    trace(classified(location), [&](const Surface_point& p) { *out++ = m_surface->location(p); });
+    trace_from(location, [&](const Surface_point& p) { *out++ = m_surface->location(p); });
     return out;
   }
 
@@ -257,7 +257,7 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    trace(classified(location), [&](const Surface_point& p) { *out++ = m_surface->point(p); });
+    trace_from(location, [&](const Surface_point& p) { *out++ = m_surface->point(p); });
     return out;
   }
 
@@ -267,7 +267,7 @@ public:
   template <class Location, class Visitor>
   void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
   {
-    trace(classified(location), [&](const Surface_point& p) {
+    trace_from(location, [&](const Surface_point& p) {
       if (p.kind == Surface_point::VERTEX)
         visitor(m_surface->vertex_of[p.element]);
       else if (p.kind == Surface_point::EDGE)
@@ -300,20 +300,25 @@ protected:
     return p.kind == Surface_point::VERTEX ? built() : built_with_windows();
   }
 
-  template <class Location>
-  Path_start start_at(const Location& location) const
+  Path_start start_at(const Surface_point& p) const
   {
-    const Surface_point p = classified(location);
     const Build& b = built_for(p);
     const Path_start start = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field)(p);
     return start.distance > b.maximum ? Path_start() : start;
   }
 
   template <class Function>
-  Index trace(const Surface_point& p, const Function& out) const
+  Index trace(const Surface_point& p, const Path_start& start, const Function& out) const
   {
-    const Build& b = built_for(p);
-    return Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, b.maximum, out);
+    const Build& b = built();
+    return Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, start, out);
+  }
+
+  template <class Location, class Function>
+  void trace_from(const Location& location, const Function& out) const
+  {
+    const Surface_point p = classified(location);
+    trace(p, start_at(p), out);
   }
 
   template <class NamedParameters>

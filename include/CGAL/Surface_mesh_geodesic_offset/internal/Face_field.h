@@ -63,7 +63,8 @@ public:
     for (int k = 0; k < 3; ++k) add_corner(k);
   }
 
-  // The same from kept windows, without those that can't be the nearest ones at p: then distance() is right there, and no function elsewhere.
+  // The same from kept windows, without those that can't be the nearest ones at p: then distance() is right there, and
+  // nowhere else.
   void set_face_at(Index face, const Point& p)
   {
     m_field.kept.prefetch(face);
@@ -130,7 +131,7 @@ private:
   {
     m_face = face;
     m_frame = Face_frame<FT>(m_mesh, face);
-    m_size = (std::max)({m_frame.edge_length(0), m_frame.edge_length(1), m_frame.edge_length(2)});
+    m_size = m_frame.longest_edge();
     m_windows.clear();
     m_lowest.clear();
     m_windows.reserve(16);

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -84,6 +85,7 @@ public:
   const Point& corner(int k) const { return m_corner[k]; }           // source of halfedge k
   const Point& direction(int k) const { return m_direction[k]; }     // unit vector along halfedge k
   const FT& edge_length(int k) const { return m_length[k]; }
+  FT longest_edge() const { return (std::max)({m_length[0], m_length[1], m_length[2]}); }
 
   // The point at distance t from the source of halfedge k.
   Point on_edge(int k, const FT& t) const { return m_corner[k] + t * m_direction[k]; }

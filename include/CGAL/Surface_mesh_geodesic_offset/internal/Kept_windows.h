@@ -11,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 
+#include <boost/config.hpp>
+
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -61,7 +63,7 @@ public:
   }
 
   // Says that the windows of a face will be asked for at once: otherwise each line of memory is waited for.
-  __attribute__((always_inline)) void prefetch(Index face) const
+  BOOST_FORCEINLINE void prefetch(Index face) const // a call of a function without effects would be dropped
   {
 #if defined(__GNUC__)
     if (m_begin.empty()) return;

@@ -29,13 +29,12 @@ public:
   {
   }
 
-  // Calls out(surface point) for p, for each edge that the path crosses and each vertex that it passes, and for the source
-  // point where it ends. Returns the primitive where it ends. Nothing if p is farther than the maximum.
+  // Calls out(surface point) for p, where the path starts as told, for each edge that it crosses and each vertex that it
+  // passes, and for the source point where it ends. Returns the primitive where it ends. Nothing if p is not reached.
   template <class Function>
-  Index operator()(const Surface_point_& p, const FT& maximum, const Function& out) const
+  Index operator()(const Surface_point_& p, Path_start<FT> start, const Function& out) const
   {
-    Path_start<FT> start = m_start(p);
-    if (!start.is_reached() || start.distance > maximum) return no_index;
+    if (!start.is_reached()) return no_index;
     out(p);
     const Index limit = Index(m_mesh.number_of_vertices());
     for (Index guard = 0; start.face != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
@@ -70,7 +69,7 @@ private:
     Index last_vertex = no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      if (End end; ends_in(face, p, q, start, end)) return end;
+      if (End end; ends_in(face, frame, p, q, start, end)) return end;
       if (exit == -1) exit = exit_from_inside(frame, p, q);
       const Index h = 3 * face + Index(exit);
       const FT t = position_of_exit(frame, exit, p, q), size = m_mesh[h].length;
@@ -92,7 +91,7 @@ private:
       const FT rounding = Number_policy<FT>::rounding(4) * size;
       const Index v = t <= rounding ? m_mesh.source(h) : t >= size - rounding ? m_mesh.target(h) : no_index;
       if (v == no_index)
-        out(on_edge(h, t));
+        out(Surface_point_::on_edge(h, t));
       else if (v != last_vertex)
         out(Surface_point_::at_vertex(v));
       last_vertex = v;
@@ -115,15 +114,6 @@ private:
     const FT& d = m_field.distance[v];
     const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
     return d < start.distance && d + to_vertex <= rest + Number_policy<FT>::rounding(256) * start.distance;
-  }
-
-  static Surface_point_ on_edge(Index h, const FT& t)
-  {
-    Surface_point_ p;
-    p.kind = Surface_point_::EDGE;
-    p.element = h;
-    p.x = t;
-    return p;
   }
 
   // The edge that the way from a point inside the face leaves through.
@@ -153,9 +143,10 @@ private:
     return m_mesh.source(h) == p.element || m_mesh.source(h + 1) == p.element || m_mesh.source(h + 2) == p.element;
   }
 
-  // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space. A path to one
-  // segment may end at another one of the source: windows of segments in one line have become one.
-  bool ends_in(Index face, const Point& p, const Point& q, const Path_start<FT>& start, End& end) const
+  // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space. A path to
+  // one segment may end at another one of the source: windows of segments in one line have become one.
+  bool ends_in(Index face, const Face_frame<FT>& frame, const Point& p, const Point& q, const Path_start<FT>& start,
+               End& end) const
   {
     if (start.pseudo_source != no_index)
     {
@@ -168,7 +159,7 @@ private:
       return is_in_face(end.point, face);
     }
     end.primitive = no_index;
-    const FT extent = (std::max)({m_mesh[3 * face].length, m_mesh[3 * face + 1].length, m_mesh[3 * face + 2].length});
+    const FT extent = frame.longest_edge();
     const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
     // as near to q as the direction is exact: the next segment, in the next face, may be meant
     FT nearest = FT(nearby) * length(q - p) + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
@@ -178,7 +169,7 @@ private:
           !is_in_face(place.first, face) || !is_in_face(place.second, face))
         return;
       Surface_point_ point = place.first;
-      const Point foot = foot_in(face, p, primitive, point);
+      const Point foot = foot_in(face, frame, p, primitive, point);
       const FT miss = length(foot - q);
       if (length(foot - p) > longest || !(miss < nearest)) return;
       nearest = miss;
@@ -193,7 +184,7 @@ private:
   }
 
   // The nearest point of a point or segment that lies in the face; p lies there, too.
-  Point foot_in(Index face, const Point& p, Index primitive, Surface_point_& nearest) const
+  Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
     Point a, b;
@@ -210,16 +201,11 @@ private:
     const Point foot = a + t * u;
     if (const unsigned edge = edges_of_a & edges_of_b)
     {
-      const int k = edge == 1 ? 0 : edge == 2 ? 1 : 2;
-      nearest = on_edge(3 * face + Index(k), Face_frame<FT>(m_mesh, face).along(k, foot));
+      const int k = edge_of_bit(edge);
+      nearest = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot));
     }
     else
-    {
-      nearest.kind = Surface_point_::FACE;
-      nearest.element = face;
-      nearest.x = foot.x;
-      nearest.y = foot.y;
-    }
+      nearest = Surface_point_::in_face(face, foot);
     return foot;
   }
 

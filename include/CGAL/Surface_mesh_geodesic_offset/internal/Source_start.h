@@ -136,7 +136,7 @@ private:
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
     {
-      const int k = s.edge == 1 ? 0 : s.edge == 2 ? 1 : 2;
+      const int k = edge_of_bit(s.edge);
       const Index h = 3 * s.face + Index(k);
       FT ta = position_on_edge(s.first, h), tb = position_on_edge(s.second, h);
       const bool forward = ta < tb;
@@ -145,7 +145,7 @@ private:
       return;
     }
     const FT size = length(s.b - s.a);
-    const FT extent = (std::max)({frame.edge_length(0), frame.edge_length(1), frame.edge_length(2)});
+    const FT extent = frame.longest_edge();
     const Point t = (FT(1) / size) * (s.b - s.a);
     const Point n = {-t.y, t.x};
     m_out.add_strip(s.face, s.a, s.b, n, left);

@@ -35,6 +35,22 @@ struct Surface_point
     p.element = v;
     return p;
   }
+  static Surface_point on_edge(Index h, const FT& t)
+  {
+    Surface_point p;
+    p.kind = EDGE;
+    p.element = h;
+    p.x = t;
+    return p;
+  }
+  static Surface_point in_face(Index face, const Point_in_face<FT>& q)
+  {
+    Surface_point p;
+    p.element = face;
+    p.x = q.x;
+    p.y = q.y;
+    return p;
+  }
 };
 
 // Barycentric coordinates below this part of the largest are round-off of zero: the point is on the edge, or at the
@@ -66,21 +82,14 @@ Surface_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array
   if (!valid)
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(face) +
                                 " does not lie in the face, or the face is not of this mesh");
-  Surface_point<FT> p;
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
   if (zeros == 1)
   {
     const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
-    p.kind = Surface_point<FT>::EDGE;
-    p.element = 3 * face + k;
-    p.x = mesh[p.element].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3]));
-    return p;
+    const Index h = 3 * face + Index(k);
+    return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
   }
-  const Point_in_face<FT> q = Face_frame<FT>(mesh, face).point(w);
-  p.element = face;
-  p.x = q.x;
-  p.y = q.y;
-  return p;
+  return Surface_point<FT>::in_face(face, Face_frame<FT>(mesh, face).point(w));
 }
 
 // The faces around a surface point.
@@ -106,6 +115,9 @@ std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<F
     });
   return result;
 }
+
+// The number of the halfedge that one of the bits below stands for.
+inline int edge_of_bit(unsigned bit) { return bit == 1 ? 0 : bit == 2 ? 1 : 2; }
 
 // Position of p in the frame of the face; returns false if p does not lie in this (closed) face.
 // `edges` receives a bit for each halfedge of the face on which p lies.
