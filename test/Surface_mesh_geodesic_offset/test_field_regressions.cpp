@@ -513,11 +513,13 @@ void tiny_and_needle_faces()
   }
 }
 
-// The same with paths, and at points anywhere: none empty, all as long as the distance.
+// The same with paths, between all vertices of small meshes and from points anywhere: none empty, all
+// as long as the distance.
 void paths_over_tiny_and_needle_faces()
 {
   const std::pair<const char*, Soup> meshes[] = {
-    {"marching sphere", rotated(marching_sphere(12), 3)},
+    {"marching sphere, 4 cells", marching_sphere(4)},
+    {"marching sphere, 12 cells", rotated(marching_sphere(12), 3)},
     {"needle rectangle", rotated(random_rectangle(1, 1e-6, 80, 8, 8), 8)},
     {"needle fan", needle_fan(300)}};
   for (const auto& mesh : meshes)
@@ -525,7 +527,16 @@ void paths_over_tiny_and_needle_faces()
     Report::instance().set_context(std::string("paths over tiny and needle faces, ") + mesh.first);
     const Data data(mesh.second);
     Path_checker check(data.mesh);
+    check.has_needles = true;
     Random random(12);
+    const std::size_t step = 1 + data.vertices.size() / 120;
+    for (std::size_t i = 0; i < data.vertices.size(); i += step)
+    {
+      Geodesic geodesic(data.mesh);
+      geodesic.add_source_point(data.vertices[i]);
+      geodesic.build();
+      for (auto v : data.vertices) CHECK(!check(geodesic, v, false).empty());
+    }
     for (std::size_t round = 0; round < 12; ++round)
     {
       Geodesic geodesic(data.mesh);
@@ -575,10 +586,9 @@ void not_a_number()
 
 } // namespace
 
-// With the argument `needles`: paths over faces that are degenerate up to rounding, which are not as good as they should be.
-int main(int argc, char* argv[])
+int main()
 {
-  std::vector<std::pair<const char*, void (*)()>> tests = {
+  const std::vector<std::pair<const char*, void (*)()>> tests = {
     {"source at a vertex up to rounding", source_at_vertex_up_to_rounding},
     {"located up to rounding", located_up_to_rounding},
     {"paths near sources", paths_near_sources},
@@ -593,10 +603,9 @@ int main(int argc, char* argv[])
     {"short segments", short_segments},
     {"many sources", many_sources},
     {"tiny and needle faces", tiny_and_needle_faces},
+    {"paths over tiny and needle faces", paths_over_tiny_and_needle_faces},
     {"polyline over tiny faces", polyline_over_tiny_faces},
     {"not a number", not_a_number}};
-  if (argc > 1 && argv[1] == std::string("needles"))
-    tests = {{"paths over tiny and needle faces", paths_over_tiny_and_needle_faces}};
   for (const auto& test : tests)
   {
     const std::size_t failures = Report::instance().failures();

@@ -145,7 +145,10 @@ public:
   template <class Location>
   FT distance_to_sources(const Location& location) const
   {
-    return start_at(classified(location)).distance;
+    const Surface_point p = classified(location);
+    const Build& b = built_for(p);
+    const FT d = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field).distance(p);
+    return d > b.maximum ? Policy::infinity() : d;
   }
 
   /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
@@ -186,10 +189,10 @@ public:
   Vector_3 gradient(const Location& location) const
   {
     const Path_start start = start_at(classified(location));
-    if (!start.is_reached() || start.face == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
+    if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
       return CGAL::NULL_VECTOR;
     const auto way = start.from - start.to;
-    return m_surface->vector(start.face, (FT(1) / length(way)) * way);
+    return m_surface->vector(start.halfedge, (FT(1) / length(way)) * way);
   }
 
   /// puts the distances of all vertices into a map.

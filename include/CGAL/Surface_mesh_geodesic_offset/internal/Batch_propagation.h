@@ -162,11 +162,13 @@ private:
     if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
-    // up to rounding straight to the image: that tells the direction better, where the face is tiny
+    // if the window misses the apex by rounding only, the way to the image tells the direction better, above all in tiny faces
     const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
     const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
-    const bool is_straight = off <= away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
-    update_apex(h, face, d + length, is_straight ? ix : bx, is_straight ? iy : by, w, !is_straight);
+    const bool is_bent = off > away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
+    const bool is_in_corner = !CGAL::is_positive(FT(iy * face.apex_x - ix * face.apex_y)) &&
+                              !CGAL::is_negative(FT(iy * (face.apex_x - face.length) - ix * face.apex_y));
+    update_apex(h, face, d + length, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
   }
 
   // (bx, by): from the apex back towards the source, in the frame of h.

@@ -63,28 +63,19 @@ public:
     for (int k = 0; k < 3; ++k) add_corner(k);
   }
 
-  // The same from kept windows, without those that can't be the nearest ones at p: then distance() is right there, and
-  // nowhere else.
-  void set_face_at(Index face, const Point& p)
+  // The same from kept windows, but only what gives the point p its distance, or nearly so.
+  void set_face_at(Index face, const Point& p, const FT& distance)
   {
-    m_field.kept.prefetch(face);
     start(face);
-    FT best = Number_policy<FT>::infinity();
-    for (int k = 0; k < 3; ++k) best = (std::min)(best, by_corner(k, p));
+    const FT limit = distance + rounding_of(distance);
     add_local_windows();
-    for (const Window_in_face& w : m_windows) best = (std::min)(best, w.path_length(p));
-    FT limit = best + rounding_of(best);
     for (int k = 0; k < 3; ++k)
-    { // no path through a window is shorter than the straight one from its image, whether that is there or not
+    {
       const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
-      m_field.for_each_window_within(3 * face + Index(k), q.x, q.y, limit, [&](const Window<FT>& w) {
-        add_window(w, k);
-        best = (std::min)(best, m_windows.back().path_length(p));
-        limit = best + rounding_of(best);
-      });
+      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.root, q.x, q.y, limit,
+                                   [&](const Window<FT>& w) { add_window(w, k); });
+      if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
     }
-    for (int k = 0; k < 3; ++k)
-      if (by_corner(k, p) <= limit) add_corner(k);
   }
 
   Index face() const { return m_face; }
@@ -143,11 +134,6 @@ private:
     const auto range = local_windows(m_initial, m_face);
     for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
     m_has_local_sources = range.first != range.second;
-  }
-
-  FT by_corner(int k, const Point& p) const
-  {
-    return m_field.distance[m_mesh.source(3 * m_face + Index(k))] + length(p - m_frame.corner(k));
   }
 
   FT rounding_of(const FT& distance) const

@@ -103,14 +103,6 @@ public:
       kept.for_each(h, distance, root, f);
   }
 
-  // The same for kept windows that may give the point (x, y), in the frame of the halfedge, a distance up to the limit, which
-  // may fall meanwhile.
-  template <class Function>
-  void for_each_window_within(Index h, const FT& x, const FT& y, const FT& limit, const Function& f) const
-  {
-    kept.for_each_within(h, distance, root, x, y, limit, f);
-  }
-
 private:
   const Geodesic_field* m_before = nullptr;
 };

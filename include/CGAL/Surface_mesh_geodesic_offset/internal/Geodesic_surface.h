@@ -95,10 +95,10 @@ struct Geodesic_surface
     return h % 3 == 0 ? first : h % 3 == 1 ? next(first, tm) : prev(first, tm);
   }
 
-  // A vector in the frame of a face, in space.
-  Vector_3 vector(Index face, const Point_in_face<FT>& v) const
+  // A vector in the frame of a halfedge, in space.
+  Vector_3 vector(Index halfedge, const Point_in_face<FT>& v) const
   {
-    const halfedge_descriptor h = halfedge(face_of[face], tm);
+    const halfedge_descriptor h = halfedge_of(halfedge);
     const auto corner = [&](halfedge_descriptor g) { return point(Surface_point<FT>::at_vertex(index_of(source(g, tm)))); };
     const Point_3 p = corner(h);
     const Vector_3 x = corner(next(h, tm)) - p;

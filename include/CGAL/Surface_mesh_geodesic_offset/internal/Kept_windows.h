@@ -58,8 +58,7 @@ public:
   template <class Function>
   void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Function& f) const
   {
-    if (m_begin.empty()) return;
-    for (Index i = first(h), n = last(h); i < n; ++i) f(unpack(at(i), distance, root));
+    for_each_packed(h, [&](const Packed& p) { f(unpack(p, distance, root)); });
   }
 
   // Says that the windows of a face will be asked for at once: otherwise each line of memory is waited for.
@@ -73,27 +72,22 @@ public:
 #endif
   }
 
-  // The same without windows whose images are farther than the limit from the point (x, y).
+  // The length of the shortest path through a window of the halfedge to the point (x, y) of its frame, which lies in the
+  // face: straight if there is a ray to the point, else round the nearer end of the interval. No more than `best`.
+  FT nearest(Index h, const std::vector<FT>& distance, const FT& x, const FT& y, FT best) const
+  {
+    for_each_packed(h, [&](const Packed& p) { best = (std::min)(best, path_length(p, sigma(p, distance), x, y, best)); });
+    return best;
+  }
+
+  // Calls f(window) for the windows through which a path to (x, y) is not longer than the limit.
   template <class Function>
   void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const FT& x, const FT& y,
                        const FT& limit, const Function& f) const
   {
-    if (m_begin.empty()) return;
-    for (Index i = first(h), n = last(h); i < n; ++i)
-    {
-      const Packed& p = at(i);
-      const Index value = p.bits >> 1;
-      if (p.bits & 1u)
-      {
-        if (m_sigma[value] - (p.x * x + p.y * y) > limit) continue;
-      }
-      else
-      {
-        const FT r = value == 0 ? limit : FT(limit - distance[value - 1]), u = p.x - x, v = p.y - y;
-        if (CGAL::is_negative(r) || u * u + v * v > r * r) continue;
-      }
-      f(unpack(p, distance, root));
-    }
+    for_each_packed(h, [&](const Packed& p) {
+      if (path_length(p, sigma(p, distance), x, y, limit) <= limit) f(unpack(p, distance, root));
+    });
   }
 
   // Gives the places back that were left behind when faces were kept anew, once they are many.
@@ -130,6 +124,45 @@ private:
     Index bits; // bit 0: parallel; above: the place of sigma, or 1 + pseudo-source vertex, 0 if none
   };
   enum { page_size = 4096 };
+
+  template <class Function>
+  void for_each_packed(Index h, const Function& f) const
+  {
+    if (m_begin.empty()) return;
+    for (Index i = first(h), n = last(h); i < n;)
+    {
+      const Packed* p = &at(i);
+      const Packed* const end = p + (std::min)(n - i, Index(page_size - i % page_size));
+      i += Index(end - p);
+      for (; p != end; ++p) f(*p);
+    }
+  }
+
+  FT sigma(const Packed& p, const std::vector<FT>& distance) const
+  {
+    const Index value = p.bits >> 1;
+    return p.bits & 1u ? m_sigma[value] : value == 0 ? FT(0) : distance[value - 1];
+  }
+
+  // Some number above the limit if the path is longer than that.
+  static FT path_length(const Packed& p, const FT& sigma, const FT& x, const FT& y, const FT& limit)
+  {
+    const bool is_parallel = p.bits & 1u;
+    const FT u = x - p.x, v = y - p.y, height = is_parallel ? FT(-p.y) : v;
+    const FT squared = u * u + v * v, room = limit - sigma;
+    // no path is shorter than the straight one, whether that is there or not
+    if (is_parallel ? -(p.x * x + p.y * y) > room : CGAL::is_negative(room) || squared > room * room)
+      return Number_policy<FT>::infinity();
+    const FT entry = p.x * y - x * p.y; // times the height
+    const auto round = [&](const FT& b) {
+      const FT w = b - p.x;
+      const FT to_end = is_parallel ? FT(-p.x * b) : square_root<FT>(w * w + p.y * p.y);
+      return FT(sigma + to_end + square_root<FT>((x - b) * (x - b) + y * y));
+    };
+    if (entry < p.b0 * height) return round(p.b0);
+    if (entry > p.b1 * height) return round(p.b1);
+    return is_parallel ? FT(sigma - (p.x * x + p.y * y)) : FT(sigma + square_root<FT>(squared));
+  }
 
   static bool is_outdated(const Window& w, const std::vector<FT>& distance)
   {

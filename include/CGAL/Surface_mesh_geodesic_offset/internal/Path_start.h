@@ -10,44 +10,27 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Straight_walk.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A shortest path goes from `from` straight to `to`, in the frame of the face where it starts: up to the pseudo-source,
-// or to the source if there is none.
+// A shortest path goes from `from` straight to `to`, in the frame of a halfedge of the face where it starts: up to the
+// pseudo-source, or to the source if there is none.
 template <class FT>
 struct Path_start
 {
   FT distance = Number_policy<FT>::infinity();
   Root root;
   Index pseudo_source = no_index;
-  Index face = no_index; // none at a source and where the distance is infinite
-  int exit = -1;         // the halfedge of the face that the path leaves through, if it leaves the face
+  Index halfedge = no_index; // none at a source and where the distance is infinite
+  int exit = -1;             // the edge, counted from that halfedge, that the path leaves through, if it leaves the face
   Point_in_face<FT> from, to;
 
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
 };
-
-// Goes from p straight on towards q, over to the face beyond an edge that p lies on; the points change frames. Returns through
-// which of its edges the way goes on.
-template <class FT>
-int cross_edge(const Unfolded_mesh<FT>& mesh, Index& face, Face_frame<FT>& frame, int edge, Point_in_face<FT>& p,
-               Point_in_face<FT>& q)
-{
-  const Index g = mesh.twin(3 * face + Index(edge));
-  const Point_in_face<FT> a = frame.to_twin(edge, p), b = frame.to_twin(edge, q);
-  face = mesh.face(g);
-  frame = Face_frame<FT>(mesh, face);
-  const int k = int(g % 3);
-  p = frame.on_edge(k, a.x);
-  q = frame.from_halfedge(k, b);
-  // seen across the edge, its source is on the left
-  const int apex = (k + 2) % 3;
-  return CGAL::is_negative(cross(q - p, frame.corner(apex) - p)) ? apex : (k + 1) % 3;
-}
 
 template <class FT>
 class Path_starts
@@ -74,55 +57,90 @@ public:
     const Way_back<FT>& back = m_field.back[v];
     if (!start.is_reached() || CGAL::is_zero(start.distance) || back.corner == no_index) return start;
     start.pseudo_source = back.pseudo_source;
-    start.face = m_mesh.face(back.corner);
-    const int k = int(back.corner % 3);
-    start.exit = (k + 1) % 3;
-    const Face_frame<FT> frame(m_mesh, start.face);
-    const Point u = frame.vector_from_halfedge(k, {back.x, back.y});
+    start.halfedge = back.corner;
+    start.exit = 1;
+    const Point u{back.x, back.y};
     FT way = start.distance;
     if (back.pseudo_source != no_index) way -= m_field.distance[back.pseudo_source];
-    start.from = frame.corner(k);
-    start.to = start.from + (way / length(u)) * u;
+    start.from = {FT(0), FT(0)};
+    start.to = (way / length(u)) * u;
     return start;
   }
 
+  FT distance(const Surface_point<FT>& p) const
+  {
+    if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance[p.element];
+    FT result = Number_policy<FT>::infinity();
+    for_each_face(p, [&](Index f, const Point& q) { result = (std::min)(result, distance_in(f, q)); });
+    return result;
+  }
+
 private:
+  template <class Function>
+  void for_each_face(const Surface_point<FT>& p, const Function& f) const
+  {
+    if (p.kind == Surface_point<FT>::FACE) return f(p.element, Point{p.x, p.y});
+    for (const Index h : {p.element, m_mesh.twin(p.element)})
+      if (h != no_index)
+        f(m_mesh.face(h), Face_frame<FT>(m_mesh, m_mesh.face(h))
+                            .on_edge(int(h % 3), h == p.element ? p.x : FT(m_mesh[h].length - p.x)));
+  }
+
+  // From kept windows, without making them.
+  FT distance_in(Index face, const Point& p) const
+  {
+    m_field.kept.prefetch(face);
+    const Face_frame<FT> frame(m_mesh, face);
+    FT best = Number_policy<FT>::infinity();
+    for (int k = 0; k < 3; ++k)
+      best = (std::min)(best, FT(m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - frame.corner(k))));
+    const auto local = local_windows(m_initial, face);
+    for (auto i = local.first; i != local.second; ++i) best = (std::min)(best, i->window.path_length(p));
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point q = frame.vector_to_halfedge(k, p - frame.corner(k));
+      best = m_field.kept.nearest(3 * face + Index(k), m_field.distance, q.x, q.y, best);
+    }
+    // on the source
+    return best <= Number_policy<FT>::rounding(16) * frame.longest_edge() ? FT(0) : best;
+  }
+
   Path_start<FT> at_point(const Surface_point<FT>& p) const
   {
     Path_start<FT> start;
-    int preference = 0;
+    start.distance = distance(p);
+    if (!start.is_reached()) return start;
+    int liking = -1;
+    FT shortest;
     Face_field<FT> field(m_mesh, m_initial, m_field);
-    const bool is_on_edge = p.kind == Surface_point<FT>::EDGE;
-    for (const Index f : {is_on_edge ? m_mesh.face(p.element) : p.element,
-                          is_on_edge && m_mesh.twin(p.element) != no_index ? m_mesh.face(m_mesh.twin(p.element)) : no_index})
-    {
-      if (f == no_index) continue;
-      Point q;
-      unsigned edges;
-      position_in_face(m_mesh, p, f, q, edges);
-      std::size_t i;
-      field.set_face_at(f, q);
-      const FT d = field.distance(q, i);
-      if (!Number_policy<FT>::is_finite(d)) continue;
-      const int liking = field.preference(i, q);
-      if (field.tie(d, start.distance) ? liking > preference : d < start.distance)
+    for_each_face(p, [&](Index f, const Point& q) {
+      field.set_face_at(f, q, start.distance);
+      for (std::size_t i = 0; i < field.windows().size(); ++i)
       {
-        preference = liking;
-        set(start, f, q, field.windows()[i]);
+        const FT d = field.windows()[i].path_length(q);
+        const int preference = field.tie(d, start.distance) ? field.preference(i, q) : -1;
+        if (preference > liking || (preference == liking && preference >= 0 && d < shortest))
+        {
+          liking = preference;
+          shortest = d;
+          set(start, f, q, field.windows()[i]);
+        }
       }
-      start.distance = (std::min)(start.distance, d);
-      // on the source
-      if (start.distance <= Number_policy<FT>::rounding(16) * field.size()) start.distance = FT(0);
-    }
+    });
     // through the edge that the point is on: the path starts on the other side
     if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE)
-      for (const Index h : {p.element, m_mesh.twin(p.element)})
-        if (h == 3 * start.face + Index(start.exit) && m_mesh.twin(h) != no_index)
-        {
-          Face_frame<FT> frame(m_mesh, start.face);
-          start.exit = cross_edge(m_mesh, start.face, frame, start.exit, start.from, start.to);
-          break;
-        }
+    {
+      Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+      const Index h = walk.edge(start.exit), beyond = m_mesh.twin(h);
+      if (beyond != no_index && (h == p.element || beyond == p.element))
+      {
+        walk.cross_over(start.exit, walk.crossing(start.exit));
+        start.halfedge = beyond;
+        start.from = walk.position();
+        start.to = walk.goal();
+        start.exit = walk.exit();
+      }
+    }
     return start;
   }
 
@@ -130,7 +148,7 @@ private:
   {
     start.root = w.root;
     start.pseudo_source = w.pseudo_source();
-    start.face = face;
+    start.halfedge = 3 * face;
     start.exit = w.origin <= ENTERS_HALFEDGE_2 ? int(w.edge) : -1;
     start.from = p;
     start.to = w.is_parallel() ? p + w.distance_at(p) * w.image() : w.image();

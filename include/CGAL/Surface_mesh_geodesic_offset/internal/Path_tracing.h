@@ -11,7 +11,10 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -37,9 +40,12 @@ public:
     if (!start.is_reached()) return no_index;
     out(p);
     const Index limit = Index(m_mesh.number_of_vertices());
-    for (Index guard = 0; start.face != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
+    Passed passed;
+    for (Index guard = 0; start.halfedge != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
     {
-      const End end = follow(start, out);
+      passed.clear();
+      const End end = follow(start, passed);
+      for (const Surface_point_& q : passed) out(q);
       out(end.point);
       if (end.primitive != no_index) return end.primitive;
       start = m_start.at_vertex(end.point.element);
@@ -48,59 +54,151 @@ public:
   }
 
 private:
+  typedef boost::container::small_vector<Surface_point_, 64> Passed;
+
   struct End
   {
     Surface_point_ point;
-    Index primitive; // no_index at a vertex on the way
+    Index primitive = no_index; // none at a vertex on the way
+  };
+
+  // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment.
+  struct Goal
+  {
+    Index vertex = no_index, face = no_index, other_face = no_index;
+    End end;
+  };
+
+  // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
+  struct Detour
+  {
+    FT length = Number_policy<FT>::infinity();
+    Index vertex = no_index;
+    std::size_t passed = 0;
   };
 
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
-  // shortest path is as short as any.
-  template <class Function>
-  End follow(const Path_start<FT>& start, const Function& out) const
+  // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
+  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
-    Index face = start.face;
-    Point p = start.from, q = start.to;
-    int exit = start.exit;
-    const Index limit = Index(m_mesh.number_of_halfedges());
-    Face_frame<FT> frame(m_mesh, face);
+    const Goal goal = goal_of(start);
+    const FT reach = length(start.to - start.from);
+    Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    int exit = start.exit == -1 ? walk.exit_from_inside() : start.exit;
+    Detour detour;
     Index last_vertex = no_index;
+    const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      if (End end; ends_in(face, frame, p, q, start, end)) return end;
-      if (exit == -1) exit = exit_from_inside(frame, p, q);
-      const Index h = 3 * face + Index(exit);
-      const FT t = position_of_exit(frame, exit, p, q), size = m_mesh[h].length;
-      const bool is_border = m_mesh.twin(h) == no_index;
-      const bool ahead = CGAL::is_positive(dot(q - p, frame.direction(exit)));
-      for (const bool at_target : {ahead, !ahead})
+      const bool is_first = guard == 0;
+      if (has_missed) look_for_detour(walk, is_first, start, reach, passed.size(), detour);
+      FT last;
+      if (is_in_sight(goal, walk, is_first, last))
       {
-        const Index v = at_target ? m_mesh.target(h) : m_mesh.source(h);
-        const Point to_vertex = frame.corner(at_target ? (exit + 1) % 3 : exit) - p;
-        const FT off = cross(q - p, to_vertex), near = FT(nearby) * FT(nearby) * dot(q - p, q - p);
-        const bool passes = off * off <= near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)) ||
-                            (at_target ? size - t : t) <= FT(nearby) * size;
-        if ((passes && is_way_by(v, length(to_vertex), length(q - p), start)) ||
-            (is_border && m_field.distance[v] < start.distance))
-          return at_vertex(v);
+        const FT left = length(walk.goal() - walk.position());
+        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
+        if (last <= left + rounding || (has_missed && reach - left + last + distance_of(goal) <= detour.length))
+          return goal.end;
+        break;
       }
-      if (is_border) break;
+      const auto crossing = walk.crossing(exit);
+      const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
+      if (crossing.goal.y <= beside)
+      {
+        if (End end; goal.vertex == no_index && goal.face == no_index && ends_on_segment(walk, start, end)) return end;
+        if (crossing.goal.y < -beside) break;
+      }
+      const Index beyond = walk.beyond(exit);
+      // the corners that have not been looked at
+      if (is_first)
+      {
+        const int first = exit, last = (exit + 1) % 3;
+        const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(last) - walk.corner(first)));
+        for (int k : {ahead ? last : first, ahead ? first : last})
+          if (passes(walk, k, crossing, start)) return at_vertex(walk.vertex(k));
+      }
+      else if (passes(walk, 2, crossing, start))
+        return at_vertex(walk.vertex(2));
+      if (beyond == no_index) break;
       // vertices in the way that the path passes by, but not as closely as to start from there anew
-      const FT rounding = Number_policy<FT>::rounding(4) * size;
-      const Index v = t <= rounding ? m_mesh.source(h) : t >= size - rounding ? m_mesh.target(h) : no_index;
+      const FT rounding = (Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0)) * crossing.length;
+      const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
+                      : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
+                                                                 : no_index;
       if (v == no_index)
-        out(Surface_point_::on_edge(h, t));
+        passed.push_back(Surface_point_::on_edge(beyond, crossing.t));
       else if (v != last_vertex)
-        out(Surface_point_::at_vertex(v));
+        passed.push_back(Surface_point_::at_vertex(v));
       last_vertex = v;
-      p = frame.on_edge(exit, t);
-      exit = cross_edge(m_mesh, face, frame, exit, p, q);
+      walk.cross_over(exit, crossing);
+      exit = walk.exit();
     }
-    // rounding at the border, and nothing better to say
-    if (start.pseudo_source != no_index) return at_vertex(start.pseudo_source);
-    return {m_initial.places[start.root.primitive()].first, start.root.primitive()};
+    if (!has_missed)
+    {
+      passed.clear();
+      return follow(start, passed, true);
+    }
+    if (detour.vertex != no_index)
+    {
+      passed.resize(detour.passed);
+      return at_vertex(detour.vertex);
+    }
+    return goal.end;
+  }
+
+  Goal goal_of(const Path_start<FT>& start) const
+  {
+    Goal goal;
+    goal.vertex = start.pseudo_source;
+    const Index primitive = start.root.primitive();
+    const Surface_point_& place = m_initial.places[primitive].first;
+    if (goal.vertex == no_index)
+    {
+      goal.end = {place, primitive};
+      if (m_initial.primitives[primitive].is_segment) return goal;
+      if (place.kind == Surface_point_::VERTEX)
+        goal.vertex = place.element;
+      else if (place.kind == Surface_point_::FACE)
+        goal.face = goal.other_face = place.element;
+      else
+      {
+        goal.face = m_mesh.face(place.element);
+        goal.other_face = m_mesh.twin(place.element) == no_index ? goal.face : m_mesh.face(m_mesh.twin(place.element));
+      }
+    }
+    else
+      goal.end = at_vertex(goal.vertex);
+    return goal;
+  }
+
+  // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how
+  // long it is. Not for segments.
+  bool is_in_sight(const Goal& goal, const Straight_walk<FT>& walk, bool is_first, FT& distance) const
+  {
+    if (goal.vertex != no_index)
+    {
+      for (int k = 2; k >= (is_first ? 0 : 2); --k)
+        if (walk.vertex(k) == goal.vertex)
+        {
+          distance = length(walk.corner(k) - walk.position());
+          return true;
+        }
+      return false;
+    }
+    if (goal.face == no_index || (walk.face() != goal.face && walk.face() != goal.other_face)) return false;
+    Point place;
+    unsigned edges;
+    position_in_face(m_mesh, goal.end.point, walk.face(), place, edges);
+    const Face_frame<FT> frame(m_mesh, walk.face());
+    distance = length(place - frame.from_halfedge(int(walk.halfedge() % 3), walk.position()));
+    return true;
+  }
+
+  FT distance_of(const Goal& goal) const
+  {
+    return goal.end.primitive == no_index ? m_field.distance[goal.vertex] : FT(0);
   }
 
   End at_vertex(Index v) const
@@ -108,29 +206,33 @@ private:
     return {Surface_point_::at_vertex(v), CGAL::is_zero(m_field.distance[v]) ? m_field.root[v].primitive() : no_index};
   }
 
-  // Whether the way by a vertex is as short as the rest of the path, straight on.
-  bool is_way_by(Index v, const FT& to_vertex, const FT& straight_on, const Path_start<FT>& start) const
+  // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on.
+  bool passes(const Straight_walk<FT>& walk, int k, const typename Straight_walk<FT>::Crossing& crossing,
+              const Path_start<FT>& start) const
   {
-    const FT& d = m_field.distance[v];
+    const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
+    const FT off = walk.side(k);
+    const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
+    const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
+    if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
+      return false;
+    const FT& d = m_field.distance[walk.vertex(k)];
+    const FT straight_on = length(to_goal);
     const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
-    return d < start.distance && d + to_vertex <= rest + Number_policy<FT>::rounding(256) * start.distance;
+    return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance;
   }
 
-  // The edge that the way from a point inside the face leaves through.
-  static int exit_from_inside(const Face_frame<FT>& frame, const Point& p, const Point& q)
+  void look_for_detour(const Straight_walk<FT>& walk, bool is_first, const Path_start<FT>& start, const FT& reach,
+                       std::size_t passed, Detour& detour) const
   {
-    const auto is_on_left = [&](int k) { return CGAL::is_positive(cross(q - p, frame.corner(k % 3) - p)); };
-    for (int k = 0; k < 3; ++k)
-      if (!is_on_left(k) && is_on_left(k + 1)) return k;
-    return 0;
-  }
-
-  static FT position_of_exit(const Face_frame<FT>& frame, int k, const Point& p, const Point& q)
-  {
-    const FT a = cross(q - p, frame.corner(k) - p), b = cross(q - p, frame.corner((k + 1) % 3) - p);
-    if (!CGAL::is_negative(a)) return FT(0);
-    if (!CGAL::is_positive(b)) return frame.edge_length(k);
-    return (a / (a - b)) * frame.edge_length(k);
+    const FT so_far = reach - length(walk.goal() - walk.position());
+    for (int k = is_first ? 0 : 2; k < 3; ++k)
+    {
+      const FT to_vertex = length(walk.corner(k) - walk.position());
+      const FT& d = m_field.distance[walk.vertex(k)];
+      const FT way = so_far + to_vertex + d;
+      if (way < detour.length && d < start.distance) detour = {way, walk.vertex(k), passed};
+    }
   }
 
   bool is_in_face(const Surface_point_& p, Index face) const
@@ -143,22 +245,13 @@ private:
     return m_mesh.source(h) == p.element || m_mesh.source(h + 1) == p.element || m_mesh.source(h + 2) == p.element;
   }
 
-  // In a face that the end lies in too, the straight way to it is the shortest, as it is the shortest in space. A path to
-  // one segment may end at another one of the source: windows of segments in one line have become one.
-  bool ends_in(Index face, const Face_frame<FT>& frame, const Point& p, const Point& q, const Path_start<FT>& start,
-               End& end) const
+  // A path to one segment may end at another one of the source: windows of segments in one line have become one.
+  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, End& end) const
   {
-    if (start.pseudo_source != no_index)
-    {
-      end = at_vertex(start.pseudo_source);
-      return is_in_face(end.point, face);
-    }
-    if (!m_initial.primitives[start.root.primitive()].is_segment)
-    {
-      end = {m_initial.places[start.root.primitive()].first, start.root.primitive()};
-      return is_in_face(end.point, face);
-    }
-    end.primitive = no_index;
+    const Index face = walk.face();
+    const Face_frame<FT> frame(m_mesh, face);
+    const Point p = frame.from_halfedge(int(walk.halfedge() % 3), walk.position());
+    const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
     const FT extent = frame.longest_edge();
     const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
     // as near to q as the direction is exact: the next segment, in the next face, may be meant

@@ -144,8 +144,9 @@ public:
 
   const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
 
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  // without branches, which could not be foreseen
+  static Index next(Index h) { return h + 1 - 3 * Index(h % 3 == 2); }
+  static Index previous(Index h) { return h - 1 + 3 * Index(h % 3 == 0); }
   static Index face(Index h) { return h / 3; }
 
   Index twin(Index h) const { return m_halfedges[h].twin; }
