@@ -4,7 +4,13 @@
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetConcepts
 
-\brief The types, and the one predicate, that `CGAL::Surface_mesh_geodesic_offset` needs.
+\brief The types, predicates and constructions that `CGAL::Surface_mesh_geodesic_offset` and its bases need.
+
+All geometry is in the plane, in the frame of a halfedge: the origin is the source of the halfedge, the \f$x\f$ axis points to
+its target, and the face, with its apex \f$(a_x, a_y)\f$, is above. The image of a window's source is \f$(X : Y : W)\f$: the point
+\f$(X, Y)\f$ if \f$W = 1\f$, for an interval window, whose distance at \f$p\f$ is \f$\sigma + |p - (X, Y)|\f$; the unit vector
+\f$(X, Y)\f$ if \f$W = 0\f$, for a parallel-source window, whose distance at \f$p\f$ is \f$\sigma - (X, Y) \cdot p\f$. An argument
+`is_parallel` says that \f$W = 0\f$.
 
 \cgalConcept
 
@@ -18,31 +24,47 @@ public:
   /// \name Types
   /// @{
 
-  /// The kernel of the points of the mesh.
+  /// A \cgal kernel, of which `FT`, `Point_3` and `Vector_3` are.
   typedef unspecified_type Kernel;
 
-  /// The mesh: a model of `FaceListGraph`.
+  /// The mesh: a model of `FaceListGraph`. Its points may be of another kernel: their coordinates are converted by
+  /// `CGAL::NT_converter`.
   typedef unspecified_type Triangle_mesh;
 
-  /// The number type of distances and of coordinates in the unfolded faces: a model of `FieldWithSqrt`.
-  /// For a floating point type, the algorithm makes allowance for rounding; for any other type, equal
-  /// means equal.
+  /// The number type of distances and of coordinates in the unfolded faces: a model of `FieldWithSqrt` and `RealEmbeddable`.
+  /// If it is not exact (`CGAL::Algebraic_structure_traits<FT>::Is_exact` is `CGAL::Tag_false`), the algorithm makes allowance
+  /// for rounding; otherwise, equal means equal.
   typedef unspecified_type FT;
 
-  /// The point type of the mesh.
+  /// The point type.
   typedef unspecified_type Point_3;
 
   /// The vector type that belongs to `Point_3`.
   typedef unspecified_type Vector_3;
 
   /*!
+  Unfolds a face. An object of this type must provide the operator
+  `void operator()(Point_3 p, Point_3 q, Point_3 r, FT& length, FT& x, FT& y) const`
+  which computes, from \f$u = q - p\f$ and \f$v = r - p\f$, the length \f$|u|\f$ of the halfedge from `p` to `q`, and the apex
+  \f$(u \cdot v,\ |u \times v|) / |u|\f$ in its frame. If the length is not positive, `x` and `y` need not be set; a length or
+  a `y` that is not positive means that the face is degenerate.
+  */
+  typedef unspecified_type Construct_apex_2;
+
+  /*!
+  Changes the frame of an image. An object of this type must provide the operator
+  `void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, FT ox, FT oy, FT c, FT s) const`
+  which brings the image to the frame with origin \f$o\f$ and \f$x\f$ axis in the unit direction \f$(c, s)\f$:
+  with \f$(X', Y') = (X, Y) - W o\f$ it becomes \f$(c X' + s Y',\ c Y' - s X')\f$, and, if \f$W = 0\f$, \f$\sigma\f$ becomes
+  \f$\sigma - (X, Y) \cdot o\f$.
+  */
+  typedef unspecified_type Change_frame_2;
+
+  /*!
   Compares the entry point of a ray of a window with that of the ray of the same window that hits the apex of the
   face.
 
-  It works in the frame of the halfedge through which the window enters the face: the origin is the source of the
-  halfedge, the \f$x\f$ axis points to its target, and the face, with its apex \f$(a_x, a_y)\f$, is
-  above. The image of the window's source is \f$(X : Y : W)\f$: the point \f$(X, Y)\f$ if \f$W = 1\f$, for an interval
-  window; the direction \f$(X, Y)\f$ if \f$W = 0\f$, for a parallel-source window. The ray that enters the face at
+  The ray that enters the face at
   \f$(b, 0)\f$ has the direction \f$(bW - X, -Y)\f$. Its cross product with the vector from \f$(b, 0)\f$ to the apex is
   \f[ b\,(W a_y - Y) - (X a_y - Y a_x). \f]
 
@@ -61,13 +83,49 @@ public:
   */
   typedef unspecified_type Compare_entry_with_apex_2;
 
+  /*!
+  Finds an end of a child's interval. An object of this type must provide the operator
+  `bool operator()(FT x, FT y, FT sigma, bool is_parallel, FT b, FT d, FT c, FT s, FT length, FT& t, FT& distance, bool& is_rough) const`
+  for the ray through \f$(b, 0)\f$, where the distance is `d`, and the edge of the given length from the origin in the unit
+  direction \f$(c, s)\f$. With \f$D = s (X - bW) - c Y\f$ it returns whether \f$D > 0\f$, that is, whether the ray meets the line of
+  the edge; if so, it sets `t` to the smaller of the length and \f$-bY / D\f$, `distance` to the distance there, which is
+  \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$ otherwise, and `is_rough` to whether it should be found anew
+  by `Compute_distance_2`, because of rounding.
+  */
+  typedef unspecified_type Construct_exit_2;
+
+  /*!
+  Computes a distance. An object of this type must provide the operator
+  `FT operator()(FT x, FT y, FT sigma, bool is_parallel, FT px, FT py) const`
+  which returns the distance of the window at \f$p\f$.
+  */
+  typedef unspecified_type Compute_distance_2;
+
+  /*!
+  Compares the distances that two windows give to one point. An object of this type must provide the operator
+  `CGAL::Comparison_result operator()(FT d, FT e, FT scale) const`
+  which returns `CGAL::EQUAL` if `d` and `e` can't be told apart, being results of `Compute_distance_2` of the magnitude `scale`
+  at most.
+  */
+  typedef unspecified_type Compare_distance_2;
+
   /// @}
 
   /// \name Operations
   /// @{
 
-  /// Returns an object of the type `Compare_entry_with_apex_2`.
+  /// @return an object of the type `Construct_apex_2`
+  Construct_apex_2 construct_apex_2_object() const;
+  /// @return an object of the type `Change_frame_2`
+  Change_frame_2 change_frame_2_object() const;
+  /// @return an object of the type `Compare_entry_with_apex_2`
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const;
+  /// @return an object of the type `Construct_exit_2`
+  Construct_exit_2 construct_exit_2_object() const;
+  /// @return an object of the type `Compute_distance_2`
+  Compute_distance_2 compute_distance_2_object() const;
+  /// @return an object of the type `Compare_distance_2`
+  Compare_distance_2 compare_distance_2_object() const;
 
   /// @}
 };

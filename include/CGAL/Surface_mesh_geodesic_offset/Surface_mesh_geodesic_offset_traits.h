@@ -6,7 +6,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Profile_counter.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -20,9 +23,21 @@ namespace CGAL {
 
 \brief A model of the concept `SurfaceMeshGeodesicOffsetTraits`.
 
-\tparam K a \cgal kernel. With a kernel whose `FT` is a floating point type and whose predicates are
-        exact, as `Exact_predicates_inexact_constructions_kernel`, the side tests are decided exactly
-        behind a floating point filter.
+All constructions are those of the kernel's `FT`: rounded for a floating point type, exact for an exact number type with
+square roots, as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.
+
+With a kernel whose `FT` is a floating point type and whose predicates are exact, as
+`Exact_predicates_inexact_constructions_kernel`, the side tests are exact for the coordinates given, behind a floating point
+filter. With `Simple_cartesian<double>` they are rounded, and nothing guards the result: a window may be sent through the wrong
+edge, and points behind it may be left without a distance.
+
+The points of the mesh may belong to another kernel, as an exact one: their coordinates are converted, with
+`CGAL::to_double()` if `FT` is `double`.
+
+If `CGAL_PROFILE` is defined, the number of side tests, and of those that the filter left undecided, is printed when the
+program ends.
+
+\tparam K a \cgal kernel. Its `FT` is a floating point type, or a model of `FieldWithSqrt`.
 \tparam TriangleMesh a model of `FaceListGraph`
 
 \cgalModels{SurfaceMeshGeodesicOffsetTraits}
@@ -30,6 +45,11 @@ namespace CGAL {
 template <class K, class TriangleMesh>
 class Surface_mesh_geodesic_offset_traits
 {
+  static_assert(Geodesic_offset::internal::has_square_roots<typename K::FT>(),
+                "Surface_mesh_geodesic_offset: distances need square roots. The FT of this kernel has none. Take a kernel with "
+                "a floating point type, as Exact_predicates_inexact_constructions_kernel, or one with exact square roots, as "
+                "Exact_predicates_exact_constructions_kernel_with_sqrt; the mesh's own points may be of any kernel.");
+
 public:
   typedef K Kernel;
   typedef TriangleMesh Triangle_mesh;
@@ -38,49 +58,168 @@ public:
   typedef typename K::Vector_3 Vector_3;
 
   /*!
+  Unfolds the apex of a face into the frame of one of its halfedges.
+
+  From \f$u = q - p\f$ and \f$v = r - p\f$: the length \f$|u|\f$ of the halfedge, and the apex
+  \f$(u \cdot v,\ |u \times v|) / |u|\f$. From the vectors, not from the three lengths: with needle faces the law of cosines
+  loses several digits. Exact if `FT` is.
+  */
+  class Construct_apex_2
+  {
+  public:
+    void operator()(const Point_3& p, const Point_3& q, const Point_3& r, FT& length, FT& x, FT& y) const
+    {
+      const FT u[3] = {q.x() - p.x(), q.y() - p.y(), q.z() - p.z()};
+      const FT v[3] = {r.x() - p.x(), r.y() - p.y(), r.z() - p.z()};
+      const FT n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      length = root(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+      if (!CGAL::is_positive(length)) return;
+      x = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / length;
+      y = root(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / length;
+    }
+  };
+
+  /*!
+  Brings the image of a source into another frame, whose origin is at \f$o\f$ and whose \f$x\f$ axis has the unit direction
+  \f$(c, s)\f$.
+
+  With \f$(X', Y') = (X, Y) - W o\f$, the image becomes \f$(c X' + s Y',\ c Y' - s X')\f$; with \f$W = 0\f$, the distance
+  \f$\sigma\f$ at the origin becomes \f$\sigma - (X, Y) \cdot o\f$. Exact if `FT` is.
+  */
+  class Change_frame_2
+  {
+  public:
+    void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c, const FT& s) const
+    {
+      if (is_parallel)
+        sigma = sigma - (x * ox + y * oy);
+      else
+      {
+        x -= ox;
+        y -= oy;
+      }
+      const FT t = c * x + s * y;
+      y = c * y - s * x;
+      x = t;
+    }
+  };
+
+  /*!
   Compares where a ray of a window enters a face with where the ray to the face's apex enters it.
 
-  In the frame of a halfedge (origin at its source, \f$x\f$ axis along it, face above) the source image
-  of the window is \f$(X : Y : W)\f$ with \f$Y < 0\f$ for \f$W = 1\f$. The ray through \f$(b, 0)\f$ has
-  direction \f$(bW - X, -Y)\f$. The sign returned is that of
-  \f$ b\,(W a_y - Y) - (X a_y - Y a_x)\f$,
-  which is the cross product of that direction and the vector from \f$(b,0)\f$ to the apex
-  \f$(a_x, a_y)\f$: `POSITIVE` if the apex is to the left of the ray (the ray passes to the right of the
-  apex), `ZERO` if the ray hits it.
+  In the frame of a halfedge (origin at its source, \f$x\f$ axis along it, face above) the source image of the window is
+  \f$(X : Y : W)\f$ with \f$Y < 0\f$ for \f$W = 1\f$. The ray through \f$(b, 0)\f$ has direction \f$(bW - X, -Y)\f$. The sign
+  returned is that of \f$ b\,(W a_y - Y) - (X a_y - Y a_x)\f$, which is the cross product of that direction and the vector from
+  \f$(b,0)\f$ to the apex \f$(a_x, a_y)\f$: `POSITIVE` if the apex is to the left of the ray (the ray passes to the right of
+  the apex), `ZERO` if the ray hits it.
 
-  Exact for the coordinates given whenever the kernel has exact predicates.
+  Exact for the coordinates given whenever the kernel has exact predicates. What the filter leaves undecided goes to the
+  kernel's `Orientation_2` for interval windows, and to exact arithmetic for parallel-source windows.
   */
   class Compare_entry_with_apex_2
   {
   public:
-    Sign operator()(const FT& x, const FT& y, bool parallel, const FT& b, const FT& ax, const FT& ay) const
+    Sign operator()(const FT& x, const FT& y, bool is_parallel, const FT& b, const FT& ax, const FT& ay) const
     {
-      const FT slope = parallel ? FT(-y) : FT(ay - y);
+      const FT slope = is_parallel ? FT(-y) : FT(ay - y);
       const FT left = b * slope;
       const FT r0 = x * ay, r1 = y * ax;
       const FT value = left - (r0 - r1);
-      if constexpr (std::is_floating_point<FT>::value && K::Has_filtered_predicates)
+      if constexpr (is_filtered)
       {
+        CGAL_BRANCH_PROFILER("side tests beyond the filter / side tests", profiler);
         // slope, the three products, two differences: six roundings of at most the magnitudes below
         const FT bound = FT(1e-15) * (std::abs(b) * (std::abs(ay) + std::abs(y)) + std::abs(r0) + std::abs(r1));
         if (value > bound) return POSITIVE;
         if (value < -bound) return NEGATIVE;
-        return exact(x, y, parallel, b, ax, ay);
+        CGAL_BRANCH_PROFILER_BRANCH(profiler);
+        return is_parallel ? of_parallel_ray(x, y, b, ax, ay) : of_ray(x, y, b, ax, ay);
       }
       else
         return CGAL::sign(value);
     }
 
   private:
-    static Sign exact(double x, double y, bool parallel, double b, double ax, double ay)
+    static constexpr bool is_filtered = std::is_floating_point<FT>::value && K::Has_filtered_predicates;
+
+    static Sign of_ray(const FT& x, const FT& y, const FT& b, const FT& ax, const FT& ay)
     {
-      const Exact_rational X(x), Y(y), B(b), AX(ax), AY(ay);
-      const Exact_rational slope = parallel ? Exact_rational(-Y) : Exact_rational(AY - Y);
-      return CGAL::sign(Exact_rational(B * slope - (X * AY - Y * AX)));
+      typedef typename K::Point_2 Point_2;
+      return K().orientation_2_object()(Point_2(x, y), Point_2(b, FT(0)), Point_2(ax, ay));
+    }
+
+    static Sign of_parallel_ray(double x, double y, double b, double ax, double ay)
+    {
+      const Exact_rational X(x), Y(y);
+      return CGAL::sign(Exact_rational(Y * (Exact_rational(ax) - Exact_rational(b)) - X * Exact_rational(ay)));
     }
   };
 
+  /*!
+  Finds where the ray of a window through \f$(b, 0)\f$ leaves the face through the edge from the origin in the unit direction
+  \f$(c, s)\f$, the left one of the two others: an end of the child's interval. (For the right one all is mirrored.)
+
+  With \f$D = s (X - bW) - c Y\f$ it does if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin, after growing by the
+  part \f$sb / D\f$ of its length so far (of the unit for \f$W = 0\f$). Exact if `FT` is. Otherwise the distance is to be found
+  anew, from the image, if rounding has moved the exit beyond the end of the edge, or if the length has more than trebled, as
+  growing keeps the relative error of a point very near to the source.
+  */
+  class Construct_exit_2
+  {
+  public:
+    // d: the distance at (b, 0). On success t is at most `length`, and `distance` belongs to t unless it is said to be rough.
+    bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d, const FT& c,
+                    const FT& s, const FT& length, FT& t, FT& distance, bool& is_rough) const
+    {
+      const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
+      if (!CGAL::is_positive(den)) return false;
+      const FT inverse = FT(1) / den;
+      t = -(b * y) * inverse;
+      const FT growth = s * b * inverse;
+      distance = is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth);
+      is_rough = growth > FT(2) || t > length;
+      if (t > length) t = length;
+      return true;
+    }
+  };
+  /*!
+  The distance that a window gives to a point \f$p\f$ in its rays: \f$\sigma + |p - (X, Y)|\f$ for \f$W = 1\f$,
+  \f$\sigma - (X, Y) \cdot p\f$ for \f$W = 0\f$. Exact if `FT` is.
+  */
+  class Compute_distance_2
+  {
+  public:
+    FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px, const FT& py) const
+    {
+      if (is_parallel) return sigma - (x * px + y * py);
+      const FT u = px - x, v = py - y;
+      return sigma + root(u * u + v * v);
+    }
+  };
+
+  /*!
+  Compares the distances that two windows give to one point. For a floating point type distances tie that differ by at most
+  four units in the last place of the given scale; otherwise the comparison is exact.
+  */
+  class Compare_distance_2
+  {
+  public:
+    Comparison_result operator()(const FT& d, const FT& e, const FT& scale) const
+    {
+      const FT difference = d - e, allowance = Geodesic_offset::internal::Number_policy<FT>::rounding(4) * scale;
+      return difference > allowance ? LARGER : difference < -allowance ? SMALLER : EQUAL;
+    }
+  };
+
+  Construct_apex_2 construct_apex_2_object() const { return Construct_apex_2(); }
+  Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(); }
+  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
+  Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(); }
+  Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(); }
+
+private:
+  static FT root(const FT& x) { return Geodesic_offset::internal::square_root<FT>(x); }
 };
 
 } // namespace CGAL

@@ -93,7 +93,7 @@ public:
   Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
                                 Vertex_point_map vertex_point_map, const Traits& traits = Traits())
     : m_traits(traits),
-      m_surface(std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map)),
+      m_surface(std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map, traits)),
       m_locator(std::make_shared<Geodesic_offset::internal::Surface_locator<Surface>>(m_surface))
   {
   }

@@ -33,7 +33,7 @@ public:
   // Propagates the fresh ones of the windows of a halfedge, which are its lower envelope, across the face.
   void operator()(Index h, const std::vector<Window>& windows)
   {
-    const Window_propagation<FT> face(m_mesh, h);
+    const Window_propagation<Traits> face(m_mesh, h, m_traits);
     const std::size_t n = windows.size();
     FT best, entry;
     sort_by_exit(h, face, windows, best, entry);
@@ -101,7 +101,7 @@ private:
   // that cover it. Rounding may leave the apex between two windows. So a window that just misses it gives it the length of
   // the path round its end, which is always valid, and if none covers it, so do its neighbours on either side.
   // Returns the best distance given to the apex through h so far, and where its ray enters.
-  void sort_by_exit(Index h, const Window_propagation<FT>& face, const std::vector<Window>& windows, FT& best, FT& entry)
+  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const std::vector<Window>& windows, FT& best, FT& entry)
   {
     const auto compare = m_traits.compare_entry_with_apex_2_object();
     auto& list = m_state.field.lists.get(h);
@@ -157,7 +157,7 @@ private:
   }
 
   // The path that leaves the window at its end b, at distance d.
-  void round_the_end(Index h, const Window_propagation<FT>& face, const Window& w, const FT& b, const FT& d)
+  void round_the_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
   {
     if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
@@ -172,7 +172,7 @@ private:
   }
 
   // (bx, by): from the apex back towards the source, in the frame of h.
-  void update_apex(Index h, const Window_propagation<FT>& face, const FT& d, const FT& bx, const FT& by,
+  void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by,
                    const Window& w, bool is_bent = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};

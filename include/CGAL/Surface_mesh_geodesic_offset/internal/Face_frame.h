@@ -104,10 +104,11 @@ public:
   }
 
   // From the frame of the face to that of the twin of halfedge k.
-  void window_to_twin(int k, Window<FT>& w) const
+  template <class Traits>
+  void window_to_twin(const Traits& traits, int k, Window<FT>& w) const
   {
     const Point& o = m_corner[(k + 1) % 3];
-    change_frame<FT>(w, o.x, o.y, -m_direction[k].x, -m_direction[k].y);
+    change_frame(traits, w, o.x, o.y, FT(-m_direction[k].x), FT(-m_direction[k].y));
   }
   Point to_twin(int k, const Point& p) const
   {

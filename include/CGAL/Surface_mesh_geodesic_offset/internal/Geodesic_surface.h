@@ -11,6 +11,7 @@
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 
@@ -37,14 +38,17 @@ struct Geodesic_surface
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                   const VertexPointMap& vpm)
-    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm)
+                   const VertexPointMap& vpm, const Traits& traits = Traits())
+    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm, traits)
   {
     face_of.resize(unfolded.number_of_faces());
     for (face_descriptor f : faces(tm)) face_of[get(fim, f)] = f;
     vertex_of.resize(unfolded.number_of_vertices());
     for (vertex_descriptor v : vertices(tm)) vertex_of[get(vim, v)] = v;
   }
+
+  // As a point of the traits, of whatever kernel the mesh's points are.
+  Point_3 position(vertex_descriptor v) const { return converted_point<Point_3, FT>(get(vpm, v)); }
 
   Index index_of(vertex_descriptor v) const { return Index(get(vim, v)); }
   Index index_of(face_descriptor f) const { return Index(get(fim, f)); }
@@ -81,12 +85,11 @@ struct Geodesic_surface
     if (p.kind == Surface_point<FT>::EDGE)
     {
       const FT t = p.x / unfolded[p.element].length;
-      const auto &a = get(vpm, vertex_of[unfolded.source(p.element)]), &b = get(vpm, vertex_of[unfolded.target(p.element)]);
-      const auto between = [&](const auto& x, const auto& y) { return FT((FT(1) - t) * FT(x) + t * FT(y)); };
+      const Point_3 a = position(vertex_of[unfolded.source(p.element)]), b = position(vertex_of[unfolded.target(p.element)]);
+      const auto between = [&](const FT& x, const FT& y) { return FT((FT(1) - t) * x + t * y); };
       return Point_3(between(a.x(), b.x()), between(a.y(), b.y()), between(a.z(), b.z()));
     }
-    const auto& q = get(vpm, vertex_of[p.element]);
-    return Point_3(FT(q.x()), FT(q.y()), FT(q.z()));
+    return position(vertex_of[p.element]);
   }
 
   halfedge_descriptor halfedge_of(Index h) const
@@ -113,11 +116,11 @@ struct Geodesic_surface
     halfedge_descriptor h = halfedge(l.first, tm);
     for (int k = 0; k < 3; ++k, h = next(h, tm))
     {
-      const auto& p = get(vpm, source(h, tm));
+      const Point_3 p = position(source(h, tm));
       const FT& w = l.second[k];
-      x += w * FT(p.x());
-      y += w * FT(p.y());
-      z += w * FT(p.z());
+      x += w * p.x();
+      y += w * p.y();
+      z += w * p.z();
     }
     return Point_3(x, y, z);
   }

@@ -20,14 +20,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class FT>
+template <class Traits>
 class Lower_envelope
 {
 public:
+  typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
   // `source_of[primitive]` tells which windows may merge: those of one source.
-  explicit Lower_envelope(const std::vector<Index>& source_of) : m_source_of(&source_of) {}
+  Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
   // The windows [first, taken) are sorted and disjoint, those in [taken, last) are in any order, on a halfedge of
   // the given length. The result is sorted and disjoint, valid until the next call.
@@ -153,7 +154,7 @@ private:
   // tie. The last owner keeps its tail beyond the overlap, and so does the other one.
   void resolve(const Window a, const Window& w)
   {
-    const Window_ties<FT> ties(a, w);
+    const Window_ties<Traits> ties(m_traits, a, w);
     const int n = ties.number();
     bool a_owns = ties.first_is_nearer();
     for (int i = 0; i <= n; ++i, a_owns = !a_owns)
@@ -205,6 +206,7 @@ private:
   }
 
   const std::vector<Index>* m_source_of;
+  const Traits& m_traits;
   std::vector<Window> m_envelope, m_later;
   std::vector<Key> m_order;
   FT m_min_width, m_max_gap;

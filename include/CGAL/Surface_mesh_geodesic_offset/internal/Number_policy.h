@@ -21,16 +21,38 @@ namespace internal {
 typedef std::uint32_t Index;
 constexpr Index no_index = 0xffffffffu;
 
+// Distances are square roots.
+template <class FT>
+constexpr bool has_square_roots()
+{
+  return std::is_convertible<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category*,
+                             CGAL::Field_with_sqrt_tag*>::value;
+}
+
+// The unit in the last place of 1, for number types without numeric_limits: of those that CGAL has, CGAL::Gmpfr and its
+// like, whose precision is set while the program runs.
+template <class FT>
+struct Unit_roundoff
+{
+  FT operator()() const
+  {
+    FT unit(1);
+    for (auto bits = FT::get_default_precision(); bits > 1; --bits) unit = unit / FT(2);
+    return unit;
+  }
+};
+
 // Relative tolerances are zero for exact number types: there, equal means equal.
 template <class FT>
 struct Number_policy
 {
-  static constexpr bool is_inexact = std::is_floating_point<FT>::value;
+  static constexpr bool is_inexact =
+    std::is_same<typename CGAL::Algebraic_structure_traits<FT>::Is_exact, CGAL::Tag_false>::value;
 
   // Larger than every distance on a mesh.
   static FT infinity()
   {
-    if constexpr (is_inexact) return std::numeric_limits<FT>::infinity();
+    if constexpr (std::numeric_limits<FT>::has_infinity) return std::numeric_limits<FT>::infinity();
     else return FT(1e300);
   }
 
@@ -39,8 +61,9 @@ struct Number_policy
   // A relative rounding allowance of `factor` units of the last place.
   static FT rounding(double factor)
   {
-    if constexpr (is_inexact) return FT(factor * std::numeric_limits<FT>::epsilon());
-    else return FT(0);
+    if constexpr (!is_inexact) return FT(0);
+    else if constexpr (std::numeric_limits<FT>::is_specialized) return FT(factor) * std::numeric_limits<FT>::epsilon();
+    else return FT(factor) * Unit_roundoff<FT>()();
   }
 };
 

@@ -16,15 +16,16 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class FT>
+template <class Traits>
 class Ray_spreading
 {
 public:
+  typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef Ray_at_vertex<FT> Ray;
 
-  Ray_spreading(Wavefront_state<FT>& state, const Initial_windows<FT>& initial)
-    : m_state(state), m_mesh(state.mesh), m_initial(initial), m_sector(state.mesh)
+  Ray_spreading(Wavefront_state<FT>& state, const Initial_windows<FT>& initial, const Traits& traits)
+    : m_state(state), m_mesh(state.mesh), m_initial(initial), m_traits(traits), m_sector(state.mesh)
   {
   }
 
@@ -78,7 +79,7 @@ private:
     const Index g = m_mesh.twin(3 * face + k);
     if (g == no_index) return;
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.root, local.bits};
-    frame.window_to_twin(k, w);
+    frame.window_to_twin(m_traits, k, w);
     // Rays along the edge do not leave through it. Rounding of the direction must not make them cross it.
     if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
@@ -161,6 +162,7 @@ private:
   Wavefront_state<FT>& m_state;
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
+  const Traits& m_traits;
   Vertex_sector<FT> m_sector;
 };
 

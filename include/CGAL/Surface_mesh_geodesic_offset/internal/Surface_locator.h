@@ -242,12 +242,7 @@ private:
 
     friend Point_3 get(const Point_map& map, const vertex_descriptor& v) { return map.point(v); }
 
-    Point_3 point(const vertex_descriptor& v) const
-    {
-      const auto& p = get(surface->vpm, v);
-      if constexpr (std::is_same<std::decay_t<decltype(p)>, Point_3>::value) return p;
-      else return Point_3(FT(p.x()), FT(p.y()), FT(p.z()));
-    }
+    Point_3 point(const vertex_descriptor& v) const { return surface->position(v); }
 
     const Surface* surface = nullptr;
   };

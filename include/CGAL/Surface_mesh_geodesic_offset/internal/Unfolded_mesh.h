@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Point_conversion.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -84,37 +85,27 @@ std::size_t read_topology(const TriangleMesh& tm, const VIM& vim, const FIM& fim
   return nv;
 }
 
-// Fills lengths and apices. The apex comes from the vectors, not from the three lengths: with needle faces the law of
-// cosines loses several digits.
-template <class FT, class TriangleMesh, class FIM, class VPM>
-void lay_out_faces(const TriangleMesh& tm, const FIM& fim, const VPM& vpm,
-                   std::vector<Unfolded_halfedge<FT>>& halfedges)
+// Fills lengths and apices.
+template <class Traits, class TriangleMesh, class FIM, class VPM>
+void lay_out_faces(const TriangleMesh& tm, const FIM& fim, const VPM& vpm, const Traits& traits,
+                   std::vector<Unfolded_halfedge<typename Traits::FT>>& halfedges)
 {
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  const auto construct_apex = traits.construct_apex_2_object();
   for (auto f : faces(tm))
   {
     const Index fi = Index(get(fim, f));
-    std::array<std::array<FT, 3>, 3> p;
+    std::array<Point_3, 3> p;
     auto h = halfedge(f, tm);
-    for (int k = 0; k < 3; ++k, h = next(h, tm))
-    {
-      const auto& q = get(vpm, source(h, tm));
-      p[k] = {FT(q.x()), FT(q.y()), FT(q.z())};
-    }
+    for (int k = 0; k < 3; ++k, h = next(h, tm)) p[k] = converted_point<Point_3, FT>(get(vpm, source(h, tm)));
     for (int k = 0; k < 3; ++k)
     {
-      const std::array<FT, 3>&a = p[k], &b = p[(k + 1) % 3], &c = p[(k + 2) % 3];
-      const FT u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-      const FT v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-      const FT n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-      const FT length = square_root<FT>(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-      const FT area = square_root<FT>(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       Unfolded_halfedge<FT>& e = halfedges[3 * fi + k];
-      if (!(length > FT(0)) || !Number_policy<FT>::is_finite(length) || !(area > FT(0)))
+      construct_apex(p[k], p[(k + 1) % 3], p[(k + 2) % 3], e.length, e.apex_x, e.apex_y);
+      if (!(e.length > FT(0)) || !Number_policy<FT>::is_finite(e.length) || !(e.apex_y > FT(0)))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(fi) +
                                     " is degenerate or has a coordinate that is not finite");
-      e.length = length;
-      e.apex_x = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / length;
-      e.apex_y = area / length;
     }
   }
 }
@@ -128,11 +119,11 @@ public:
 
   Unfolded_mesh() = default;
 
-  template <class TriangleMesh, class VIM, class FIM, class VPM>
-  Unfolded_mesh(const TriangleMesh& tm, const VIM& vim, const FIM& fim, const VPM& vpm)
+  template <class TriangleMesh, class VIM, class FIM, class VPM, class Traits>
+  Unfolded_mesh(const TriangleMesh& tm, const VIM& vim, const FIM& fim, const VPM& vpm, const Traits& traits)
   {
     const std::size_t nv = read_topology<FT>(tm, vim, fim, m_halfedges);
-    lay_out_faces<FT>(tm, fim, vpm, m_halfedges);
+    lay_out_faces(tm, fim, vpm, traits, m_halfedges);
     m_corner.assign(nv, no_index);
     m_can_bend.assign(nv, 0);
     find_corners();

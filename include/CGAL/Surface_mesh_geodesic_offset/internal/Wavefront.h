@@ -33,8 +33,8 @@ public:
 
   Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
             const FT& maximum_distance, bool keep_lists, Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field), m_spreading(m_state, initial),
-      m_envelope(initial.source_of), m_propagate(m_state, traits)
+    : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field), m_spreading(m_state, initial, traits),
+      m_envelope(initial.source_of, traits), m_propagate(m_state, traits)
   {
   }
 
@@ -165,8 +165,8 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const bool m_keep;
   State m_state;
-  Ray_spreading<FT> m_spreading;
-  Lower_envelope<FT> m_envelope;
+  Ray_spreading<Traits> m_spreading;
+  Lower_envelope<Traits> m_envelope;
   Batch_propagation<Traits> m_propagate;
   std::vector<Index> m_passed; // faces that the consumer has not taken yet
   std::size_t m_number_of_passed = 0;

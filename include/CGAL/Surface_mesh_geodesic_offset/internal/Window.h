@@ -80,21 +80,12 @@ struct Window
   }
 };
 
-// The image of a window's source in another frame whose origin is at (ox, oy) and whose x axis has the direction
-// (c, s) in the present one.
-template <class FT>
-inline void change_frame(Window<FT>& w, const FT& ox, const FT& oy, const FT& c, const FT& s)
+// Brings a window's image into another frame whose origin is at (ox, oy) and whose x axis has the direction (c, s) in the
+// present one.
+template <class Traits, class FT>
+inline void change_frame(const Traits& traits, Window<FT>& w, const FT& ox, const FT& oy, const FT& c, const FT& s)
 {
-  if (w.is_parallel())
-    w.sigma = w.sigma - (w.x * ox + w.y * oy);
-  else
-  {
-    w.x -= ox;
-    w.y -= oy;
-  }
-  const FT t = c * w.x + s * w.y;
-  w.y = c * w.y - s * w.x;
-  w.x = t;
+  traits.change_frame_2_object()(w.x, w.y, w.sigma, w.is_parallel(), ox, oy, c, s);
 }
 
 } // namespace internal

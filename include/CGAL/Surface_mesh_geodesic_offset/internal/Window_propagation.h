@@ -21,13 +21,15 @@ namespace internal {
 // A ray through (b, 0) has direction (bW - X, -Y). With the exit's direction (c, s) and, for the right exit, everything
 // mirrored (b counted from q), it meets the left exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y, after the
 // part  s b / D  of its length so far (of the unit for W = 0).
-template <class FT>
+template <class Traits>
 class Window_propagation
 {
 public:
+  typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_propagation(const Unfolded_mesh<FT>& mesh, Index h)
+  Window_propagation(const Unfolded_mesh<FT>& mesh, Index h, const Traits& traits)
+    : m_traits(traits), m_exit(traits.construct_exit_2_object())
   {
     const auto& e = mesh[h];
     length = e.length;
@@ -44,7 +46,7 @@ public:
   }
 
   // Distance at the apex, which must be in the window's cone.
-  FT distance_at_apex(const Window& w) const { return w.distance_at(apex_x, apex_y); }
+  FT distance_at_apex(const Window& w) const { return distance_at(w, apex_x, apex_y); }
 
   // Where the ray to the apex enters.
   FT entry_of_apex(const Window& w) const
@@ -68,11 +70,11 @@ public:
                   Window& child) const
   {
     child = w;
-    change_frame<FT>(child, FT(0), FT(0), cl, sl);
+    change_frame(m_traits, child, FT(0), FT(0), cl, sl);
     if (!CGAL::is_negative(child.y)) return false;
-    FT growth;
-    if (!exit(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, growth)) return false;
-    if (growth > most_growth()) child.d0 = child.distance_at(child.b0);
+    bool rough;
+    if (!exit(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, rough)) return false;
+    if (rough) child.d0 = distance_at(child, child.b0, FT(0));
     if (to_apex)
     {
       child.b1 = left_length;
@@ -80,8 +82,8 @@ public:
     }
     else
     {
-      if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, growth)) return false;
-      if (growth > most_growth()) child.d1 = child.distance_at(child.b1);
+      if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, rough)) return false;
+      if (rough) child.d1 = distance_at(child, child.b1, FT(0));
     }
     return child.b0 < child.b1;
   }
@@ -91,13 +93,14 @@ public:
                    Window& child) const
   {
     child = w;
-    change_frame<FT>(child, apex_x, apex_y, cr, -sr);
+    change_frame(m_traits, child, apex_x, apex_y, cr, FT(-sr));
     if (!CGAL::is_negative(child.y)) return false;
     const FT mirrored = w.is_parallel() ? FT(-w.x) : FT(length - w.x);
-    FT t, growth;
-    if (!exit(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, growth)) return false;
+    FT t;
+    bool rough;
+    if (!exit(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, rough)) return false;
     child.b1 = right_length - t;
-    if (growth > most_growth()) child.d1 = child.distance_at(child.b1);
+    if (rough) child.d1 = distance_at(child, child.b1, FT(0));
     if (from_apex)
     {
       child.b0 = FT(0);
@@ -105,9 +108,9 @@ public:
     }
     else
     {
-      if (!exit(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, growth)) return false;
+      if (!exit(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, rough)) return false;
       child.b0 = right_length - t;
-      if (growth > most_growth()) child.d0 = child.distance_at(child.b0);
+      if (rough) child.d0 = distance_at(child, child.b0, FT(0));
     }
     return child.b0 < child.b1;
   }
@@ -117,22 +120,19 @@ public:
   FT cr, sr; // direction of q -> r, mirrored
 
 private:
-  // A distance scaled by more than this is found anew: scaling keeps the relative error, which is large for a point very
-  // near to the source.
-  static FT most_growth() { return FT(2); }
-
-  static bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s, const FT& length,
-                   FT& t, FT& distance, FT& growth)
+  FT distance_at(const Window& w, const FT& px, const FT& py) const
   {
-    const FT den = w.is_parallel() ? FT(s * x - c * w.y) : FT(s * (x - b) - c * w.y);
-    if (!CGAL::is_positive(den)) return false;
-    const FT inverse = FT(1) / den;
-    t = -(b * w.y) * inverse;
-    if (t > length) t = length;
-    growth = s * b * inverse;
-    distance = w.is_parallel() ? FT(d + growth) : FT(d + (d - w.sigma) * growth);
-    return true;
+    return m_traits.compute_distance_2_object()(w.x, w.y, w.sigma, w.is_parallel(), px, py);
   }
+
+  bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s, const FT& length, FT& t,
+            FT& distance, bool& is_rough) const
+  {
+    return m_exit(x, w.y, w.sigma, w.is_parallel(), b, d, c, s, length, t, distance, is_rough);
+  }
+
+  const Traits& m_traits;
+  const typename Traits::Construct_exit_2 m_exit;
 };
 
 } // namespace internal

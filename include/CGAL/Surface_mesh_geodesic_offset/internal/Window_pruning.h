@@ -15,6 +15,14 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// A path by way of a vertex takes rays from a window only if it is shorter beyond doubt. In needle faces all paths to a point
+// tie up to rounding, and a window that is lost there is not replaced by another one: the vertex may be no pseudo-source.
+template <class FT>
+inline FT pruning_allowance(const FT& scale)
+{
+  return Number_policy<FT>::rounding(256) * scale;
+}
+
 // The point at distance t from an end of the halfedge, whose vertex has distance dv, where dv + t equals the window's
 // distance; x is the image's coordinate counted from that end. At most one: D(t) - t decreases.
 //   W = 1:  (t + k)^2 = (t - x)^2 + y^2  with k = dv - sigma        W = 0:  dv + t = D(0) - x t
@@ -31,27 +39,27 @@ inline FT tie_with_end(const Window<FT>& w, const FT& x, const FT& distance_at_e
 template <class FT>
 inline bool trim_by_ends(Window<FT>& w, const FT& length, const FT& d_source, const FT& d_target, const FT& min_width)
 {
-  const FT allowance = Number_policy<FT>::rounding(4) * w.d1;
-  if (d_source + w.b1 <= w.d1 - allowance || d_target + (length - w.b0) <= w.d0 - allowance) return false;
-  if (d_source + w.b0 < w.d0)
+  const FT allowance = pruning_allowance<FT>(w.d1 + length), by_source = d_source + allowance, by_target = d_target + allowance;
+  if (by_source + w.b1 <= w.d1 || by_target + (length - w.b0) <= w.d0) return false;
+  if (by_source + w.b0 < w.d0)
   {
-    const FT t = tie_with_end<FT>(w, w.x, w.sigma, d_source);
+    const FT t = tie_with_end<FT>(w, w.x, w.sigma, by_source);
     if (t >= w.b1) return false;
     if (t > w.b0)
     {
       w.b0 = t;
-      w.d0 = d_source + t;
+      w.d0 = w.distance_at(t);
     }
   }
-  if (d_target + (length - w.b1) < w.d1)
+  if (by_target + (length - w.b1) < w.d1)
   {
     const FT x = w.is_parallel() ? FT(-w.x) : FT(length - w.x);
-    const FT t = length - tie_with_end<FT>(w, x, w.is_parallel() ? FT(w.sigma - w.x * length) : FT(0), d_target);
+    const FT t = length - tie_with_end<FT>(w, x, w.is_parallel() ? FT(w.sigma - w.x * length) : FT(0), by_target);
     if (t <= w.b0) return false;
     if (t < w.b1)
     {
       w.b1 = t;
-      w.d1 = d_target + (length - t);
+      w.d1 = w.distance_at(t);
     }
   }
   return w.b1 - w.b0 > min_width;
@@ -62,7 +70,7 @@ inline bool trim_by_ends(Window<FT>& w, const FT& length, const FT& d_source, co
 template <class FT>
 inline bool filtered_by_far_vertex(const FT& t, const FT& d, const FT& dv, const FT& vx, const FT& vy)
 {
-  const FT u = t - vx, r = d - dv - Number_policy<FT>::rounding(4) * d;
+  const FT u = t - vx, r = d - dv - pruning_allowance<FT>(d + CGAL::abs(vx));
   return CGAL::is_positive(r) && u * u + vy * vy <= r * r;
 }
 

@@ -19,31 +19,33 @@ namespace internal {
 // The difference g of the two distances is monotone along the halfedge except at the point collinear with both
 // images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
 // signs at lo, there, and at hi tell which.
-template <class FT>
+template <class Traits>
 class Window_ties
 {
 public:
+  typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_ties(const Window& a, const Window& b) : m_a(a), m_b(b)
+  Window_ties(const Traits& traits, const Window& a, const Window& b)
+    : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object())
   {
     const bool a_ends_first = a.b1 < b.b1;
     m_low = b.b0;
     m_high = a_ends_first ? a.b1 : b.b1;
-    m_a_low = a.distance_at(m_low);
+    m_a_low = at(a, m_low);
     m_b_low = b.d0;
-    m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : a.distance_at(m_high);
-    m_b_high = a_ends_first ? b.distance_at(m_high) : b.d1;
-    m_allowance = Number_policy<FT>::rounding(4) * (a.d1 + b.d0);
+    m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : at(a, m_high);
+    m_b_high = a_ends_first ? at(b, m_high) : b.d1;
+    m_scale = a.d1 + b.d0;
     FT from = m_low, g_from = m_a_low - m_b_low, c;
-    int previous = sign(g_from);
+    int previous = m_compare(m_a_low, m_b_low, m_scale);
     m_first_sign = previous;
     if (collinear_point(c) && m_low < c && c < m_high)
     {
-      const FT g_c = a.distance_at(c) - b.distance_at(c);
-      step(from, g_from, previous, c, g_c);
+      const FT a_c = at(a, c), b_c = at(b, c);
+      step(from, g_from, previous, c, a_c - b_c, m_compare(a_c, b_c, m_scale));
     }
-    step(from, g_from, previous, m_high, m_a_high - m_b_high);
+    step(from, g_from, previous, m_high, m_a_high - m_b_high, m_compare(m_a_high, m_b_high, m_scale));
   }
 
   const FT& low() const { return m_low; }
@@ -57,11 +59,11 @@ public:
   const FT& distance(int i) const { return m_distances[i]; } // the same for both
 
 private:
-  int sign(const FT& g) const { return g > m_allowance ? 1 : g < -m_allowance ? -1 : 0; }
+  FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
 
-  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to)
+  // s: the sign of g_to
+  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
   {
-    const int s = sign(g_to);
     if (s != 0)
     {
       if (m_first_sign == 0) m_first_sign = s;
@@ -100,10 +102,10 @@ private:
         if (!(t > u && t < v)) t = FT(0.5) * (u + v);
       }
       good = false;
-      d = m_a.distance_at(t);
+      d = at(m_a, t);
       if (!Number_policy<FT>::is_inexact) return;
-      const FT g = d - m_b.distance_at(t);
-      if (sign(g) == 0 || !(t > u && t < v)) return;
+      const FT other = at(m_b, t), g = d - other;
+      if (m_compare(d, other, m_scale) == EQUAL || !(t > u && t < v)) return;
       if ((g > 0) == (gu > 0))
       {
         u = t;
@@ -171,10 +173,7 @@ private:
     const FT t1 = q / qa, t2 = qc / q;
     const bool in1 = u < t1 && t1 < v, in2 = u < t2 && t2 < v;
     if (in1 && in2)
-      t = CGAL::abs(FT(m_a.distance_at(t1) - m_b.distance_at(t1))) <=
-          CGAL::abs(FT(m_a.distance_at(t2) - m_b.distance_at(t2)))
-            ? t1
-            : t2;
+      t = CGAL::abs(FT(at(m_a, t1) - at(m_b, t1))) <= CGAL::abs(FT(at(m_a, t2) - at(m_b, t2))) ? t1 : t2;
     else if (in1)
       t = t1;
     else if (in2)
@@ -186,8 +185,10 @@ private:
 
   const Window& m_a;
   const Window& m_b;
+  const typename Traits::Compare_distance_2 m_compare;
+  const typename Traits::Compute_distance_2 m_distance;
   FT m_low, m_high, m_a_low, m_a_high, m_b_low, m_b_high;
-  FT m_allowance;
+  FT m_scale;
   int m_first_sign = 0;
   int m_number = 0;
   FT m_ties[2], m_distances[2];

@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes whose points belong to another kernel than the traits, and traits with other number types
+// than double: multiprecision ones agree with it; side tests without exact predicates fail.
+
+#include "generated_meshes.h"
+#include "geodesic_types.h"
+#include "path_tools.h"
+#include "test_check.h"
+#include "traits_archetype.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpfr.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <map>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+typedef CGAL::Exact_predicates_exact_constructions_kernel Exact_kernel;
+typedef CGAL::Simple_cartesian<double> Plain_kernel;
+typedef CGAL::Simple_cartesian<CGAL::Gmpfr> Long_kernel;
+typedef Generated_mesh<test::Surface_mesh> Data;
+
+template <class Kernel, class Mesh>
+using Geodesic_with =
+  CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>;
+
+// What a caller does, on any mesh: distances, a path, a located point, and an offset. All as
+// doubles, to be compared.
+template <class Mesh>
+std::vector<double> results(const Mesh& mesh)
+{
+  typedef Geodesic_with<Kernel, Mesh> Geodesic_here;
+  std::vector<double> out;
+  Geodesic_here geodesic(mesh);
+  geodesic.add_source_point(*vertices(mesh).begin());
+  const auto anywhere = geodesic.locate(Point_3(0.2, 0.3, 0.4)); // somewhere on the surface
+  geodesic.add_source_point(anywhere);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  for (auto v : vertices(mesh)) out.push_back(geodesic.distance_to_sources(v));
+  std::vector<Point_3> path;
+  for (auto v : vertices(mesh)) geodesic.shortest_path_points_to_sources(v, std::back_inserter(path));
+  for (const Point_3& p : path) out.insert(out.end(), {p.x(), p.y(), p.z()});
+  const auto farthest = geodesic.farthest_point();
+  out.push_back(farthest.second);
+  std::vector<typename Geodesic_here::Offset_curve> curves;
+  geodesic.offset_curves(std::vector<double>{0.4 * farthest.second}, std::back_inserter(curves));
+  for (const auto& curve : curves)
+  {
+    out.push_back(curve.length());
+    out.push_back(static_cast<double>(curve.pieces().size()));
+  }
+  return out;
+}
+
+// The same vertices, faces and first halfedges.
+template <class AnyKernel, class Mesh>
+CGAL::Surface_mesh<typename AnyKernel::Point_3> same_mesh(const Mesh& mesh)
+{
+  typedef typename Mesh::Point::R::FT From;
+  const CGAL::NT_converter<From, typename AnyKernel::FT> convert{};
+  CGAL::Surface_mesh<typename AnyKernel::Point_3> result;
+  for (Vertex_index v : vertices(mesh))
+  {
+    const auto& p = mesh.point(v);
+    result.add_vertex(typename AnyKernel::Point_3(convert(p.x()), convert(p.y()), convert(p.z())));
+  }
+  for (Face_index f : faces(mesh))
+  {
+    const auto h = halfedge(f, mesh);
+    const auto g = result.add_face(source(h, mesh), target(h, mesh), target(next(h, mesh), mesh));
+    auto first = result.halfedge(g);
+    while (result.source(first) != source(h, mesh)) first = result.next(first);
+    result.set_halfedge(g, first);
+  }
+  return result;
+}
+
+// The same coordinates in other kernels and other mesh types: the same doubles go in, the same come
+// out.
+void meshes_of_other_kernels()
+{
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 6, 1), 1), icosphere(2), torus(12, 8), saddle_fan()})
+  {
+    Soup rounded = soup; // to multiples of 2^-16, which a float can hold
+    const auto round = [](double x) { return std::nearbyint(x * 65536) / 65536; };
+    for (Point_3& p : rounded.points) p = Point_3(round(p.x()), round(p.y()), round(p.z()));
+    const Data data(rounded);
+    const std::vector<double> expected = results(data.mesh);
+
+    CHECK(results(same_mesh<Exact_kernel>(data.mesh)) == expected);
+    CHECK(results(same_mesh<CGAL::Simple_cartesian<float>>(data.mesh)) == expected);
+    CHECK(results(same_mesh<Plain_kernel>(data.mesh)) == expected);
+
+    typedef CGAL::Polyhedron_3<Exact_kernel> Polyhedron; // orders its elements in another way
+    Polyhedron polyhedron;
+    std::map<Vertex_index, boost::graph_traits<Polyhedron>::vertex_descriptor> copy_of;
+    CGAL::copy_face_graph(data.mesh, polyhedron,
+                          CGAL::parameters::vertex_to_vertex_map(boost::make_assoc_property_map(copy_of)));
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_point(data.vertices[0]);
+    geodesic.build();
+    Geodesic_with<Kernel, Polyhedron> other(polyhedron);
+    other.add_source_point(copy_of.at(data.vertices[0]));
+    other.build();
+    Worst_error worst(1e-12, bounding_box_diagonal(data.mesh));
+    for (auto v : vertices(data.mesh))
+      CHECK_CLOSE(worst, other.distance_to_sources(copy_of.at(v)), geodesic.distance_to_sources(v));
+  }
+}
+
+// The union of two tetrahedra has coordinates that no double is equal to.
+void mesh_of_a_boolean_operation()
+{
+  typedef CGAL::Surface_mesh<Exact_kernel::Point_3> Exact_mesh;
+  typedef Exact_kernel::Point_3 P;
+  Exact_mesh a, b, both;
+  CGAL::make_tetrahedron(P(0, 0, 0), P(3, 0, 0), P(0, 3, 0), P(0, 0, 3), a);
+  CGAL::make_tetrahedron(P(1, 1, -1), P(2, -1, 1), P(1, 1, 4), P(-1, 1, 2), b);
+  CGAL::Polygon_mesh_processing::triangulate_faces(a);
+  if (!CGAL::Polygon_mesh_processing::is_outward_oriented(b))
+    CGAL::Polygon_mesh_processing::reverse_face_orientations(b);
+  if (!CGAL::Polygon_mesh_processing::is_outward_oriented(a))
+    CGAL::Polygon_mesh_processing::reverse_face_orientations(a);
+  CHECK(CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both));
+  bool is_rounded = false;
+  for (auto v : vertices(both))
+    is_rounded = is_rounded || both.point(v).x() != P(CGAL::to_double(both.point(v).x()), 0, 0).x();
+  CHECK(is_rounded);
+  both.collect_garbage();
+  CHECK(num_faces(both) > 8 && results(both) == results(same_mesh<Kernel>(both)));
+}
+
+// The distances of all vertices from one, in whatever kernel.
+template <class AnyKernel>
+std::vector<typename AnyKernel::FT> distances_from(const test::Surface_mesh& mesh, Vertex_index source)
+{
+  Geodesic_with<AnyKernel, test::Surface_mesh> geodesic(mesh);
+  geodesic.add_source_point(source);
+  geodesic.build();
+  std::vector<typename AnyKernel::FT> out;
+  for (auto v : vertices(mesh)) out.push_back(geodesic.distance_to_sources(v));
+  return out;
+}
+
+// Flat convex meshes of needle faces, down to where faces are flat lines up to rounding: the straight
+// line is right. All paths to a point tie up to rounding there, and a window that is dropped for a
+// path that seems to be as short is not replaced by another one.
+void needles()
+{
+  for (double width : {1e-3, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12})
+    for (unsigned seed : {1u, 2u, 6u, 47u})
+    {
+      const Data data(random_rectangle(1, width, 40, 6, seed));
+      for (std::size_t i = 0; i < data.vertices.size(); ++i)
+      {
+        const std::vector<double> distances = distances_from<Kernel>(data.mesh, data.vertices[i]);
+        Worst_error worst(1e-12, 1);
+        for (std::size_t j = 0; j < data.vertices.size(); ++j)
+          CHECK_CLOSE(worst, distances[j],
+                      distance(data.mesh.point(data.vertices[i]), data.mesh.point(data.vertices[j])));
+      }
+    }
+}
+
+// Rays that pass an apex within rounding: the guarded side test is exact, the plain one is not.
+void side_tests_near_zero()
+{
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Guarded;
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Plain_kernel, test::Surface_mesh> Plain;
+  const auto guarded = Guarded().compare_entry_with_apex_2_object();
+  const auto plain = Plain().compare_entry_with_apex_2_object();
+  std::size_t wrong = 0, zeros = 0;
+  Random random(5);
+  for (std::size_t i = 0; i < 200000; ++i)
+  {
+    // dyadic numbers, so that some rays hit the apex exactly
+    const auto number = [&](double low, double high)
+    { return std::nearbyint(uniform(random, low, high) * 1048576) / 1048576; };
+    const bool parallel = i % 3 == 0;
+    const double x = number(-2, 2), y = number(-2, -0.01);
+    double ax = number(-1, 2), ay = number(0.01, 1), b;
+    if (i % 7 == 0)
+    { // the apex on the ray through b
+      b = number(-1, 2);
+      ax = b + 0.25 * (parallel ? -x : b - x);
+      ay = -0.25 * y;
+    }
+    else // where the ray to the apex enters
+      b = (x * ay - y * ax) / (parallel ? -y : ay - y);
+    for (std::size_t k = uniform_index(random, 4); k > 0; --k) b = std::nextafter(b, i % 2 ? 9. : -9.);
+    const CGAL::Exact_rational X(x), Y(y), B(b), AX(ax), AY(ay);
+    const CGAL::Exact_rational slope = parallel ? CGAL::Exact_rational(-Y) : CGAL::Exact_rational(AY - Y);
+    const CGAL::Sign exact = CGAL::sign(CGAL::Exact_rational(B * slope - (X * AY - Y * AX)));
+    CHECK(guarded(x, y, parallel, b, ax, ay) == exact);
+    if (plain(x, y, parallel, b, ax, ay) != exact) ++wrong;
+    if (exact == CGAL::ZERO) ++zeros;
+  }
+  std::cout << "side tests: " << wrong << " of 200000 wrong without exact predicates, " << zeros
+            << " rays hit the apex" << std::endl;
+  CHECK(wrong > 1000 && zeros > 100);
+}
+
+// All that a caller can do compiles with the concept's archetype, which is not default constructible
+// and whose functors have a state; they are called, and the results are those of the default model.
+void concept_archetype()
+{
+  typedef Traits_archetype<test::Surface_mesh> Archetype;
+  typedef CGAL::Surface_mesh_geodesic_offset<Archetype> Geodesic_here;
+  const Data data(rotated(random_rectangle(2, 1, 30, 5, 4), 4));
+  typename Archetype::Calls calls;
+  const Archetype traits(calls);
+  Geodesic_here geodesic(data.mesh, traits);
+  Geodesic expected(data.mesh);
+  const auto add_sources = [&](auto& g)
+  {
+    g.add_source_point(data.vertices[3]);
+    g.add_source_polyline(std::vector<Geodesic::Face_location>{
+      Geodesic::Face_location(data.faces[5], {{0.5, 0.25, 0.25}}),
+      Geodesic::Face_location(data.faces[5], {{0.25, 0.25, 0.5}})});
+    g.build(CGAL::parameters::keep_windows(true));
+  };
+  add_sources(geodesic);
+  add_sources(expected);
+  Worst_error worst(1e-12, 1);
+  for (auto v : data.vertices)
+    CHECK_CLOSE(worst, geodesic.distance_to_sources(v), expected.distance_to_sources(v));
+  const Point_3& p = data.mesh.point(data.vertices[9]);
+  const Geodesic::Face_location location = geodesic.locate(Archetype::Point_3(p.x(), p.y(), p.z()));
+  CHECK_CLOSE(worst, geodesic.distance_to_sources(location), expected.distance_to_sources(location));
+  const auto nearest = geodesic.nearest_source(location);
+  CHECK(nearest && nearest->source == expected.nearest_source(location)->source);
+  std::vector<Archetype::Point_3> path;
+  geodesic.shortest_path_points_to_sources(location, std::back_inserter(path));
+  CHECK(path.size() >= 2);
+  CHECK(std::abs(geodesic.gradient(location).squared_length() - 1) < 1e-12);
+  const auto farthest = geodesic.farthest_point();
+  CHECK_CLOSE(worst, farthest.second, expected.farthest_point().second);
+  std::vector<Geodesic_here::Offset_curve> curves;
+  geodesic.offset_curves(std::vector<double>{0.3 * farthest.second}, std::back_inserter(curves));
+  CHECK(!curves.empty());
+  geodesic.add_source_point(data.vertices[7]);
+  geodesic.update();
+  CHECK(geodesic.distance_to_sources(data.vertices[7]) == 0);
+  CHECK(calls.apices == 3 * data.faces.size());
+  CHECK(calls.frames > 0 && calls.entries > 0 && calls.exits > 0 && calls.distances > 0 && calls.comparisons > 0);
+}
+
+// 200 bits: where double is right, it is so to rounding, and the straight line is right to 55
+// digits.
+void long_numbers()
+{
+  CGAL::Gmpfr::set_default_precision(200);
+  std::size_t count = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    for (const Soup& soup :
+         {rotated(random_rectangle(2, 1, 12, 4, seed), seed), rotated(icosphere(1), seed),
+          rotated(torus(5 + seed % 3, 4), seed), rotated(marching_sphere(4), seed)})
+    {
+      const Data data(soup);
+      const Vertex_index source = data.vertices[seed % data.vertices.size()];
+      const std::vector<double> expected = distances_from<Kernel>(data.mesh, source);
+      const std::vector<CGAL::Gmpfr> distances = distances_from<Long_kernel>(data.mesh, source);
+      Worst_error worst(1e-13, bounding_box_diagonal(data.mesh));
+      for (std::size_t i = 0; i < expected.size(); ++i, ++count)
+        CHECK_CLOSE(worst, CGAL::to_double(distances[i]), expected[i]);
+    }
+  std::cout << "200 bits: " << count << " distances" << std::endl;
+
+  const Data flat(random_rectangle(2, 1, 20, 4, 3));
+  const std::vector<CGAL::Gmpfr> distances = distances_from<Long_kernel>(flat.mesh, flat.vertices[0]);
+  for (std::size_t i = 0; i < flat.vertices.size(); ++i)
+  {
+    const auto &p = flat.mesh.point(flat.vertices[0]), &q = flat.mesh.point(flat.vertices[i]);
+    const CGAL::Gmpfr x = CGAL::Gmpfr(q.x()) - CGAL::Gmpfr(p.x()), y = CGAL::Gmpfr(q.y()) - CGAL::Gmpfr(p.y());
+    const CGAL::Gmpfr straight = CGAL::sqrt(CGAL::Gmpfr(x * x + y * y));
+    CHECK(CGAL::abs(CGAL::Gmpfr(distances[i] - straight)) <= CGAL::Gmpfr(1e-55));
+  }
+}
+
+} // namespace
+
+int main()
+{
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"meshes of other kernels", meshes_of_other_kernels},
+    {"mesh of a Boolean operation", mesh_of_a_boolean_operation},
+    {"needles", needles},
+    {"side tests near zero", side_tests_near_zero},
+    {"concept archetype", concept_archetype},
+    {"long numbers", long_numbers}};
+  for (const auto& test : tests)
+  {
+    Report::instance().set_context(test.first);
+    try
+    {
+      test.second();
+    }
+    catch (const std::exception& e)
+    {
+      CHECK_DETAIL(!"an exception was thrown", e.what());
+    }
+  }
+  return Report::instance().finish("test_kernels");
+}
