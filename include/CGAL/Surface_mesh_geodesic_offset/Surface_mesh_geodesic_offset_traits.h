@@ -28,8 +28,8 @@ square roots, as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`
 
 With a kernel whose `FT` is a floating point type and whose predicates are exact, as
 `Exact_predicates_inexact_constructions_kernel`, the side tests are exact for the coordinates given, behind a floating point
-filter. With `Simple_cartesian<double>` they are rounded, and nothing guards the result: a window may be sent through the wrong
-edge, and points behind it may be left without a distance.
+filter. With `Simple_cartesian<double>` they are rounded and unguarded: rays that pass an apex within rounding may be sent
+through the wrong edge.
 
 The points of the mesh may belong to another kernel, as an exact one: their coordinates are converted, with
 `CGAL::to_double()` if `FT` is `double`.
@@ -46,9 +46,9 @@ template <class K, class TriangleMesh>
 class Surface_mesh_geodesic_offset_traits
 {
   static_assert(Geodesic_offset::internal::has_square_roots<typename K::FT>(),
-                "Surface_mesh_geodesic_offset: distances need square roots. The FT of this kernel has none. Take a kernel with "
-                "a floating point type, as Exact_predicates_inexact_constructions_kernel, or one with exact square roots, as "
-                "Exact_predicates_exact_constructions_kernel_with_sqrt; the mesh's own points may be of any kernel.");
+                "Surface_mesh_geodesic_offset: distances need square roots. The FT of this kernel has none. Take a kernel "
+                "with a floating point type, as Exact_predicates_inexact_constructions_kernel, or one with exact square "
+                "roots, as Exact_predicates_exact_constructions_kernel_with_sqrt; the mesh's own points may be of any kernel.");
 
 public:
   typedef K Kernel;
