@@ -63,7 +63,7 @@ public:
         // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the
         // side of the best ray's entry, the rays that enter before it.
         split = face.entry_of_apex(w);
-        d_apex = face.distance_at_apex(w);
+        d_apex = m_apex_distance[i];
         left_to_apex = d_apex <= best || split <= entry;
         right_from_apex = d_apex <= best || split >= entry;
         left_end = left_to_apex ? split : entry;
@@ -108,6 +108,7 @@ private:
     best = list.split_distance;
     entry = list.split_entry;
     m_exit.resize(windows.size());
+    m_apex_distance.resize(windows.size());
     const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
     bool covered = false;
     for (std::size_t i = 0; i < windows.size(); ++i)
@@ -134,7 +135,7 @@ private:
       {
         m_exit[i] = BOTH;
         covered = true;
-        const FT d = face.distance_at_apex(w);
+        const FT& d = m_apex_distance[i] = face.distance_at_apex(w);
         if (d < best)
         {
           best = d;
@@ -183,6 +184,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Traits& m_traits;
   std::vector<Exit> m_exit;
+  std::vector<FT> m_apex_distance; // of those that leave through both edges
 };
 
 } // namespace internal

@@ -108,6 +108,9 @@ void lay_out_faces(const TriangleMesh& tm, const FIM& fim, const VPM& vpm, const
                                     " is degenerate or has a coordinate that is not finite");
     }
   }
+  // one number for both sides of an edge: an exact number knows itself at once
+  for (std::size_t h = 0; h < halfedges.size(); ++h)
+    if (halfedges[h].twin < h) halfedges[h].length = halfedges[halfedges[h].twin].length;
 }
 
 template <class FT_>
