@@ -130,11 +130,14 @@ public:
   }
 
   // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
-  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner.
+  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
+  // wider by a small angle at both ends if `back` is known up to that angle only.
   template <class Function>
-  void for_each_sector_behind(const Ray& back, const Function& f) const
+  void for_each_sector_behind(const Ray& back, const Function& f, const FT& angle = FT(0)) const
   {
-    const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
+    const bool is_known = CGAL::is_zero(angle);
+    const Ray from = turn_ccw(is_known ? back : turned(back, FT(-angle)), 2);
+    const Ray to = turn_cw(is_known ? back : turned(back, angle), 2);
     const Index first = m_mesh->first_on_border(back.corner);
     if (first != no_index)
     {
@@ -171,6 +174,26 @@ public:
   }
 
 private:
+  // The ray, turned counterclockwise by a small angle; at most up to the border.
+  Ray turned(const Ray& ray, const FT& angle) const
+  {
+    Ray r{ray.corner, ray.x - angle * ray.y, ray.y + angle * ray.x};
+    FT c, s;
+    if (CGAL::is_negative(r.y))
+    {
+      const Index before = m_mesh->corner_cw(r.corner);
+      if (before == no_index) return {ray.corner, FT(1), FT(0)};
+      m_mesh->corner_direction(before, c, s);
+      return {before, c * r.x - s * r.y, s * r.x + c * r.y};
+    }
+    const auto& h = (*m_mesh)[r.corner];
+    if (!CGAL::is_positive(cross(h.apex_x, h.apex_y, r.x, r.y))) return r;
+    const Index after = m_mesh->corner_ccw(r.corner);
+    if (after == no_index) return {ray.corner, h.apex_x, h.apex_y};
+    m_mesh->corner_direction(r.corner, c, s);
+    return {after, c * r.x + s * r.y, c * r.y - s * r.x};
+  }
+
   bool comes_first(Index c, Index from, Index to) const
   {
     for (Index i = from; i != no_index && i != to; i = m_mesh->corner_ccw(i))

@@ -20,12 +20,10 @@ namespace Geodesic_offset {
 namespace internal {
 
 // Blocks of 4, 8, 16, ... windows. A freed block is used again for the next list of its size.
-template <class FT>
+template <class Window>
 class Window_arena
 {
 public:
-  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-
   Window* allocate(Index size_class)
   {
     std::vector<Window*>& free_blocks = m_free[size_class];
@@ -62,10 +60,10 @@ private:
 };
 
 // The first `taken` windows are sorted, disjoint and already propagated; the others wait.
-template <class FT>
+template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
 struct Window_list
 {
-  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Window_ Window;
   static constexpr std::size_t not_queued = ~std::size_t(0);
 
   Window* data = nullptr;
@@ -80,12 +78,12 @@ struct Window_list
   const Window* end() const { return data + size; }
 };
 
-template <class FT>
+template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
 class Window_lists
 {
 public:
-  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-  typedef Window_list<FT> List;
+  typedef Window_ Window;
+  typedef Window_list<FT, Window> List;
 
   Window_lists() = default;
   explicit Window_lists(std::size_t number_of_halfedges) : m_list_of(number_of_halfedges, no_index) {}
@@ -156,9 +154,9 @@ public:
 private:
   void reserve(List& list, std::size_t n)
   {
-    if (list.data && n <= Window_arena<FT>::capacity(list.size_class)) return;
+    if (list.data && n <= Window_arena<Window>::capacity(list.size_class)) return;
     Index c = list.size_class;
-    while (Window_arena<FT>::capacity(c) < n) ++c;
+    while (Window_arena<Window>::capacity(c) < n) ++c;
     Window* data = m_arena.allocate(c);
     std::copy(list.data, list.data + list.size, data);
     if (list.data) m_arena.release(list.data, list.size_class);
@@ -175,7 +173,7 @@ private:
   std::vector<Index> m_list_of; // per halfedge
   std::vector<List> m_lists;
   std::vector<Index> m_free_lists;
-  Window_arena<FT> m_arena;
+  Window_arena<Window> m_arena;
   std::size_t m_live = 0, m_peak = 0;
 };
 

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_SURFACE_MESH_GEODESIC_ENCLOSURE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_SURFACE_MESH_GEODESIC_ENCLOSURE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <cfenv>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief computes certified bounds of the geodesic distances from points, polylines and edges: for every vertex, and for every
+point of the surface if the windows are kept, two numbers of which it is proven that the distance lies between them. An
+oracle for other methods.
+
+The coordinates of the vertices, rounded to `double` if they are not, are taken as exact. A source, or a point that is asked
+for, is the location as classified: coordinates that are zero up to round-off (1e-13) put it on the edge, or at the vertex.
+How the bounds are found, and why they are certain, says \ref SMGOErrorAnalysis. Relative to the distance they are mostly
+within a few 1e-14 of each other.
+
+The computation takes up to twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
+arithmetic with round to nearest: it must not be compiled with options like `-ffast-math`.
+
+The template parameters are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be `double`.
+*/
+template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
+class Surface_mesh_geodesic_enclosure
+  : public Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap>
+{
+  typedef Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Base;
+  static_assert(std::is_same<typename Traits::FT, double>::value,
+                "Surface_mesh_geodesic_enclosure: the FT of the traits must be double, the type of the bounds");
+
+public:
+  typedef typename Base::vertex_descriptor vertex_descriptor;
+  typedef typename Base::Face_location Face_location;
+
+  using Base::Base;
+
+  /// \name Building
+  /// @{
+
+  /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
+  /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5.
+  /// \param np an optional named parameter, `keep_windows(b)`: whether points other than vertices will be asked for; then
+  ///        some 100 bytes a window stay in memory.
+  /// \throws std::logic_error if the rounding mode is not to nearest
+  template <class NamedParameters = parameters::Default_named_parameters>
+  void build(const NamedParameters& np = parameters::default_values())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    if (std::fegetround() != FE_TONEAREST)
+      throw std::logic_error("Surface_mesh_geodesic_enclosure: the rounding mode must be to nearest");
+    const bool keeps = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
+    if (!m_mesh) m_mesh = std::make_shared<Mesh>(this->unfolded(), [&](auto v) { return coordinates(v); });
+    m_built = std::make_shared<Build>(*m_mesh, this->m_sources.initial_windows(this->unfolded()), keeps);
+  }
+
+  bool is_built() const { return m_built != nullptr; }
+
+  /// the number of windows that were propagated.
+  std::size_t number_of_windows() const { return built().field.windows_propagated; }
+  /// @}
+
+  /// \name Queries
+  /// @{
+
+  /// a lower and an upper bound of the distance from a `vertex_descriptor` or a `Face_location` to the nearest source; both
+  /// are infinite if it is unreachable. Takes constant time at vertices; elsewhere time linear in the number of windows of a
+  /// face.
+  /// \throws std::logic_error if `!is_built()`, or if the location is no vertex and the windows were not kept
+  /// \throws std::invalid_argument if the location is not valid
+  template <class Location>
+  std::pair<double, double> distance_bounds(const Location& location) const
+  {
+    const Surface_point p = this->classified(location);
+    const Build& b = built();
+    if (p.kind != Surface_point::VERTEX && !b.field.has_windows())
+      throw std::logic_error("Surface_mesh_geodesic_enclosure: this query needs build(parameters::keep_windows(true))");
+    const std::pair<double, double> d = Geodesic_offset::internal::Certified_query(*m_mesh, b.sources, b.field)(p);
+    return {m_mesh->from_unit(d.first), m_mesh->from_unit(d.second)};
+  }
+  /// @}
+
+private:
+  typedef typename Base::Surface_point Surface_point;
+  typedef Geodesic_offset::internal::Certified_mesh Mesh;
+
+  struct Build
+  {
+    Build(const Mesh& mesh, const Geodesic_offset::internal::Initial_windows<double>& initial, bool keeps)
+      : sources(mesh, initial)
+    {
+      Geodesic_offset::internal::Certified_front(mesh, keeps, field).run(sources);
+    }
+
+    Geodesic_offset::internal::Certified_sources sources;
+    Geodesic_offset::internal::Certified_field field;
+  };
+
+  const Build& built() const
+  {
+    if (!m_built) throw std::logic_error("Surface_mesh_geodesic_enclosure: build() has not been called");
+    return *m_built;
+  }
+
+  typename Mesh::Coordinates coordinates(Geodesic_offset::internal::Index v) const
+  {
+    const auto p = this->m_surface->position(this->m_surface->vertex_of[v]);
+    return {p.x(), p.y(), p.z()};
+  }
+
+  std::shared_ptr<const Mesh> m_mesh;
+  std::shared_ptr<const Build> m_built;
+};
+
+} // namespace CGAL
+
+#endif

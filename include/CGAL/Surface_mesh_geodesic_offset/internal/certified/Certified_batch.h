@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All windows of a halfedge, unfolded across its face at once.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BATCH_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BATCH_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_propagation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// As Batch_propagation. A window that may or may not reach the apex goes to both sides of it.
+class Certified_batch
+{
+public:
+  typedef Certified_window Window;
+
+  explicit Certified_batch(Certified_state& state) : m_state(state) {}
+
+  void operator()(Index h, const std::vector<Window>& windows)
+  {
+    const Unfolded_mesh<double>& mesh = m_state.unfolded;
+    const Distance_bounds& bounds = m_state.field.bounds;
+    const Certified_propagation face(m_state.mesh, h);
+    double best, entry;
+    sort_by_exit(h, face, windows, best, entry);
+
+    const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
+    const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
+    // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
+    const double qx = face.cl * face.length, qy = -face.sl * face.length;
+    const double px = face.right_length - face.cr * face.length, py = -face.sr * face.length;
+    Certified_state::Output to_left(m_state, left, windows.size()), to_right(m_state, right, windows.size());
+    for (std::size_t i = 0; i < windows.size(); ++i)
+    {
+      const Exit exit = m_exit[i].exit;
+      if (exit == NONE) continue;
+      const Window& w = windows[i];
+      ++m_state.field.windows_propagated;
+      bool goes_left = exit != RIGHT, goes_right = exit != LEFT, left_to_apex = false, right_from_apex = false;
+      double left_end = w.b1, right_begin = w.b0;
+      if (exit == BOTH)
+      {
+        // one angle, one split, with room for rounding
+        const double split = face.entry_of_apex(w);
+        const double room = length_error * (std::abs(w.x) + face.length);
+        const bool may_be_best = w.is_parallel() || m_exit[i].lowest <= best;
+        left_to_apex = may_be_best || split <= entry + room;
+        right_from_apex = may_be_best || split >= entry - room;
+        left_end = (std::min)(w.b1, entry + room);
+        right_begin = (std::max)(w.b0, entry - room);
+        goes_left = left_to_apex || left_end > w.b0;
+        goes_right = right_from_apex || right_begin < w.b1;
+      }
+      if (goes_left && to_left.is_open())
+      {
+        Window& child = to_left.next();
+        if (face.left_child(w, left_end, left_to_apex, child) &&
+            !filtered_by_far_vertex(child, child.b0, child.d0, dq, qx, qy, face.length + face.left_length) &&
+            trim_by_ends(child, face.left_length, dp, dr))
+          to_left.keep();
+      }
+      if (goes_right && to_right.is_open())
+      {
+        Window& child = to_right.next();
+        if (face.right_child(w, right_begin, right_from_apex, child) &&
+            !filtered_by_far_vertex(child, child.b1, child.d1, dp, px, py, face.length + face.right_length) &&
+            trim_by_ends(child, face.right_length, dr, dq))
+          to_right.keep();
+      }
+    }
+    to_left.close();
+    to_right.close();
+  }
+
+private:
+  enum Exit : char { NONE, LEFT, BOTH, RIGHT };
+  struct Sorted
+  {
+    Exit exit;
+    double lowest; // for BOTH, the least that the distance of the apex may be
+  };
+
+  void sort_by_exit(Index h, const Certified_propagation& face, const std::vector<Window>& windows, double& best,
+                    double& entry)
+  {
+    auto& list = m_state.lists.get(h);
+    const Index apex = m_state.unfolded.apex(h);
+    m_exit.resize(windows.size());
+    for (std::size_t i = 0; i < windows.size(); ++i)
+    {
+      const Window& w = windows[i];
+      const Sign from = w.is_propagated() ? ZERO : face.side_of_apex(w, w.b0);
+      const Sign to = w.is_propagated() || from == POSITIVE ? ZERO : face.side_of_apex(w, w.b1);
+      m_exit[i].exit = w.is_propagated() ? NONE : from == POSITIVE ? RIGHT : to == NEGATIVE ? LEFT : BOTH;
+      if (m_exit[i].exit != BOTH) continue;
+      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, from == NEGATIVE && to == POSITIVE);
+      m_exit[i].lowest = d - error;
+      if (d + error < list.split_distance)
+      {
+        list.split_distance = d + error;
+        list.split_entry = face.entry_of_apex(w);
+      }
+      // the way back, in the frame of the corner at the apex
+      const double bx = w.is_parallel() ? w.x : w.to_image(face.apex_x), by = w.is_parallel() ? w.y : w.y - face.apex_y;
+      const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * bx + face.sl * by),
+                                       face.sl * bx - face.cl * by};
+      const double away = std::abs(bx) + std::abs(by);
+      m_state.arrive(apex, d, error, back, length_error * (1 + (face.length + face.left_length) / away));
+    }
+    best = list.split_distance;
+    entry = list.split_entry;
+  }
+
+  Certified_state& m_state;
+  std::vector<Sorted> m_exit;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The windows of one halfedge, without what is certainly farther than another window.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_ENVELOPE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_ENVELOPE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The sweep of Lower_envelope. Where two distances tie within their errors, both windows stay: neighbours overlap a little.
+class Certified_envelope
+{
+public:
+  typedef Certified_window Window;
+
+  // As Lower_envelope: [first, taken) has been swept before. The result is sorted by b0, valid until the next call.
+  const std::vector<Window>& operator()(const Window* first, const Window* taken, const Window* last, double length)
+  {
+    m_length = length;
+    m_envelope.clear();
+    m_later.clear();
+    m_order.assign(first, last);
+    const auto begins_before = [](const Window& a, const Window& b) { return a.b0 < b.b0; };
+    const auto middle = m_order.begin() + (taken - first);
+    if (!std::is_sorted(middle, m_order.end(), begins_before)) std::stable_sort(middle, m_order.end(), begins_before);
+    std::inplace_merge(m_order.begin(), middle, m_order.end(), begins_before);
+    for (const Window& w : m_order)
+    {
+      while (!m_later.empty() && m_later.back().b0 < w.b0) add(pop_later());
+      add(w);
+    }
+    while (!m_later.empty()) add(pop_later());
+    return m_envelope;
+  }
+
+private:
+  Window pop_later()
+  {
+    const Window w = m_later.back();
+    m_later.pop_back();
+    return w;
+  }
+
+  // What waits for its turn, the first one at the back. Seldom more than two.
+  void push_later(const Window& w)
+  {
+    auto it = m_later.end();
+    while (it != m_later.begin() && (it - 1)->b0 < w.b0) --it;
+    m_later.insert(it, w);
+  }
+
+  void add(const Window& w)
+  {
+    if (m_envelope.empty() || w.b0 > m_envelope.back().b1 + gap())
+      m_envelope.push_back(w);
+    else if (const double difference = difference_of_images(m_envelope.back(), w); difference <= merging(w))
+      unite(m_envelope.back(), w, difference + 2 * (std::max)(w.b0 - m_envelope.back().b1, 0.));
+    else if (w.b0 >= m_envelope.back().b1)
+      m_envelope.push_back(w);
+    else
+      resolve(w);
+  }
+
+  // Neighbours with one image that are so near to each other have no other ray between them.
+  double gap() const { return 64 * unit_roundoff * m_length; }
+
+  // Distance functions that differ by no more are one.
+  double merging(const Window& w) const { return 64 * unit_roundoff * (w.d1 + m_length); }
+
+  // Lengths are in units of the longest edge, so no shortest path is longer.
+  static constexpr double farthest = 0x1p34;
+
+  // How much the distances of two windows may differ anywhere, infinity if they are of different kinds.
+  double difference_of_images(const Window& a, const Window& b) const
+  {
+    if ((a.bits ^ b.bits) & 1u) return infinity();
+    const double x = std::abs((a.x - b.x) + (a.x_low - b.x_low)), y = std::abs((a.y - b.y) + (a.y_low - b.y_low));
+    const double sigma = std::abs((a.sigma - b.sigma) + (a.sigma_low - b.sigma_low));
+    return (x + y) * (a.is_parallel() ? farthest : 1.) + sigma;
+  }
+
+  static double infinity() { return Number_policy<double>::infinity(); }
+
+  // Windows with one image become one window.
+  void unite(Window& a, const Window& w, double difference)
+  {
+    const double radius = (std::max)(a.radius, w.radius + difference);
+    if (a.is_propagated() && !w.is_propagated() && radius > a.radius && w.b0 < a.b1)
+    { // the rays of a are worth less now
+      m_envelope.push_back(w);
+      return;
+    }
+    if (w.is_propagated() == a.is_propagated())
+    {
+      a.radius = radius;
+      if (w.b1 <= a.b1) return;
+      a.b1 = w.b1;
+      a.d1 = w.d1;
+    }
+    else if (a.is_propagated())
+    {
+      if (w.b1 <= a.b1) return;
+      Window rest = w;
+      rest.set_interval((std::max)(w.b0, a.b1 - gap()), w.b1);
+      if (rest.b0 > w.b0)
+        push_later(rest);
+      else
+        m_envelope.push_back(rest);
+    }
+    else if (a.radius + difference > w.radius)
+      m_envelope.push_back(w);
+    else
+    { // of a, which is fresh, stays what is not in w
+      Window rest = a;
+      cut(a, {a.b0, w.b0 + gap()});
+      const bool goes_on = rest.b1 > w.b1;
+      if (goes_on) rest.set_interval((std::max)(w.b1 - gap(), rest.b0), rest.b1);
+      m_envelope.push_back(w);
+      if (goes_on) push_later(rest);
+    }
+  }
+
+  // Overlapping windows with different images lose what is certainly farther.
+  void resolve(Window w)
+  {
+    Window& a = m_envelope.back();
+    const Certified_ties ties(a, w, m_length);
+    if (ties.tie())
+    {
+      m_envelope.push_back(w);
+      return;
+    }
+    Interval_set of_a, of_w = ties.kept_of_second();
+    if (a.b0 < ties.low()) of_a.append({a.b0, ties.low()});
+    of_a.append_all(ties.kept_of_first());
+    if (a.b1 > ties.high()) of_a.append({ties.high(), a.b1});
+    if (w.b1 > ties.high()) of_w.append({ties.high(), w.b1});
+    const bool a_stays = of_a.size() > 0, w_stays = of_w.size() > 0 && of_w[0].from <= w.b0;
+    for (int i = 1; i < of_a.size(); ++i) push_part(a, of_a[i]);
+    for (int i = w_stays ? 1 : 0; i < of_w.size(); ++i) push_part(w, of_w[i]);
+    if (a_stays)
+      cut(a, of_a[0]);
+    else
+      m_envelope.pop_back();
+    if (!w_stays) return;
+    cut(w, of_w[0]);
+    if (a_stays)
+      m_envelope.push_back(w);
+    else
+      add(w);
+  }
+
+  static void cut(Window& w, const Interval_set::Interval& part)
+  {
+    if (part.from > w.b0)
+    {
+      w.b0 = part.from;
+      w.d0 = w.distance_at(part.from);
+    }
+    if (part.to < w.b1)
+    {
+      w.b1 = part.to;
+      w.d1 = w.distance_at(part.to);
+    }
+  }
+
+  void push_part(Window w, const Interval_set::Interval& part)
+  {
+    cut(w, part);
+    push_later(w);
+  }
+
+  double m_length = 0;
+  std::vector<Window> m_envelope, m_later, m_order;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

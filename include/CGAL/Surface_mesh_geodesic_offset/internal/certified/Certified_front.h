@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The front of the certified level.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_FRONT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_FRONT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_sector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_batch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_envelope.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Certified_front
+{
+public:
+  typedef Certified_window Window;
+  typedef Ray_at_vertex<double> Ray;
+
+  Certified_front(const Certified_mesh& mesh, bool keeps_windows, Certified_field& field)
+    : m_mesh(mesh), m_unfolded(mesh.unfolded()), m_state(mesh, keeps_windows, field), m_sector(m_unfolded),
+      m_propagate(m_state)
+  {
+  }
+
+  void run(const Certified_sources& sources)
+  {
+    start(sources);
+    while (m_state.queue.advance())
+    {
+      Index i;
+      while (m_state.queue.pop_face(i)) m_state.try_to_finish(i);
+      if (m_state.queue.pop_halfedge(i))
+        take(i);
+      else if (m_state.queue.pop_vertex(i))
+        m_state.spread_arrivals(i, [&](const Arrival& a) { spread_behind(i, a); });
+    }
+    m_state.finish_all();
+  }
+
+private:
+  void start(const Certified_sources& sources)
+  {
+    for (Index v : sources.vertices) m_state.field.bounds.update(v, 0., 0.);
+    for (Index v : sources.vertices)
+      m_unfolded.for_each_fan(v, [&](Index first) { spread(Ray(), Ray(), first, 0., 0.); });
+    for (const Certified_source& s : sources.in_faces)
+    {
+      m_state.schedule(s.face);
+      for (int k = 0; k < 3; ++k) start_at_corner(s, k);
+    }
+    for (const Certified_source& s : sources.in_faces)
+      sources.for_each_window(s, [&](Index h, const Window& w) { m_state.add(h, w); });
+  }
+
+  // The way from a source to a corner of its face.
+  void start_at_corner(const Certified_source& s, int k)
+  {
+    const Index h = 3 * s.face;
+    const Double_double_2 apex = m_mesh.apex(h);
+    const Point_in_face<double> corners[3] = {{0., 0.}, {m_mesh.length(h), 0.}, {apex.x.high, apex.y.high}};
+    const double distance = s.distance_at(corners[k]);
+    // back to the nearest point of the source, in the frame of the corner's halfedge
+    const Point_in_face<double> along = corners[(k + 1) % 3] - corners[k], v = s.nearest_to(corners[k]) - corners[k];
+    const double size = length(along);
+    const Ray back{h + Index(k), dot(along, v) / size, cross(along, v) / size};
+    m_state.arrive(m_unfolded.source(back.corner), distance, 4 * s.moved, back,
+                   4 * s.moved / (std::max)(distance, s.moved));
+  }
+
+  void take(Index h)
+  {
+    if (!m_state.lists.has(h)) return;
+    auto& list = m_state.lists.get(h);
+    if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
+    list.bucket = Window_list<double, Window>::not_queued;
+    const std::vector<Window>& envelope =
+      m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh.length(h));
+    m_state.lists.assign(list, envelope);
+    list.taken = list.size;
+    for (Window* w = list.data; w != list.data + list.size; ++w) w->set_propagated();
+    m_state.schedule(m_unfolded.face(h));
+    m_propagate(h, envelope);
+  }
+
+  // Behind a vertex, at angles of at least pi to where the path came from, as far as that is known.
+  void spread_behind(Index v, const Arrival& a)
+  {
+    m_sector.for_each_sector_behind(
+      a.back, [&](const Ray& from, const Ray& to, Index first) { spread(from, to, first, a.distance, a.radius); },
+      a.angle + walking_error);
+    if (m_unfolded.has_several_fans(v))
+      m_unfolded.for_each_fan(v, [&](Index first) { spread(Ray(), Ray(), first, a.distance, a.radius); });
+  }
+
+  // The angle that rounding turns a ray by that is carried round a vertex and through a face.
+  static constexpr double walking_error = 0x1p-44;
+
+  // The rays from a vertex in a sector.
+  void spread(const Ray& from, const Ray& to, Index first, double sigma, double radius)
+  {
+    m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
+      const Index e = m_unfolded.next(h), p = m_unfolded.previous(h), g = m_unfolded.twin(e);
+      m_state.schedule(m_unfolded.face(h));
+      const double along_e = sigma + m_mesh.length(h), along_p = sigma + m_mesh.length(p);
+      const auto error = [&](double d) { return radius + length_error * d; };
+      m_state.arrive(m_unfolded.source(e), along_e, error(along_e), Ray{e, m_unfolded[e].apex_x, m_unfolded[e].apex_y}, 0.);
+      m_state.arrive(m_unfolded.source(p), along_p, error(along_p), Ray{p, 1., 0.}, 0.);
+      if (g == no_index) return;
+      const Double_double_2 apex = m_mesh.apex(e);
+      Window w{};
+      w.set_image({m_mesh[e].length - apex.x, -apex.y});
+      w.sigma = sigma;
+      w.radius = radius;
+      const auto exit = [&](const Ray& r) { return (std::min)(m_mesh.to_unit(m_sector.exit_of_ray(h, r)), m_mesh.length(e)); };
+      w.set_interval(upper ? exit(*upper) : 0., lower ? exit(*lower) : m_mesh.length(e));
+      m_state.add(g, w);
+    });
+  }
+
+  const Certified_mesh& m_mesh;
+  const Unfolded_mesh<double>& m_unfolded;
+  Certified_state m_state;
+  Vertex_sector<double> m_sector;
+  Certified_envelope m_envelope;
+  Certified_batch m_propagate;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

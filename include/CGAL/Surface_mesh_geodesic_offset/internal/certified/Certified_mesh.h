@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The faces of an unfolded mesh with twice the digits, from the coordinates of the vertices, which are taken as exact.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_MESH_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_MESH_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Lengths are in units of a power of two near the longest edge. The components of unit vectors have errors of at most
+// `direction_error`, lengths this error times themselves.
+class Certified_mesh
+{
+public:
+  typedef std::array<double, 3> Coordinates;
+  static constexpr double direction_error = 0x1p-98;
+
+  struct Halfedge
+  {
+    Double_double length;
+    Double_double_2 corner; // unit vector to the apex, in the frame of the halfedge
+  };
+
+  // position(v): the coordinates of a vertex.
+  template <class Position>
+  Certified_mesh(const Unfolded_mesh<double>& unfolded, const Position& position)
+    : m_unfolded(unfolded), m_halfedges(unfolded.number_of_halfedges()), m_can_bend(unfolded.number_of_vertices(), 0)
+  {
+    double longest = 1;
+    for (Index h = 0; h < m_halfedges.size(); ++h)
+      longest = h == 0 ? unfolded[h].length : (std::max)(longest, unfolded[h].length);
+    m_unit = std::ldexp(1., (std::max)(-1000, (std::min)(1000, std::ilogb(longest))));
+    const double scale = 1 / m_unit; // both are powers of two: nothing is rounded
+    std::vector<Coordinates> points(unfolded.number_of_vertices());
+    for (Index v = 0; v < points.size(); ++v)
+    {
+      points[v] = position(v);
+      for (double& x : points[v]) x *= scale;
+    }
+    for (Index h = 0; h < m_halfedges.size(); ++h)
+    { // one length for both sides
+      const Index t = unfolded.twin(h);
+      if (unfolded.source(h) == no_index) continue;
+      m_halfedges[h].length =
+        t < h ? m_halfedges[t].length : edge_length(points[unfolded.source(h)], points[unfolded.target(h)]);
+    }
+    for (Index f = 0; f < unfolded.number_of_faces(); ++f)
+      if (unfolded.source(3 * f) != no_index) find_corners(f, points);
+    for (Index v = 0; v < unfolded.number_of_vertices(); ++v) m_can_bend[v] = bends(v);
+  }
+
+  const Unfolded_mesh<double>& unfolded() const { return m_unfolded; }
+  const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
+  double length(Index h) const { return m_halfedges[h].length.high; }
+
+  // The third vertex of the face in the frame of h, and the same from the target of h.
+  Double_double_2 apex(Index h) const
+  {
+    const Double_double_2& c = m_halfedges[h].corner;
+    const Double_double& l = m_halfedges[m_unfolded.previous(h)].length;
+    return {c.x * l, c.y * l};
+  }
+
+  // Whether shortest paths bend at a vertex. Not if the excess of its angle is below `flat`: see the error analysis.
+  bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
+  static constexpr double flat = 0x1p-80;
+
+  double to_unit(double x) const { return x / m_unit; }
+  double from_unit(double x) const { return x * m_unit; }
+
+private:
+  typedef std::array<Double_double, 3> Vector;
+
+  static Vector difference(const Coordinates& p, const Coordinates& q)
+  {
+    return {two_sum(q[0], -p[0]), two_sum(q[1], -p[1]), two_sum(q[2], -p[2])};
+  }
+
+  static Double_double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+  static Double_double edge_length(const Coordinates& p, const Coordinates& q)
+  {
+    const Vector u = difference(p, q);
+    return square_root(dot(u, u));
+  }
+
+  void find_corners(Index f, const std::vector<Coordinates>& points)
+  {
+    const Index h = 3 * f;
+    const Coordinates &p = points[m_unfolded.source(h)], &q = points[m_unfolded.source(h + 1)],
+                      &r = points[m_unfolded.source(h + 2)];
+    const Vector u[3] = {difference(p, q), difference(q, r), difference(r, p)};
+    const Vector n = {u[0][1] * u[1][2] - u[0][2] * u[1][1], u[0][2] * u[1][0] - u[0][0] * u[1][2],
+                      u[0][0] * u[1][1] - u[0][1] * u[1][0]};
+    const Double_double area = square_root(dot(n, n)); // twice the area
+    for (int k = 0; k < 3; ++k)
+    {
+      const Double_double scale = Double_double(1) / (m_halfedges[h + k].length * m_halfedges[h + (k + 2) % 3].length);
+      m_halfedges[h + k].corner = {-dot(u[k], u[(k + 2) % 3]) * scale, area * scale};
+    }
+  }
+
+  // With doubles first, and with twice the digits if the angle is within their rounding of flat.
+  bool bends(Index v) const
+  {
+    if (m_unfolded.corner(v) == no_index) return false;
+    if (m_unfolded.has_several_fans(v)) return true;
+    bool result;
+    if (bends<double>(v, 0x1p-48, result) || bends<Double_double>(v, flat, result)) return result;
+    return false;
+  }
+
+  static double high(double x) { return x; }
+  static double high(const Double_double& x) { return x.high; }
+  static void get(const Double_double& x, double& y) { y = x.high; }
+  static void get(const Double_double& x, Double_double& y) { y = x; }
+
+  // The product of the corners as unit complex numbers, as in Unfolded_mesh::visit_fan. False if the errors do not let know.
+  template <class Number>
+  bool bends(Index v, double corner_error, bool& result) const
+  {
+    Number x(1.), y(0.);
+    int half_turns = 0, degree = 0;
+    bool is_certain = true;
+    const Index first = m_unfolded.corner(v);
+    Index c = first;
+    do
+    {
+      Number cx, cy;
+      get(m_halfedges[c].corner.x, cx);
+      get(m_halfedges[c].corner.y, cy);
+      const Number t = x * cx - y * cy;
+      y = x * cy + y * cx;
+      x = t;
+      ++degree;
+      if (high(x) > 0 && high(y) < 0 && high(y) >= -corner_error * degree) is_certain = false; // a very narrow corner
+      if (high(y) < 0 || (high(y) == 0 && high(x) < 0))
+      {
+        x = -x;
+        y = -y;
+        ++half_turns;
+      }
+      c = m_unfolded.corner_ccw(c);
+    } while (c != no_index && c != first);
+    const int limit = c == no_index ? 1 : 2; // half turns that are flat
+    const bool is_near = std::abs(high(y)) <= corner_error * degree;
+    if (is_near && high(x) < 0) ++half_turns;
+    result = is_near ? half_turns > limit : half_turns >= limit;
+    return is_certain && (!is_near || half_turns != limit);
+  }
+
+  const Unfolded_mesh<double>& m_unfolded;
+  double m_unit = 1;
+  std::vector<Halfedge> m_halfedges;
+  std::vector<char> m_can_bend;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unfolding a window across a face without losing a ray that may be shortest.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_PROPAGATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// As Window_propagation: the face of a halfedge p -> q with apex r.
+class Certified_propagation
+{
+public:
+  Certified_propagation(const Certified_mesh& mesh, Index h)
+    : m_at_p(mesh[h].corner), m_at_q(mesh[mesh.unfolded().next(h)].corner), m_length(mesh[h].length),
+      m_right_length(mesh[mesh.unfolded().next(h)].length), m_apex(mesh.apex(h)), length(m_length.high),
+      left_length(mesh[mesh.unfolded().previous(h)].length.high), right_length(m_right_length.high),
+      apex_x(m_apex.x.high), apex_y(m_apex.y.high), cl(m_at_p.x.high), sl(m_at_p.y.high),
+      cr(m_at_q.x.high), sr(m_at_q.y.high)
+  {
+  }
+
+  Sign side_of_apex(const Certified_window& w, double b) const { return w.side_of(apex_x, apex_y, b); }
+
+  // Up to the rounding of a length, whatever is near.
+  double distance_at_apex(const Certified_window& w) const
+  {
+    if (w.is_parallel()) return w.distance_at(apex_x, apex_y);
+    const double u = (apex_x - w.x) + (m_apex.x.low - w.x_low), v = (apex_y - w.y) + (m_apex.y.low - w.y_low);
+    return w.sigma + std::sqrt(u * u + v * v);
+  }
+
+  // How far a window's distance at the apex may be off. If it is not certain that the apex is in its rays, the way round the
+  // end of its interval is longer by a little.
+  double error_at_apex(const Certified_window& w, double distance, bool is_certain) const
+  {
+    const double rounding = side_error * (distance + (w.is_parallel() ? length + left_length : 0.));
+    return w.radius + (is_certain ? rounding : rounding + 6 * side_error * (length + left_length));
+  }
+
+  // Where the ray to the apex enters, up to rounding of the length.
+  double entry_of_apex(const Certified_window& w) const
+  {
+    if (w.is_parallel()) return apex_x - apex_y * (w.x / w.y);
+    const double x = w.x + w.x_low;
+    return x + (apex_x - x) * (w.y / (w.y - apex_y));
+  }
+
+  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex. False if nothing is left.
+  bool left_child(const Certified_window& w, double end, bool to_apex, Certified_window& child) const
+  {
+    if (!turn(w, m_at_p, w.image(), child)) return false;
+    double from = 0, to = left_length;
+    if (!near_exit(w, w.to_image(w.b0), w.b0, cl, sl, from)) return false;
+    if (!to_apex) far_exit(w, w.to_image(end), end, cl, sl, to);
+    if (!(from < to)) return false;
+    child.sigma = w.sigma;
+    child.sigma_low = w.sigma_low;
+    child.set_interval(from, to);
+    child.radius = w.radius + (from > 0 || !to_apex ? detour(to) : 0.);
+    return true;
+  }
+
+  // The child on r -> q of the rays that enter from `begin` to b1.
+  bool right_child(const Certified_window& w, double begin, bool from_apex, Certified_window& child) const
+  {
+    const Double_double_2 image = w.image();
+    const Double_double_2 axis{m_at_q.x, -m_at_q.y}; // r -> q
+    if (!turn(w, axis, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
+    double from = 0, to = right_length; // counted from q
+    if (!near_exit(w, w.is_parallel() ? -w.x : -w.to_image(w.b1), from_target(w.b1), cr, sr, from)) return false;
+    if (!from_apex) far_exit(w, w.is_parallel() ? -w.x : -w.to_image(begin), from_target(begin), cr, sr, to);
+    if (!(from < to)) return false;
+    child.sigma = w.sigma;
+    child.sigma_low = w.sigma_low;
+    if (w.is_parallel())
+    { // the distance at r: on from p to q, and back from there
+      const Double_double sigma =
+        Double_double(w.sigma, w.sigma_low) - image.x * m_length + child.image().x * m_right_length;
+      child.sigma = sigma.high;
+      child.sigma_low = sigma.low;
+    }
+    else
+    {
+      const Double_double x = child.image().x + m_right_length;
+      child.x = x.high;
+      child.x_low = x.low;
+    }
+    const double rounding = 2 * unit_roundoff * right_length;
+    child.set_interval(to < right_length ? (std::max)(0., right_length - to - rounding) : 0.,
+                       from > 0 ? (std::min)(right_length, right_length - from + rounding) : right_length);
+    child.radius = w.radius + (from > 0 || !from_apex ? detour(to) + 4 * rounding : 0.);
+    return child.b0 < child.b1;
+  }
+
+private:
+  // Turns the image. A window that rays can cross the edge from is below it: what is in it up to the error of the image
+  // runs along the edge.
+  bool turn(const Certified_window& w, const Double_double_2& axis, const Double_double_2& image,
+            Certified_window& child) const
+  {
+    const Double_double_2 turned = in_frame(axis, image);
+    if (turned.y.high >= -Certified_mesh::flat * (std::abs(turned.x.high) + length)) return false;
+    child.set_image(turned);
+    child.bits = w.bits & 1u;
+    return true;
+  }
+
+  // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 16 u of the exit's
+  // distance from the corner at most. The path through the interval's end is longer by twice that.
+  static double detour(double exit) { return 32 * unit_roundoff * exit; }
+
+  // From the point b to q, up to rounding of itself.
+  double from_target(double b) const { return b < length ? (length - b) + m_length.low : 0.; }
+
+  // Where the ray from (b, 0) leaves through the edge at the origin in direction (c, s), rounded towards the origin or away
+  // from it. `to_image`: from b to the image. The first function is false if the ray certainly does not meet the line of the
+  // edge.
+  static bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double& t)
+  {
+    double den, error;
+    const double off = w.error_of_image();
+    across(w, to_image, c, s, off, den, error);
+    if (den <= -error) return false;
+    t = (std::max)(0., b * (-w.y - off)) / (den + error) * (1 - 4 * unit_roundoff);
+    return true;
+  }
+  static void far_exit(const Certified_window& w, double to_image, double b, double c, double s, double& t)
+  {
+    double den, error;
+    const double off = w.error_of_image();
+    across(w, to_image, c, s, off, den, error);
+    if (den > error) t = (std::min)(t, b * (off - w.y) / (den - error) * (1 + 4 * unit_roundoff));
+  }
+
+  // The sine of the angle between ray and edge, times the length of the ray so far.
+  static void across(const Certified_window& w, double to_image, double c, double s, double off, double& den, double& error)
+  {
+    const double p = s * to_image, q = c * w.y;
+    den = p - q;
+    error = exit_error * (std::abs(p) + std::abs(q)) + off;
+  }
+
+  const Double_double_2 m_at_p, m_at_q;
+  const Double_double m_length, m_right_length;
+  const Double_double_2 m_apex;
+
+public:
+  const double length, left_length, right_length;
+  const double apex_x, apex_y;
+  const double cl, sl, cr, sr;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounds of the distance of any point, from the windows that the certified front has left.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_QUERY_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_QUERY_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Certified_query
+{
+public:
+  typedef Surface_point<double> Place;
+  typedef Point_in_face<double> Point;
+
+  Certified_query(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field)
+    : m_mesh(mesh), m_sources(sources), m_field(field)
+  {
+  }
+
+  // The windows must be there, but for vertices. The result is in the units of the certified mesh.
+  std::pair<double, double> operator()(const Place& p)
+  {
+    m_lower = m_upper = Number_policy<double>::infinity();
+    if (p.kind == Place::VERTEX)
+      take(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
+    else
+      for (Index face : faces_of(m_mesh.unfolded(), p))
+      {
+        Point position;
+        unsigned edges;
+        position_in_face(m_mesh.unfolded(), p, face, position, edges);
+        search(face, {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)});
+      }
+    // what passes a vertex within the error of an image may be shorter by as much: see the error analysis
+    return {(std::max)(m_lower * (1 - 2 * unit_roundoff), 0.), m_upper};
+  }
+
+private:
+  void take(double lower, double upper)
+  {
+    m_lower = (std::min)(m_lower, lower);
+    m_upper = (std::min)(m_upper, upper);
+  }
+
+  // The place of p is known up to rounding in the face.
+  void search(Index face, Point p)
+  {
+    const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
+    const double moved = 4 * length_error * size;
+    m_sources.for_each_in_face(face, [&](const Certified_source& s) {
+      const double d = s.distance_at(p), error = 4 * s.moved + moved;
+      take(d - error, d + error);
+    });
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * face + Index(k), v = m_mesh.unfolded().source(h);
+      const double way = length(p);
+      take(m_field.bounds.lower(v) + way - moved, m_field.bounds.upper(v) + way + moved);
+      const double height = (std::max)(p.y, 0.);
+      m_field.for_each_window(h, [&](const Certified_window& w) {
+        if (w.side_of(p.x, height, w.b0) == POSITIVE || w.side_of(p.x, height, w.b1) == NEGATIVE) return;
+        const double d = w.distance_at(p.x, height), error = w.radius + length_error * d + moved;
+        take(d - error, d + error);
+      });
+      // on to the frame of the next halfedge
+      const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;
+      const double x = p.x - m_mesh.length(h);
+      p = {c.y.high * p.y - c.x.high * x, -c.x.high * p.y - c.y.high * x};
+    }
+  }
+
+  const Certified_mesh& m_mesh;
+  const Certified_sources& m_sources;
+  const Certified_field& m_field;
+  double m_lower = 0, m_upper = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

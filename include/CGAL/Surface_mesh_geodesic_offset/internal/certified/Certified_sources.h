@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the rays of the sources start: from every point to all sides, and from every segment to both.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_SOURCES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_SOURCES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A source inside a closed face: a point, or a segment from `first` to `second`, in the face's frame (and in units of the
+// certified mesh). It is exactly where rounding has put it, which is in the closed face; `moved` says how far that is at
+// most from where it was asked for.
+struct Certified_source
+{
+  Index face;
+  Double_double_2 first, second;
+  bool is_segment;
+  int on_edge; // the halfedge that the source lies on, or -1
+  double moved;
+
+  Point_in_face<double> nearest_to(const Point_in_face<double>& p) const
+  {
+    const Point_in_face<double> a{first.x.high, first.y.high}, b{second.x.high, second.y.high};
+    if (!is_segment) return a;
+    const double t = dot(b - a, p - a) / dot(b - a, b - a);
+    return t <= 0 ? a : t >= 1 ? b : a + t * (b - a);
+  }
+
+  // Up to length_error (the size of the face).
+  double distance_at(const Point_in_face<double>& p) const { return length(p - nearest_to(p)); }
+};
+
+class Certified_sources
+{
+public:
+  typedef Point_in_face<double> Point;
+  typedef Surface_point<double> Place;
+
+  Certified_sources(const Certified_mesh& mesh, const Initial_windows<double>& initial) : m_mesh(mesh)
+  {
+    for (std::size_t i = 0; i < initial.primitives.size(); ++i)
+    {
+      const auto& place = initial.places[i];
+      add_point(place.first);
+      if (!initial.primitives[i].is_segment) continue;
+      add_point(place.second);
+      add_segment(place.first, place.second);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::stable_sort(in_faces.begin(), in_faces.end(),
+                     [](const Certified_source& a, const Certified_source& b) { return a.face < b.face; });
+  }
+
+  std::vector<Index> vertices;            // that are sources
+  std::vector<Certified_source> in_faces; // by face
+
+  // Calls f(source) for the sources in a face.
+  template <class Function>
+  void for_each_in_face(Index face, const Function& f) const
+  {
+    auto i = std::lower_bound(in_faces.begin(), in_faces.end(), face,
+                              [](const Certified_source& s, Index face) { return s.face < face; });
+    for (; i != in_faces.end() && i->face == face; ++i) f(*i);
+  }
+
+  // Calls f(halfedge, window) for what a source sends out of its face, into the faces beyond.
+  template <class Function>
+  void for_each_window(const Certified_source& s, const Function& f) const
+  {
+    if (s.is_segment && s.on_edge >= 0)
+    { // into its face; into the other one goes the same segment seen from there
+      const Certified_window w = edge_window(s);
+      if (w.b0 < w.b1) f(3 * s.face + Index(s.on_edge), w);
+      return;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index g = m_mesh.unfolded().twin(3 * s.face + Index(k));
+      if (g == no_index) continue;
+      Certified_window w{};
+      w.radius = s.moved;
+      if (!s.is_segment)
+      {
+        if (k == s.on_edge) continue;
+        w.set_image(beyond_edge(s.face, k, s.first, false));
+        // a point that rounding has moved to the edge is in front of it by less than the error of an image
+        if (w.y > -0.01 * image_error) w.set_image({w.image().x, -0.01 * image_error});
+        w.set_interval(0., m_mesh.length(g));
+        f(g, w);
+        continue;
+      }
+      w.bits = 1u;
+      for (const bool to_left : {true, false})
+        if (strip_window(s, k, g, to_left, w)) f(g, w);
+    }
+  }
+
+private:
+  double moved_in(Index face) const
+  {
+    return length_error * (m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2));
+  }
+
+  // The frame of halfedge k in that of the face.
+  Double_double_2 corner(Index face, int k) const
+  {
+    if (k == 2) return m_mesh.apex(3 * face);
+    return {k == 0 ? Double_double(0.) : m_mesh[3 * face].length, 0.};
+  }
+  Double_double_2 direction(Index face, int k) const
+  {
+    if (k == 0) return {1., 0.};
+    const Double_double_2& c = m_mesh[k == 1 ? 3 * face + 1 : 3 * face].corner;
+    return {-c.x, k == 1 ? c.y : -c.y};
+  }
+  Double_double_2 on_edge(Index face, int k, Double_double t) const
+  {
+    const Double_double& length = m_mesh[3 * face + Index(k)].length;
+    if (t.high < 0) t = 0.;
+    if ((length - t).high < 0) t = length;
+    const Double_double_2 c = corner(face, k), d = direction(face, k);
+    return {c.x + t * d.x, c.y + t * d.y};
+  }
+
+  // False if p is not in the face. `edges` as in `position_in_face`.
+  bool place_in_face(const Place& p, Index face, Double_double_2& place, unsigned& edges) const
+  {
+    Point position;
+    if (!position_in_face(m_mesh.unfolded(), p, face, position, edges)) return false;
+    const int k = edges ? edge_of_bit(edges) : -1;
+    if (p.kind == Place::VERTEX)
+      for (int i = 0; i < 3; ++i)
+      {
+        if (m_mesh.unfolded().source(3 * face + Index(i)) == p.element) place = corner(face, i);
+      }
+    else if (p.kind == Place::EDGE)
+    {
+      const Double_double t = m_mesh.to_unit(p.x);
+      place = on_edge(face, k, p.element == 3 * face + Index(k) ? t : m_mesh[p.element].length - t);
+    }
+    else
+    {
+      place = {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)};
+      for (int i = 0; i < 3; ++i)
+      { // back into the face
+        const Double_double_2 c = corner(face, i), v = in_frame(direction(face, i), {place.x - c.x, place.y - c.y});
+        if (v.y.high < 0) place = on_edge(face, i, v.x);
+      }
+    }
+    return true;
+  }
+
+  void add_point(const Place& p)
+  {
+    if (p.kind == Place::VERTEX)
+    {
+      vertices.push_back(p.element);
+      return;
+    }
+    for (Index face : faces_of(m_mesh.unfolded(), p))
+    {
+      Double_double_2 place;
+      unsigned edges;
+      place_in_face(p, face, place, edges);
+      in_faces.push_back({face, place, place, false, edges ? edge_of_bit(edges) : -1, moved_in(face)});
+    }
+  }
+
+  void add_segment(const Place& p, const Place& q)
+  {
+    for (Index face : faces_of(m_mesh.unfolded(), p))
+    {
+      Double_double_2 a, b;
+      unsigned ea, eb;
+      if (!place_in_face(p, face, a, ea) || !place_in_face(q, face, b, eb)) continue;
+      const Certified_source s{face, a, b, true, (ea & eb) ? edge_of_bit(ea & eb) : -1, moved_in(face)};
+      const Double_double x = b.x - a.x, y = b.y - a.y;
+      if (std::abs(x.high) + std::abs(y.high) > s.moved) in_faces.push_back(s);
+    }
+  }
+
+  // A point or a direction of the frame of a face, in the frame of the twin of its halfedge k.
+  Double_double_2 beyond_edge(Index face, int k, Double_double_2 p, bool is_direction) const
+  {
+    const Index h = 3 * face;
+    for (int i = 0; i < k; ++i)
+    { // on from halfedge i to the next one, which turns left by what the corner leaves of a half turn
+      if (!is_direction) p.x = p.x - m_mesh[h + Index(i)].length;
+      const Double_double_2& c = m_mesh[h + Index(i + 1)].corner;
+      p = in_frame({-c.x, c.y}, p);
+    }
+    if (!is_direction) p.x = m_mesh[h + Index(k)].length - p.x;
+    else p.x = -p.x;
+    p.y = -p.y;
+    return p;
+  }
+
+  // What a segment sends through halfedge k of its face, at right angles to one side of it.
+  bool strip_window(const Certified_source& s, int k, Index g, bool to_left, Certified_window& w) const
+  {
+    Double_double_2 along{s.second.x - s.first.x, s.second.y - s.first.y};
+    const Double_double size = square_root(along.x * along.x + along.y * along.y);
+    along = {along.x / size, along.y / size};
+    // rays go along n; the image is where they come from
+    const Double_double_2 n = to_left ? Double_double_2{-along.y, along.x} : Double_double_2{along.y, -along.x};
+    w.set_image(beyond_edge(s.face, k, {-n.x, -n.y}, true));
+    if (w.y >= -Certified_mesh::flat) return false;
+    const Double_double_2 a = beyond_edge(s.face, k, s.first, false);
+    const Double_double_2 axis = beyond_edge(s.face, k, along, true);
+    const Double_double sigma = w.image().x * a.x + w.image().y * a.y;
+    w.sigma = sigma.high;
+    w.sigma_low = sigma.low;
+    // the part of the edge between the rays from both ends, and in front
+    const double length = m_mesh.length(g), allowance = 4 * s.moved;
+    double from = 0, to = length;
+    const auto clip = [&](double at_0, double at_length) {
+      if (at_0 <= 0 && at_length <= 0) return false;
+      const double t = at_0 / (at_0 - at_length) * length;
+      if (at_0 < 0) from = (std::max)(from, t);
+      if (at_length < 0) to = (std::min)(to, t);
+      return true;
+    };
+    const double ex = axis.x.high, ey = axis.y.high;
+    const double first_0 = -(ex * a.x.high + ey * a.y.high), first_1 = first_0 + ex * length;
+    if (!clip(first_0 + allowance, first_1 + allowance)) return false;
+    if (!clip(size.high - first_0 + allowance, size.high - first_1 + allowance)) return false;
+    if (!clip(w.distance_at(0.) + allowance, w.distance_at(length) + allowance)) return false;
+    const double rounding = length_error * length;
+    from = (std::max)(0., from - rounding);
+    to = (std::min)(length, to + rounding);
+    if (!(from < to)) return false;
+    w.set_interval(from, to);
+    w.radius = s.moved + 4 * (allowance + rounding);
+    return true;
+  }
+
+  Certified_window edge_window(const Certified_source& s) const
+  {
+    const double length = m_mesh.length(3 * s.face + Index(s.on_edge));
+    const double a = length - beyond_edge(s.face, s.on_edge, s.first, false).x.high;
+    const double b = length - beyond_edge(s.face, s.on_edge, s.second, false).x.high;
+    Certified_window w{};
+    w.bits = 1u;
+    w.y = -1;
+    w.radius = 4 * s.moved;
+    w.set_interval((std::max)(0., (std::min)(a, b) - s.moved), (std::min)(length, (std::max)(a, b) + s.moved));
+    return w;
+  }
+
+  const Certified_mesh& m_mesh;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

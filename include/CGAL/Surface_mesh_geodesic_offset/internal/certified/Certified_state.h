@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the certified front is, and what it leaves behind.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_STATE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_STATE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_pruning.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Distance_bounds.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+struct Certified_field
+{
+  Distance_bounds bounds;
+  std::vector<Certified_window> windows; // if they are kept: by face, in the order in which the front has passed them
+  std::vector<std::size_t> begin;        // four for each face, as in Kept_windows
+  std::size_t windows_created = 0, windows_propagated = 0;
+
+  bool has_windows() const { return !begin.empty(); }
+
+  template <class Function>
+  void for_each_window(Index h, const Function& f) const
+  {
+    for (std::size_t i = begin[4 * (h / 3) + h % 3], n = begin[4 * (h / 3) + h % 3 + 1]; i < n; ++i) f(windows[i]);
+  }
+};
+
+class Certified_state
+{
+public:
+  typedef Certified_window Window;
+  typedef Window_lists<double, Window> Lists;
+
+  Certified_state(const Certified_mesh& mesh, bool keeps_windows, Certified_field& field)
+    : mesh(mesh), unfolded(mesh.unfolded()), field(field), lists(unfolded.number_of_halfedges()),
+      queue(0.25 * mesh.to_unit(unfolded.mean_edge_length())), m_keeps(keeps_windows),
+      m_arrivals(unfolded.number_of_vertices()), m_face_state(unfolded.number_of_faces(), 0)
+  {
+    field.bounds = Distance_bounds(unfolded.number_of_vertices());
+    if (keeps_windows) field.begin.assign(4 * unfolded.number_of_faces(), 0);
+  }
+
+  // A path to v, up to the radius, that leaves v along `back`, which is known up to an angle.
+  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back, double angle)
+  {
+    field.bounds.update(v, distance, radius);
+    if (!mesh.can_be_pseudo_source(v) || distance - radius > field.bounds.upper(v)) return;
+    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index}))
+      queue.push_vertex((std::max)(queue.bucket_of(distance), queue.current()), v);
+  }
+
+  // Calls f(arrival) for what has arrived at v, may be shortest, and has not spread yet.
+  template <class Function>
+  void spread_arrivals(Index v, const Function& f)
+  {
+    m_arrivals.spread(v, [&](const Arrival& a) {
+      if (a.lower() <= field.bounds.upper(v)) f(a);
+    });
+  }
+
+  // A window that is kept if the ends of g leave something of it.
+  void add(Index g, Window w)
+  {
+    Output output(*this, g, 1);
+    if (!output.is_open() || !(w.b0 < w.b1)) return;
+    output.next() = w;
+    if (trim_by_ends(output.next(), mesh.length(g), field.bounds.upper(unfolded.source(g)),
+                     field.bounds.upper(unfolded.target(g))))
+      output.keep();
+    output.close();
+  }
+
+  // As Wavefront_state::Output.
+  class Output
+  {
+  public:
+    Output(Certified_state& state, Index g, std::size_t n) : m_state(state), m_halfedge(g)
+    {
+      if (g == no_index || state.m_face_state[g / 3] == FINISHED) return;
+      m_next = m_first = state.lists.room(state.lists.get_or_create(g), n);
+    }
+
+    bool is_open() const { return m_first != nullptr; }
+    Window& next() { return *m_next; }
+    void keep()
+    {
+      m_nearest = (std::min)(m_nearest, m_next->minimum());
+      ++m_next;
+    }
+
+    void close()
+    {
+      if (!m_first) return;
+      auto& list = m_state.lists.get(m_halfedge);
+      const std::size_t n = std::size_t(m_next - m_first);
+      if (n == 0)
+      {
+        if (list.size == 0) m_state.lists.release(m_halfedge);
+        return;
+      }
+      m_state.lists.extend(list, n);
+      m_state.field.windows_created += n;
+      const std::size_t bucket = (std::max)(m_state.queue.bucket_of(m_nearest), m_state.queue.current());
+      if (bucket >= list.bucket) return;
+      list.bucket = bucket;
+      m_state.queue.push_halfedge(bucket, m_halfedge);
+    }
+
+  private:
+    Certified_state& m_state;
+    Index m_halfedge;
+    Window *m_first = nullptr, *m_next = nullptr;
+    double m_nearest = Number_policy<double>::infinity();
+  };
+
+  void schedule(Index f)
+  {
+    if (m_face_state[f]) return;
+    m_face_state[f] = SCHEDULED;
+    queue.push_face(queue.current() + 2, f);
+  }
+
+  // A face is finished once the front has passed its largest distance, with a bucket to spare.
+  void try_to_finish(Index f)
+  {
+    if (m_face_state[f] == FINISHED) return;
+    double bound = Number_policy<double>::infinity();
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      bound = (std::min)(bound, field.bounds.upper(unfolded.source(h)) +
+                                  (std::max)(mesh.length(h), mesh.length(unfolded.previous(h))));
+    const std::size_t done =
+      Number_policy<double>::is_finite(bound) ? queue.bucket_of(bound) + 2 : queue.current() + 2;
+    if (done <= queue.current())
+      finish(f);
+    else
+      queue.push_face(done, f);
+  }
+
+  void finish_all()
+  {
+    for (Index f = 0; f < unfolded.number_of_faces(); ++f)
+      if (m_face_state[f] == SCHEDULED) finish(f);
+  }
+
+  const Certified_mesh& mesh;
+  const Unfolded_mesh<double>& unfolded;
+  Certified_field& field;
+  Lists lists;
+  Bucket_queue queue;
+
+private:
+  enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
+
+  void finish(Index f)
+  {
+    m_face_state[f] = FINISHED;
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * f + k;
+      if (m_keeps)
+      {
+        field.begin[4 * f + k] = field.windows.size();
+        for (Index i = 0; lists.has(h) && i < lists.get(h).taken; ++i) field.windows.push_back(lists.get(h).data[i]);
+        field.begin[4 * f + k + 1] = field.windows.size();
+      }
+      lists.release(h);
+    }
+  }
+
+  const bool m_keeps;
+  Arrivals m_arrivals;
+  std::vector<char> m_face_state;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A window that knows how far it may be wrong.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_WINDOW_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Errors of one rounding, and of the few roundings of a length, a side test, and where a ray leaves a face, relative to what
+// goes in.
+constexpr double unit_roundoff = 0x1p-53;
+constexpr double length_error = 16 * unit_roundoff;
+constexpr double side_error = 8 * unit_roundoff;
+constexpr double exit_error = 6 * unit_roundoff;
+
+// Error of an image after fewer than 2^28 faces, relative to its distance and the longest edge, which is between 1 and 2.
+constexpr double image_error = 0x1p-72;
+
+// As `Window`, with the image in twice the digits. The interval holds all rays that may be shortest, and some beside them
+// that are within rounding of one; so every point that it reaches has a path that is longer than the window says by
+// `radius` at most, and where the window's own path is the shortest, its length differs by `radius` at most.
+struct Certified_window
+{
+  double x, y, sigma;
+  double b0, b1, d0, d1;
+  double radius;
+  double x_low, y_low, sigma_low;
+  Index bits; // bit 0: parallel; bit 1: already propagated
+
+  bool is_parallel() const { return bits & 1u; }
+  bool is_propagated() const { return bits & 2u; }
+  void set_propagated() { bits |= 2u; }
+  void set_fresh() { bits &= ~2u; }
+
+  Double_double_2 image() const { return {{x, x_low}, {y, y_low}}; }
+  void set_image(const Double_double_2& image)
+  {
+    x = image.x.high;
+    x_low = image.x.low;
+    y = image.y.high;
+    y_low = image.y.low;
+  }
+
+  // From a point of the halfedge to the image, also if both are close together; for parallel rays their direction.
+  double to_image(double t) const { return is_parallel() ? x : (x - t) + x_low; }
+
+  // Up to length_error (D + the size of the face).
+  double distance_at(double t) const { return distance_at(t, 0.); }
+  double distance_at(double px, double py) const
+  {
+    if (is_parallel()) return sigma - (x * px + y * py);
+    const double u = (px - x) - x_low, v = (py - y) - y_low;
+    return sigma + std::sqrt(u * u + v * v);
+  }
+
+  void set_interval(double from, double to)
+  {
+    b0 = from;
+    b1 = to;
+    d0 = distance_at(from);
+    d1 = distance_at(to);
+  }
+
+  double error_of_image() const { return image_error * (is_parallel() ? 1. : std::abs(x) + std::abs(y) + 1.); }
+
+  // On which side of the ray through (b, 0) a point (px, py) of the face lies: POSITIVE if to the left; ZERO if that is not
+  // certain.
+  Sign side_of(double px, double py, double b) const
+  {
+    const double from_b = to_image(b), value = y * (px - b) - from_b * py;
+    const double error = side_error * (std::abs(from_b) * py + std::abs(y) * (std::abs(px) + b)) +
+                         error_of_image() * (std::abs(px) + b + py);
+    return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
+  }
+
+  double minimum() const
+  {
+    if (!is_parallel() && b0 < x && x < b1) return sigma - y;
+    return (std::min)(d0, d1);
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is known of the distances of the vertices, and how shortest paths arrive where they may bend.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DISTANCE_BOUNDS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DISTANCE_BOUNDS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Distance_bounds
+{
+public:
+  Distance_bounds() = default;
+  explicit Distance_bounds(std::size_t number_of_vertices)
+    : m_lower(number_of_vertices, Number_policy<double>::infinity()), m_upper(m_lower)
+  {
+  }
+
+  double lower(Index v) const { return m_lower[v]; }
+  double upper(Index v) const { return m_upper[v]; }
+
+  // There is a path of this length, up to the radius.
+  void update(Index v, double distance, double radius)
+  {
+    m_lower[v] = (std::min)(m_lower[v], (std::max)(distance - radius, 0.));
+    m_upper[v] = (std::min)(m_upper[v], distance + radius);
+  }
+
+private:
+  std::vector<double> m_lower, m_upper;
+};
+
+// A path that may be the shortest one to a vertex, and the direction where it came from, known up to an angle.
+struct Arrival
+{
+  Ray_at_vertex<double> back;
+  double angle;
+  double distance, radius;
+  bool has_spread;
+  Index next; // of the same vertex
+
+  double lower() const { return distance - radius; }
+
+  // Takes another path in that comes from the same direction, and is as long, up to rounding. False if it is not.
+  bool unite(const Arrival& o)
+  {
+    if (o.back.corner != back.corner || std::abs(o.distance - distance) > o.radius + radius) return false;
+    const double cross = back.x * o.back.y - back.y * o.back.x, dot = back.x * o.back.x + back.y * o.back.y;
+    if (!(std::abs(cross) <= same_direction * dot)) return false;
+    const double from = (std::min)(lower(), o.lower()), to = (std::max)(distance + radius, o.distance + o.radius);
+    if (from >= lower() && to <= distance + radius && o.angle + std::abs(cross) / dot <= angle) return true;
+    if (has_spread) return false;
+    distance = 0.5 * (from + to);
+    radius = 0.5 * (to - from) * (1 + 0x1p-50);
+    angle = (std::max)(angle, 2 * std::abs(cross) / dot + o.angle);
+    return true;
+  }
+
+  static constexpr double same_direction = 0x1p-40;
+};
+
+class Arrivals
+{
+public:
+  Arrivals() = default;
+  explicit Arrivals(std::size_t number_of_vertices) : m_first(number_of_vertices, no_index) {}
+
+  // False if nothing new was to be noted.
+  bool add(Index v, Arrival arrival)
+  {
+    for (Index i = m_first[v]; i != no_index; i = m_arrivals[i].next)
+      if (m_arrivals[i].unite(arrival)) return !m_arrivals[i].has_spread;
+    arrival.next = m_first[v];
+    m_first[v] = Index(m_arrivals.size());
+    m_arrivals.push_back(arrival);
+    return true;
+  }
+
+  // Calls f(arrival) for those that have not spread yet, and notes that they have. Afterwards what comes within some
+  // rounding of them is nothing new.
+  template <class Function>
+  void spread(Index v, const Function& f)
+  {
+    for (Index i = m_first[v]; i != no_index; i = m_arrivals[i].next)
+    {
+      Arrival& a = m_arrivals[i];
+      if (a.has_spread) continue;
+      a.has_spread = true;
+      a.radius += 0x1p-51 * a.distance;
+      a.angle *= 4;
+      f(Arrival(a));
+    }
+  }
+
+private:
+  std::vector<Index> m_first; // per vertex
+  std::vector<Arrival> m_arrivals;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unevaluated sums of two doubles: the images of sources keep their place over any number of faces.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DOUBLE_DOUBLE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DOUBLE_DOUBLE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// With round to nearest, and u = 2^-53, the operations have errors of at most 8 u^2 of the result, sums of 8 u^2 of the
+// larger operand (Dekker 1971; Joldes, Muller and Popescu 2017). |low| <= u |high|.
+struct Double_double
+{
+  double high = 0, low = 0;
+
+  Double_double() = default;
+  Double_double(double high) : high(high) {}
+  Double_double(double high, double low) : high(high), low(low) {}
+
+  double value() const { return high; }
+};
+
+// a + b without error.
+inline Double_double two_sum(double a, double b)
+{
+  const double s = a + b, t = s - a;
+  return {s, (a - (s - t)) + (b - t)};
+}
+
+// The same for |a| >= |b|, or a = 0.
+inline Double_double quick_two_sum(double a, double b)
+{
+  const double s = a + b;
+  return {s, b - (s - a)};
+}
+
+// a b without error, but for underflow.
+inline Double_double two_product(double a, double b)
+{
+  const double p = a * b;
+#ifdef FP_FAST_FMA
+  return {p, std::fma(a, b, -p)};
+#else
+  const double factor = 134217729.; // 2^27 + 1
+  const double ta = factor * a, ah = ta - (ta - a), al = a - ah;
+  const double tb = factor * b, bh = tb - (tb - b), bl = b - bh;
+  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+#endif
+}
+
+inline Double_double operator-(const Double_double& a) { return {-a.high, -a.low}; }
+
+inline Double_double operator+(const Double_double& a, const Double_double& b)
+{
+  const Double_double s = two_sum(a.high, b.high);
+  return quick_two_sum(s.high, s.low + (a.low + b.low));
+}
+
+inline Double_double operator-(const Double_double& a, const Double_double& b) { return a + (-b); }
+
+inline Double_double operator*(const Double_double& a, const Double_double& b)
+{
+  const Double_double p = two_product(a.high, b.high);
+  return quick_two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+inline Double_double operator/(const Double_double& a, const Double_double& b)
+{
+  const double q = a.high / b.high;
+  const Double_double rest = a - b * q;
+  return quick_two_sum(q, rest.high / b.high);
+}
+
+inline Double_double square_root(const Double_double& a)
+{
+  if (!(a.high > 0)) return 0.;
+  const double r = std::sqrt(a.high);
+  const Double_double rest = a - two_product(r, r);
+  return quick_two_sum(r, rest.high / (2 * r));
+}
+
+// A unit vector, or an image.
+struct Double_double_2
+{
+  Double_double x, y;
+};
+
+// The vector v in a frame whose x axis has the unit direction e.
+inline Double_double_2 in_frame(const Double_double_2& e, const Double_double_2& v)
+{
+  return {e.x * v.x + e.y * v.y, e.x * v.y - e.y * v.x};
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
