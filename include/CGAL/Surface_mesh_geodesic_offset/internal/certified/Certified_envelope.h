@@ -74,8 +74,9 @@ private:
   // Neighbours with one image that are so near to each other have no other ray between them.
   double gap() const { return 64 * unit_roundoff * m_length; }
 
-  // Distance functions that differ by no more are one.
-  double merging(const Window& w) const { return 64 * unit_roundoff * (w.d1 + m_length); }
+  // Images that differ by no more are one. It must be less than the error that all rays are allowed: the rays of a merged
+  // window come from one of the images only.
+  double merging(const Window& w) const { return 0.25 * image_error * (std::abs(w.x) + std::abs(w.y) + 1); }
 
   // Lengths are in units of the longest edge, so no shortest path is longer.
   static constexpr double farthest = 0x1p34;
