@@ -64,6 +64,7 @@ public:
 protected:
   typedef typename Base::Surface Surface;
   typedef typename Base::Surface_point Surface_point;
+  typedef typename Base::Located_point Located_point;
   typedef typename Base::Index Index;
   typedef Geodesic_offset::internal::Number_policy<FT> Policy;
   typedef Geodesic_offset::internal::Build_request<FT> Request;
@@ -145,7 +146,7 @@ public:
   template <class Location>
   FT distance_to_sources(const Location& location) const
   {
-    const Surface_point p = classified(location);
+    const Located_point p = classified(location);
     const Build& b = built_for(p);
     const FT d = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field).distance(p);
     return d > b.maximum ? Policy::infinity() : d;
@@ -173,7 +174,7 @@ public:
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
   {
-    const Surface_point p = classified(location);
+    const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
     Surface_point end;
@@ -303,7 +304,7 @@ protected:
     return p.kind == Surface_point::VERTEX ? built() : built_with_windows();
   }
 
-  Path_start start_at(const Surface_point& p) const
+  Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
     const Path_start start = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field)(p);
@@ -320,7 +321,7 @@ protected:
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const
   {
-    const Surface_point p = classified(location);
+    const Located_point p = classified(location);
     trace(p, start_at(p), out);
   }
 
