@@ -79,7 +79,11 @@ public:
   {
 #if defined(__GNUC__)
     if (m_begin.empty()) return;
-    for (Index i = first(3 * face), n = last(3 * face + 2); i < n; ++i) __builtin_prefetch(&at(i));
+    const Index begin = first(3 * face), n = last(3 * face + 2) - begin;
+    if (n == 0) return;
+    const char* const p = reinterpret_cast<const char*>(&at(begin));
+    const std::size_t end = (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed);
+    for (std::size_t i = 0; i < end; i += 64) __builtin_prefetch(p + i);
 #else
     (void)face;
 #endif

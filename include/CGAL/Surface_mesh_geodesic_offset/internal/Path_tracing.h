@@ -53,6 +53,24 @@ public:
     return start.root.primitive();
   }
 
+  // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
+  void find_way_back(Index v, Way_back<FT>& back, Root& root) const
+  {
+    const Path_start<FT> start = m_start.at_vertex(v);
+    if (start.halfedge == no_index) return;
+    Passed passed;
+    const End end = follow(start, passed);
+    if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
+    const Index next = end.point.element;
+    const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    for (int k : {1, 2})
+      if (walk.vertex(k) == next)
+      {
+        back = Way_back<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
+        if (root.primitive() != m_field.root[next].primitive()) root = m_field.root[next];
+      }
+  }
+
 private:
   typedef boost::container::small_vector<Surface_point_, 64> Passed;
 

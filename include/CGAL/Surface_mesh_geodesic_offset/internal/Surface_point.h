@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -76,18 +78,12 @@ struct Located_point : Surface_point<FT>
 // vertex.
 inline double snapping_tolerance() { return 1e-13; }
 
+// At a vertex, or on an edge, if it is one; w: coordinates of which the sum is 1.
 template <class FT>
-Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array<FT, 3> w)
+Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, bool valid, std::array<FT, 3> w,
+                                       const FT& eps)
 {
-  const FT sum = w[0] + w[1] + w[2];
-  const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
   const FT slack = Number_policy<FT>::is_inexact ? FT(1e-9) : FT(0);
-  bool valid = face < mesh.number_of_faces() && mesh.source(3 * face) != no_index && CGAL::is_positive(sum);
-  if (valid)
-    for (FT& x : w) x /= sum;
-  if (valid && w[0] > eps && w[1] > eps && w[2] > eps) // none is above 1
-    return {Surface_point<FT>::in_face(face, position_in_frame(mesh, 3 * face, w[1], w[2])), w};
-  valid = valid && Number_policy<FT>::is_finite(sum);
   int zeros = 0, zero = -1, other = -1;
   for (int k = 0; valid && k < 3; ++k)
   {
@@ -108,6 +104,19 @@ Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array
   const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
   const Index h = 3 * face + Index(k);
   return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
+}
+
+template <class FT>
+BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array<FT, 3> w)
+{
+  const FT sum = w[0] + w[1] + w[2];
+  const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+  const bool valid = face < mesh.number_of_faces() && mesh.source(3 * face) != no_index && CGAL::is_positive(sum);
+  if (valid)
+    for (FT& x : w) x /= sum;
+  if (!(valid && w[0] > eps && w[1] > eps && w[2] > eps)) // if so, none is above 1
+    return classify_on_boundary(mesh, face, valid && Number_policy<FT>::is_finite(sum), w, eps);
+  return {Surface_point<FT>::in_face(face, position_in_frame(mesh, 3 * face, w[1], w[2])), w};
 }
 
 // The faces around a surface point.
