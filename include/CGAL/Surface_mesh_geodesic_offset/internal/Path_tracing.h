@@ -10,11 +10,11 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -32,10 +32,10 @@ public:
   {
   }
 
-  // Calls out(surface point) for p, where the path starts as told, for each edge that it crosses and each vertex that it
-  // passes, and for the source point where it ends. Returns the primitive where it ends. Nothing if p is not reached.
+  // Calls out(surface point) for p, where the path starts as told, for each vertex that it passes, and for the source point
+  // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not reached.
   template <class Function>
-  Index operator()(const Surface_point_& p, Path_start<FT> start, const Function& out) const
+  Index operator()(const Surface_point_& p, Path_start<FT> start, Function&& out) const
   {
     if (!start.is_reached()) return no_index;
     out(p);
@@ -45,7 +45,9 @@ public:
     {
       passed.clear();
       const End end = follow(start, passed);
-      for (const Surface_point_& q : passed) out(q);
+      for (const Path_crossing<FT>& q : passed)
+        if (q.halfedge != no_index) out(q);
+        else out(Surface_point_::at_vertex(q.source));
       out(end.point);
       if (end.primitive != no_index) return end.primitive;
       start = m_start.at_vertex(end.point.element);
@@ -72,7 +74,7 @@ public:
   }
 
 private:
-  typedef boost::container::small_vector<Surface_point_, 64> Passed;
+  typedef boost::container::small_vector<Path_crossing<FT>, 128> Passed;
 
   struct End
   {
@@ -85,6 +87,8 @@ private:
   {
     Index vertex = no_index, face = no_index, other_face = no_index;
     End end;
+
+    bool is_segment() const { return vertex == no_index && face == no_index; }
   };
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
@@ -104,13 +108,27 @@ private:
     const Goal goal = goal_of(start);
     const FT reach = length(start.to - start.from);
     Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
-    int exit = start.exit == -1 ? walk.exit_from_inside() : start.exit;
+    bool is_under_way = false;
+    if (!has_missed && start.exit != -1)
+    {
+      Strip_walk<FT> strip(m_mesh, walk, start.exit);
+      is_under_way = !is_in_face(goal, walk) && strip(limits(goal, start, reach), passed);
+      if (is_under_way)
+      {
+        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * strip.extent();
+        if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
+            strip.way_to_apex() <= strip.way_left() + rounding)
+          return goal.end;
+        walk = Straight_walk<FT>(m_mesh, strip.halfedge(), strip.position(), strip.goal());
+      }
+    }
+    int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
     Index last_vertex = no_index;
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      const bool is_first = guard == 0;
+      const bool is_first = guard == 0 && !is_under_way;
       if (has_missed) look_for_detour(walk, is_first, start, reach, passed.size(), detour);
       FT last;
       if (is_in_sight(goal, walk, is_first, last))
@@ -125,7 +143,7 @@ private:
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.vertex == no_index && goal.face == no_index && ends_on_segment(walk, start, end)) return end;
+        if (End end; goal.is_segment() && ends_on_segment(walk, start, end)) return end;
         if (crossing.goal.y < -beside) break;
       }
       const Index beyond = walk.beyond(exit);
@@ -146,9 +164,9 @@ private:
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
       if (v == no_index)
-        passed.push_back(Surface_point_::on_edge(beyond, crossing.t));
+        passed.push_back({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)});
       else if (v != last_vertex)
-        passed.push_back(Surface_point_::at_vertex(v));
+        passed.push_back({no_index, v, v, FT(0)});
       last_vertex = v;
       walk.cross_over(exit, crossing);
       exit = walk.exit();
@@ -189,6 +207,21 @@ private:
     else
       goal.end = at_vertex(goal.vertex);
     return goal;
+  }
+
+  // Whether the goal is a point of the face.
+  bool is_in_face(const Goal& goal, const Straight_walk<FT>& walk) const
+  {
+    if (goal.vertex != no_index)
+      return walk.vertex(0) == goal.vertex || walk.vertex(1) == goal.vertex || walk.vertex(2) == goal.vertex;
+    return goal.face != no_index && (walk.face() == goal.face || walk.face() == goal.other_face);
+  }
+
+  Strip_limits<FT> limits(const Goal& goal, const Path_start<FT>& start, const FT& reach) const
+  {
+    const FT part(nearby);
+    return {goal.vertex, goal.face, goal.other_face, part, FT(FT(1. / (1 << 15)) * start.distance),
+            FT(part * reach + Number_policy<FT>::rounding(1 << 12) * start.distance)};
   }
 
   // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how

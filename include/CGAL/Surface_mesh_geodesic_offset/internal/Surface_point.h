@@ -74,6 +74,15 @@ struct Located_point : Surface_point<FT>
   Located_point(const Surface_point<FT>& p, const std::array<FT, 3>& weights) : Surface_point<FT>(p), weights(weights) {}
 };
 
+// Where a path crosses an edge, as a part of the way from the source of the halfedge to its target; or passes a vertex.
+template <class FT>
+struct Path_crossing
+{
+  Index halfedge; // no_index: at the vertex `source`
+  Index source, target;
+  FT part;
+};
+
 // Barycentric coordinates below this part of the largest are round-off of zero: the point is on the edge, or at the
 // vertex.
 inline double snapping_tolerance() { return 1e-13; }
