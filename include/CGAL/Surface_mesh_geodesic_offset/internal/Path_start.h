@@ -165,8 +165,8 @@ private:
     {
       const Index h = 3 * p.element + Index(n.corner), v = m_mesh.source(h);
       const FT extent = m_mesh[h].length + m_mesh[h + 1 - 3 * Index(n.corner == 2)].length;
-      const FT tie = Number_policy<FT>::rounding(256) * (n.distance + extent);
-      if (n.distance != n.by_corner || CGAL::is_zero(m_field.distance[v]) || (std::min)(n.straight, n.bent) <= n.distance + tie)
+      const FT tied = n.distance + Number_policy<FT>::rounding(256) * (n.distance + extent);
+      if (n.distance != n.by_corner || CGAL::is_zero(m_field.distance[v]) || (std::min)(n.straight, n.bent) <= tied)
         return false;
       start.root = m_field.root[v];
       start.pseudo_source = v;

@@ -33,7 +33,8 @@ public:
   }
 
   // Calls out(surface point) for p, where the path starts as told, for each vertex that it passes, and for the source point
-  // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not reached.
+  // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not
+  // reached.
   template <class Function>
   Index operator()(const Surface_point_& p, Path_start<FT> start, Function&& out) const
   {
@@ -109,15 +110,17 @@ private:
     const FT reach = length(start.to - start.from);
     Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
     bool is_under_way = false;
-    if (!has_missed && start.exit != -1)
+    // not with exact numbers, of which strips make long expressions
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_in_face(goal, walk))
     {
       Strip_walk<FT> strip(m_mesh, walk, start.exit);
-      is_under_way = !is_in_face(goal, walk) && strip(limits(goal, start, reach), passed);
+      const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
+      const FT ahead = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
+      is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
       if (is_under_way)
       {
-        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * strip.extent();
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
-            strip.way_to_apex() <= strip.way_left() + rounding)
+            strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
           return goal.end;
         walk = Straight_walk<FT>(m_mesh, strip.halfedge(), strip.position(), strip.goal());
       }
@@ -134,7 +137,8 @@ private:
       if (is_in_sight(goal, walk, is_first, last))
       {
         const FT left = length(walk.goal() - walk.position());
-        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
+        const FT rounding =
+          Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
         if (last <= left + rounding || (has_missed && reach - left + last + distance_of(goal) <= detour.length))
           return goal.end;
         break;
@@ -215,13 +219,6 @@ private:
     if (goal.vertex != no_index)
       return walk.vertex(0) == goal.vertex || walk.vertex(1) == goal.vertex || walk.vertex(2) == goal.vertex;
     return goal.face != no_index && (walk.face() == goal.face || walk.face() == goal.other_face);
-  }
-
-  Strip_limits<FT> limits(const Goal& goal, const Path_start<FT>& start, const FT& reach) const
-  {
-    const FT part(nearby);
-    return {goal.vertex, goal.face, goal.other_face, part, FT(FT(1. / (1 << 15)) * start.distance),
-            FT(part * reach + Number_policy<FT>::rounding(1 << 12) * start.distance)};
   }
 
   // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how

@@ -11,23 +11,18 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Straight_walk.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 
+#include <boost/config.hpp>
+#include <boost/container/container_fwd.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// What ends the quick walk: the goal in sight, or a vertex so near to the way that it may be on it.
-template <class FT>
-struct Strip_limits
-{
-  Index vertex, face, other_face; // of the goal; no_index if none
-  FT nearby;                      // how near to the way, as part of the edges and of `reach`
-  FT reach;                       // added to the edges
-  FT beside;                      // so high the goal must be over an edge that is crossed on the way to it
-};
-
 // The strip of faces lies in the plane such that the way goes from the origin along the x axis: which edge comes next is
-// told by the height of one vertex. Nothing branches on it, since it can't be foreseen, and of what is computed only this
-// height and the direction of the next edge are waited for.
+// told by the height of one vertex, and only the direction of this edge is waited for.
 template <class FT>
 class Strip_walk
 {
@@ -43,57 +38,64 @@ public:
     const auto lay = [&](const Point& v) { return Point{dot(d, v), cross(d, v)}; };
     const int after = (k + 1) % 3;
     m_halfedge = first.beyond(k);
-    m_source = first.vertex(after);
-    m_target = first.vertex(k);
-    m_at_source = lay(first.corner(after) - first.position());
-    m_at_target = lay(first.corner(k) - first.position());
+    m_vertex[0] = first.vertex(after);
+    m_vertex[1] = first.vertex(k);
+    m_end[0] = lay(first.corner(after) - first.position());
+    m_end[1] = lay(first.corner(k) - first.position());
     m_direction = lay(first.direction_beyond(k));
-    m_extent = first.extent();
   }
 
-  // Walks on and appends the edges that are crossed. It ends in a face with the goal or with something in its way: then the
-  // face has been entered through `halfedge()`. Tells whether it has entered any.
+  // Walks on and appends the edges that are crossed, up to a vertex that is no farther from the way than `beside`, or to
+  // where the goal is no higher over the next edge than `ahead`, or to the border. The face from which it does not go on has
+  // been entered through `halfedge()`. Tells whether it has entered any.
   template <class Passed>
-  bool operator()(const Strip_limits<FT>& limits, Passed& passed)
+  bool operator()(const FT& beside, const FT& ahead, Passed& passed)
   {
-    Index h = m_halfedge, source = m_source, target = m_target;
-    Point s = m_at_source, t = m_at_target, e = m_direction;
-    if (h == no_index || is_obstructed(limits, s, t, e, m_extent) ||
-        (std::min)(s.y, FT(-t.y)) <= limits.nearby * (m_extent + limits.reach))
+    Index h = m_halfedge;
+    Point e = m_direction;
+    // so put that a number that is none ends the walk
+    if (h == no_index || !((std::min)(m_end[0].y, FT(-m_end[1].y)) > beside) || !(height_of_goal(m_end[0], e) > ahead))
       return false;
+    Index left = m_vertex[0], right = m_vertex[1];
+    Point l = m_end[0], r = m_end[1];
+    const Unfolded_halfedge<FT>* const mesh = &m_mesh[0];
+    Path_crossing<FT>*out = nullptr, *last = nullptr;
     for (;;)
     {
-      passed.push_back({h, source, target, FT(s.y / (s.y - t.y))});
-      const Index next = Unfolded_mesh<FT>::next(h), previous = Unfolded_mesh<FT>::previous(h);
-      const auto &a = m_mesh[h], &b = m_mesh[next], &c = m_mesh[previous];
-      const Point apex{s.x + (e.x * a.apex_x - e.y * a.apex_y), s.y + (e.x * a.apex_y + e.y * a.apex_x)};
-      const int is_left = CGAL::is_positive(apex.y); // of the way, which then leaves between it and the target
-      // directions of the next edges from their own ends, not from differences of coordinates: edges may be tiny
-      const FT unit = FT(1) / c.length, unit_right = FT(1) / a.length;
-      const Point turns[2] = {{unit * a.apex_x, unit * a.apex_y}, {unit_right * b.apex_x, -unit_right * b.apex_y}};
-      const Point directions[2] = {{e.x * turns[0].x - e.y * turns[0].y, e.x * turns[0].y + e.y * turns[0].x},
-                                   {e.x * turns[1].x - e.y * turns[1].y, e.x * turns[1].y + e.y * turns[1].x}};
-      const Point sources[2] = {s, apex}, targets[2] = {apex, t};
-      const Index exits[2] = {c.twin, b.twin};
-      const FT extent = b.length + c.length;
-      const Index beyond = exits[is_left];
-      if (int(c.origin == limits.vertex) | int(h / 3 == limits.face) | int(h / 3 == limits.other_face) |
-          int(beyond == no_index) | int(CGAL::abs(apex.y) <= limits.nearby * (extent + limits.reach)) |
-          int(is_obstructed(limits, sources[is_left], targets[is_left], directions[is_left], extent)))
+      if (out == last && !make_room(passed, out, last)) return false;
+      *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
+      const auto &a = mesh[h], &b = mesh[m_mesh.next(h)], &c = mesh[m_mesh.previous(h)];
+      const Point apex{l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
+      const Point l_before = l, r_before = r, e_before = e;
+      Index beyond;
+      // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
+      // foresee the turns half of the time is better than to wait for each.
+      if (CGAL::is_positive(apex.y))
+      {
+        const FT unit = FT(1) / a.length;
+        e = turned(e, {unit * b.apex_x, -unit * b.apex_y});
+        beyond = b.twin;
+        left = c.origin;
+        l = apex;
+      }
+      else
+      {
+        const FT unit = FT(1) / c.length;
+        e = turned(e, {unit * a.apex_x, unit * a.apex_y});
+        beyond = c.twin;
+        right = c.origin;
+        r = apex;
+      }
+      if (int(beyond == no_index) | int(!(CGAL::abs(apex.y) > beside)) | int(!(height_of_goal(apex, e) > ahead)))
       {
         m_halfedge = h;
-        m_at_source = s;
-        m_at_target = t;
-        m_direction = e;
+        m_end[0] = l_before;
+        m_end[1] = r_before;
+        m_direction = e_before;
         m_apex = apex;
-        m_extent = a.length + extent;
+        passed.resize(std::size_t(out - passed.data()));
         return true;
       }
-      source = is_left ? c.origin : source;
-      target = is_left ? target : c.origin;
-      s = sources[is_left];
-      t = targets[is_left];
-      e = directions[is_left];
       h = beyond;
     }
   }
@@ -104,32 +106,46 @@ public:
   Point position() const { return {part() * m_mesh[m_halfedge].length, FT(0)}; }
   Point goal() const
   {
-    const Point v = Point{m_length, FT(0)} - m_at_source;
+    const Point v = Point{m_length, FT(0)} - m_end[0];
     return {dot(m_direction, v), cross(m_direction, v)};
   }
 
   FT way_left() const { return m_length - x(); }
   FT way_to_apex() const { return length(m_apex - Point{x(), FT(0)}); }
-  FT extent() const { return m_extent; } // no smaller than the longest edge of the face
 
 private:
-  FT part() const { return m_at_source.y / (m_at_source.y - m_at_target.y); }
-  FT x() const { return m_at_source.x + part() * (m_at_target.x - m_at_source.x); }
-
-  // Whether the way passes near to an end of an edge, or the goal is not clearly beyond it.
-  bool is_obstructed(const Strip_limits<FT>& limits, const Point& s, const Point& t, const Point& e, const FT& extent) const
+  // For some more crossings: a call for each would cost more than the crossing. No walk crosses more edges than there are.
+  template <class Passed>
+  BOOST_NOINLINE bool make_room(Passed& passed, Path_crossing<FT>*& out, Path_crossing<FT>*& last) const
   {
-    const FT height = s.y - t.y, of_goal = e.y * (s.x - m_length) - e.x * s.y;
-    return int((std::min)(s.y, FT(-t.y)) <= limits.nearby * height) |
-           int(of_goal <= limits.beside + Number_policy<FT>::rounding(1 << 12) * extent);
+    const std::size_t size = passed.size(), more = 64;
+    if (size > m_mesh.number_of_halfedges())
+    {
+      passed.clear();
+      return false;
+    }
+    passed.resize(size + more, boost::container::default_init);
+    out = passed.data() + size;
+    last = out + more;
+    return true;
   }
 
+  FT part() const { return m_end[0].y / (m_end[0].y - m_end[1].y); }
+  FT x() const { return m_end[0].x + part() * (m_end[1].x - m_end[0].x); }
+
+  static Point turned(const Point& e, const Point& turn)
+  {
+    return {e.x * turn.x - e.y * turn.y, e.x * turn.y + e.y * turn.x};
+  }
+
+  // Over an edge with the direction e, of which p is one end.
+  FT height_of_goal(const Point& p, const Point& e) const { return e.y * (p.x - m_length) - e.x * p.y; }
+
   const Unfolded_mesh<FT>& m_mesh;
-  FT m_length;                 // of the way
-  Index m_halfedge;            // that has been crossed
-  Index m_source, m_target;    // its vertices
-  Point m_at_source, m_at_target, m_direction, m_apex;
-  FT m_extent;
+  FT m_length;       // of the way
+  Index m_halfedge;  // that is crossed next, or has been crossed
+  Index m_vertex[2]; // its ends, on the left and on the right
+  Point m_end[2], m_direction, m_apex;
 };
 
 } // namespace internal
