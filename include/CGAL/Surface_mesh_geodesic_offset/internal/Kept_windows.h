@@ -90,7 +90,7 @@ public:
   }
 
   // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
-  // only where the window misses the point by no more than the allowance, a part of the edge: where rounding has lost rays.
+  // only where the window misses the ray to the point by no more than the allowance, a length: where rounding has lost rays.
   void find_nearest(Index face, const std::array<Point_in_face<FT>, 3>& q, const FT& allowance,
                     const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
   {
