@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -187,7 +186,7 @@ public:
     const double error = std::abs(length - d) / (std::max)(d, mean_edge);
     totals.worst_length = (std::max)(totals.worst_length, error);
     CHECK_DETAIL(error <= 1e-12, values(length, d));
-    check_gradient(geodesic.gradient(query), path, length);
+    check_gradient(geodesic.gradient(query), path);
     return path;
   }
 
@@ -225,7 +224,6 @@ public:
   Path_totals totals;
   double scale; // of the coordinates
   double mean_edge;
-  bool has_needles = false; // directions are only as good as distances that tie up to rounding
 
 private:
   template <class Query>
@@ -255,7 +253,7 @@ private:
                    "points " + std::to_string(i) + " and the next of " + std::to_string(path.size()));
   }
 
-  void check_gradient(const Vector_3& gradient, const Path_locations& path, double whole) const
+  void check_gradient(const Vector_3& gradient, const Path_locations& path) const
   {
     if (path.size() < 2)
     {
@@ -269,11 +267,7 @@ private:
     if (length < 1e-5 * scale) return;
     const double error = std::sqrt((gradient + start / length).squared_length());
     // a path that passes a vertex within some 1e-9 of an edge may go by way of it
-    double allowed = is_at_vertex(snapped(path[1])) ? 1e-9 + 4e-9 * mean_edge / length : 1e-9;
-    // the straight way beside the vertex is as long up to the rounding allowed to paths, 256 epsilon
-    if (has_needles && is_at_vertex(snapped(path[1])) && length < whole)
-      allowed = (std::max)(allowed, std::sqrt(512 * std::numeric_limits<double>::epsilon() * whole *
-                                              (whole - length) / (length * whole)));
+    const double allowed = is_at_vertex(snapped(path[1])) ? 1e-9 + 4e-9 * mean_edge / length : 1e-9;
     CHECK_DETAIL(error <= allowed, values(error, 0));
   }
 

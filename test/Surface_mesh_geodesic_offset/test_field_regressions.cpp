@@ -527,7 +527,6 @@ void paths_over_tiny_and_needle_faces()
     Report::instance().set_context(std::string("paths over tiny and needle faces, ") + mesh.first);
     const Data data(mesh.second);
     Path_checker check(data.mesh);
-    check.has_needles = true;
     Random random(12);
     const std::size_t step = 1 + data.vertices.size() / 120;
     for (std::size_t i = 0; i < data.vertices.size(); i += step)

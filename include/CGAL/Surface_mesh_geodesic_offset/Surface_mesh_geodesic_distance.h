@@ -64,11 +64,13 @@ public:
 protected:
   typedef typename Base::Surface Surface;
   typedef typename Base::Surface_point Surface_point;
+  typedef typename Base::Located_point Located_point;
   typedef typename Base::Index Index;
   typedef Geodesic_offset::internal::Number_policy<FT> Policy;
   typedef Geodesic_offset::internal::Build_request<FT> Request;
   typedef Geodesic_offset::internal::Geodesic_build<Traits> Build;
   typedef Geodesic_offset::internal::Path_start<FT> Path_start;
+  typedef Geodesic_offset::internal::Path_crossing<FT> Path_crossing;
 
   using Base::classified;
   using Base::m_sources;
@@ -145,7 +147,7 @@ public:
   template <class Location>
   FT distance_to_sources(const Location& location) const
   {
-    const Surface_point p = classified(location);
+    const Located_point p = classified(location);
     const Build& b = built_for(p);
     const FT d = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field).distance(p);
     return d > b.maximum ? Policy::infinity() : d;
@@ -173,13 +175,13 @@ public:
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
   {
-    const Surface_point p = classified(location);
+    const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
-    Surface_point end;
-    const auto& primitive = built().initial.primitives[trace(p, start, [&](const Surface_point& q) { end = q; })];
+    Path_end end;
+    const auto& primitive = built().initial.primitives[trace(p, start, end)];
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          start.root.side(), start.distance, m_surface->location(end)};
+                          start.root.side(), start.distance, m_surface->location(end.point)};
   }
 
   /// the gradient of the distance: the unit vector that points straight away from where the shortest path goes first, in the
@@ -252,7 +254,7 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const Surface_point& p) { *out++ = m_surface->location(p); });
+    trace_from(location, [&](const auto& p) { *out++ = m_surface->location(p); });
     return out;
   }
 
@@ -260,7 +262,7 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const Surface_point& p) { *out++ = m_surface->point(p); });
+    trace_from(location, [&](const auto& p) { *out++ = m_surface->point(p); });
     return out;
   }
 
@@ -270,17 +272,7 @@ public:
   template <class Location, class Visitor>
   void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
   {
-    trace_from(location, [&](const Surface_point& p) {
-      if (p.kind == Surface_point::VERTEX)
-        visitor(m_surface->vertex_of[p.element]);
-      else if (p.kind == Surface_point::EDGE)
-        visitor(m_surface->halfedge_of(p.element), FT(p.x / unfolded()[p.element].length));
-      else
-      {
-        const Face_location l = m_surface->location(p);
-        visitor(l.first, l.second);
-      }
-    });
+    trace_from(location, [&](const auto& p) { visit(p, visitor); });
   }
   /// @}
 
@@ -303,15 +295,43 @@ protected:
     return p.kind == Surface_point::VERTEX ? built() : built_with_windows();
   }
 
-  Path_start start_at(const Surface_point& p) const
+  // Takes a path, and keeps the point where it ends.
+  struct Path_end
+  {
+    Surface_point point;
+    void operator()(const Surface_point& p) { point = p; }
+    void operator()(const Path_crossing&) {}
+  };
+
+  Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
     const Path_start start = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field)(p);
     return start.distance > b.maximum ? Path_start() : start;
   }
 
+  template <class Visitor>
+  void visit(const Path_crossing& p, Visitor& visitor) const
+  {
+    visitor(m_surface->halfedge_of(p.halfedge), p.part);
+  }
+
+  template <class Visitor>
+  void visit(const Surface_point& p, Visitor& visitor) const
+  {
+    if (p.kind == Surface_point::VERTEX)
+      visitor(m_surface->vertex_of[p.element]);
+    else if (p.kind == Surface_point::EDGE)
+      visitor(m_surface->halfedge_of(p.element), FT(p.x / unfolded()[p.element].length));
+    else
+    {
+      const Face_location l = m_surface->location(p);
+      visitor(l.first, l.second);
+    }
+  }
+
   template <class Function>
-  Index trace(const Surface_point& p, const Path_start& start, const Function& out) const
+  Index trace(const Surface_point& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
     return Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, start, out);
@@ -320,7 +340,7 @@ protected:
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const
   {
-    const Surface_point p = classified(location);
+    const Located_point p = classified(location);
     trace(p, start_at(p), out);
   }
 

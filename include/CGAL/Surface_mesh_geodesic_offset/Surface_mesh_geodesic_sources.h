@@ -73,6 +73,7 @@ protected:
   typedef Geodesic_offset::internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>
     Surface;
   typedef Geodesic_offset::internal::Surface_point<FT> Surface_point;
+  typedef Geodesic_offset::internal::Located_point<FT> Located_point;
   typedef Geodesic_offset::internal::Source_set<FT> Source_set;
   typedef Geodesic_offset::internal::Index Index;
 
@@ -176,8 +177,8 @@ public:
 protected:
   const Geodesic_offset::internal::Unfolded_mesh<FT>& unfolded() const { return m_surface->unfolded; }
 
-  Surface_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(m_surface->index_of(v)); }
-  Surface_point classified(const Face_location& l) const
+  Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(m_surface->index_of(v)); }
+  Located_point classified(const Face_location& l) const
   {
     return Geodesic_offset::internal::classify<FT>(unfolded(), m_surface->index_of(l.first), l.second);
   }

@@ -72,7 +72,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
-      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.root, q.x, q.y, limit,
+      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.root, q, limit,
                                    [&](const Window<FT>& w) { add_window(w, k); });
       if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
     }

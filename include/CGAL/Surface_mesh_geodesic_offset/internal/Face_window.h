@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Chord_path.h>
 
 #include <algorithm>
 
@@ -46,22 +46,16 @@ struct Face_window
   Point image() const { return {x, y}; }
 
   // Direction of the ray through the point p, not normalised.
-  Point ray_direction(const Point& p) const { return is_parallel() ? Point{-x, -y} : Point{p.x - x, p.y - y}; }
+  Point ray_direction(const Point& p) const { return with_rays([&](const auto& rays) { return rays.direction(p); }); }
 
   // A cone without extent.
   bool is_empty() const { return left.x == right.x && left.y == right.y; }
 
-  FT distance_at(const Point& p) const
-  {
-    if (is_parallel()) return sigma - (x * p.x + y * p.y);
-    const FT u = p.x - x, v = p.y - y;
-    return sigma + square_root<FT>(u * u + v * v);
-  }
+  FT distance_at(const Point& p) const { return with_rays([&](const auto& rays) { return rays.distance_at(p); }); }
 
-  // Cross products of a bounding ray's direction and the vector to p: at most 0 for the left and at least 0 for the
-  // right ray if p is in the cone.
-  FT left_side(const Point& p) const { return cross(ray_direction(left), p - left); }
-  FT right_side(const Point& p) const { return cross(ray_direction(right), p - right); }
+  // See Rays_through_chord.
+  FT left_side(const Point& p) const { return with_rays([&](const auto& rays) { return rays.left_side(p); }); }
+  FT right_side(const Point& p) const { return with_rays([&](const auto& rays) { return rays.right_side(p); }); }
 
   // For strips that start inside the face: p is not behind the source, or by the allowance at most.
   bool is_in_front(const Point& p, const FT& allowance = FT(0)) const
@@ -82,18 +76,34 @@ struct Face_window
   }
 
   // The length of a path through the window to p: straight if p is in the cone, or if the rays start at a point of the
-  // face; else round the nearer end of the chord. An upper bound of the distance of p in any case, and continuous.
+  // face; else round the nearer end of the chord.
   FT path_length(const Point& p) const
   {
-    if (origin >= STARTS_IN_FACE && !is_parallel()) return distance_at(p);
+    bool is_straight;
+    return path_length(p, is_straight);
+  }
+
+  FT path_length(const Point& p, bool& is_straight) const
+  {
+    if (origin >= STARTS_IN_FACE && !is_parallel())
+    {
+      is_straight = contains(p);
+      return distance_at(p);
+    }
     // a point on the source is in front of it on both sides, whatever rounding does
     const FT rounding = Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y));
+    is_straight = false;
     if (!is_in_front(p, rounding)) return Number_policy<FT>::infinity();
-    const bool off_left = CGAL::is_positive(left_side(p)), off_right = CGAL::is_negative(right_side(p));
-    if (!off_left && !off_right) return (std::max)(distance_at(p), FT(0));
-    const FT l = distance_at(left) + length(p - left), r = distance_at(right) + length(p - right);
-    if (off_left && off_right) return (std::min)(l, r);
-    return off_left ? l : r;
+    const FT d = with_rays([&](const auto& rays) { return rays.path_length(p, is_straight); });
+    return is_straight ? (std::max)(d, FT(0)) : d;
+  }
+
+private:
+  template <class Function>
+  auto with_rays(const Function& f) const
+  {
+    const Point p = image();
+    return f(Rays_through_chord<FT>{p, is_parallel(), sigma, left, right});
   }
 };
 

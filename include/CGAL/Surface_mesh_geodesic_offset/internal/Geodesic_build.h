@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
@@ -149,6 +150,7 @@ private:
     };
     front.run(consumer, goes_on, m_first_new);
     maximum = front.maximum();
+    if (front.has_bent_paths()) follow_ways_back();
     statistics.windows_created = front.counts().windows_created;
     statistics.windows_propagated = front.counts().windows_propagated;
     statistics.windows_peak = field.lists.peak();
@@ -156,6 +158,13 @@ private:
     statistics.kept_bytes = field.kept.bytes();
     statistics.propagation_seconds = seconds_since(start);
     if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);
+  }
+
+  // Directions at vertices are those of the paths from there, also where rounding is in the way of the straight ones.
+  void follow_ways_back()
+  {
+    const Path_tracing<FT> paths(m_mesh, initial, field);
+    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v) paths.find_way_back(v, field.back[v], field.root[v]);
   }
 
   // Whether the distance of a point is known, once the front is at a distance.

@@ -79,17 +79,30 @@ struct Geodesic_surface
     return l;
   }
 
+  Face_location location(const Path_crossing<FT>& p) const
+  {
+    Face_location l(face_of[p.halfedge / 3], Barycentric_coordinates{FT(0), FT(0), FT(0)});
+    l.second[p.halfedge % 3] = FT(1) - p.part;
+    l.second[(p.halfedge % 3 + 1) % 3] = p.part;
+    return l;
+  }
+
+  Point_3 point(const Path_crossing<FT>& p) const { return between(p.source, p.target, p.part); }
+
   Point_3 point(const Surface_point<FT>& p) const
   {
     if (p.kind == Surface_point<FT>::FACE) return point(location(p));
     if (p.kind == Surface_point<FT>::EDGE)
-    {
-      const FT t = p.x / unfolded[p.element].length;
-      const Point_3 a = position(vertex_of[unfolded.source(p.element)]), b = position(vertex_of[unfolded.target(p.element)]);
-      const auto between = [&](const FT& x, const FT& y) { return FT((FT(1) - t) * x + t * y); };
-      return Point_3(between(a.x(), b.x()), between(a.y(), b.y()), between(a.z(), b.z()));
-    }
+      return between(unfolded.source(p.element), unfolded.target(p.element), FT(p.x / unfolded[p.element].length));
     return position(vertex_of[p.element]);
+  }
+
+  // At the part t of the way from vertex a to vertex b.
+  Point_3 between(Index a, Index b, const FT& t) const
+  {
+    const Point_3 p = position(vertex_of[a]), q = position(vertex_of[b]);
+    const FT s = FT(1) - t;
+    return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
   }
 
   halfedge_descriptor halfedge_of(Index h) const

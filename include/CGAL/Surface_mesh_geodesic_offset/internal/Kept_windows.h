@@ -9,10 +9,13 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Chord_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 
 #include <boost/config.hpp>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -20,6 +23,16 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
+
+// How long the ways to a point of a face are, by the windows that enter the face.
+template <class FT>
+struct Nearest_kept_window
+{
+  FT straight = Number_policy<FT>::infinity(); // the shortest one along a ray
+  FT bent = Number_policy<FT>::infinity();     // the shortest one round the end of a window
+  Index window = no_index;                     // gives the straight one: for Kept_windows::window()
+  int halfedge = 0;                            // of the face, by which it enters
+};
 
 template <class FT>
 class Kept_windows
@@ -66,27 +79,70 @@ public:
   {
 #if defined(__GNUC__)
     if (m_begin.empty()) return;
-    for (Index i = first(3 * face), n = last(3 * face + 2); i < n; ++i) __builtin_prefetch(&at(i));
+    const Index begin = first(3 * face), n = last(3 * face + 2) - begin;
+    if (n == 0) return;
+    const char* const p = reinterpret_cast<const char*>(&at(begin));
+    const std::size_t end = (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed);
+    for (std::size_t i = 0; i < end; i += 64) __builtin_prefetch(p + i);
 #else
     (void)face;
 #endif
   }
 
-  // The length of the shortest path through a window of the halfedge to the point (x, y) of its frame, which lies in the
-  // face: straight if there is a ray to the point, else round the nearer end of the interval. No more than `best`.
-  FT nearest(Index h, const std::vector<FT>& distance, const FT& x, const FT& y, FT best) const
+  // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
+  // only where the window misses the ray to the point by no more than the allowance, a length: where rounding has lost rays.
+  void find_nearest(Index face, const std::array<Point_in_face<FT>, 3>& q, const FT& allowance,
+                    const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
   {
-    for_each_packed(h, [&](const Packed& p) { best = (std::min)(best, path_length(p, sigma(p, distance), x, y, best)); });
-    return best;
+    if (m_begin.empty()) return;
+    const Index* begin = &m_begin[4 * face];
+    enum { block = 64 };
+    Index candidate[block]; // without branches, which could not be foreseen
+    for (Index i = begin[0], n = begin[3]; i < n;)
+    {
+      const Index size = (std::min)({Index(n - i), Index(page_size - i % page_size), Index(block)});
+      const Packed* const p = &at(i);
+      Index count = 0;
+      for (Index j = 0; j < size; ++j)
+      {
+        const Packed& w = p[j];
+        const Point_in_face<FT>& s = q[halfedge_of(begin, i + j)];
+        const FT height = w.bits & 1u ? FT(-w.y) : FT(s.y - w.y);
+        const FT entry = w.x * s.y - s.x * w.y, off = allowance * height; // entry times the height
+        candidate[count] = j;
+        count += Index(int(!(entry < w.b0 * height - off)) & int(!(entry > w.b1 * height + off)));
+      }
+      for (Index j = 0; j < count; ++j)
+      {
+        const int k = halfedge_of(begin, i + candidate[j]);
+        bool is_straight;
+        const FT d = path_length(p[candidate[j]], distance, q[k], is_straight);
+        if (!is_straight)
+          nearest.bent = (std::min)(nearest.bent, d);
+        else if (d < nearest.straight)
+        {
+          nearest.straight = d;
+          nearest.window = i + candidate[j];
+          nearest.halfedge = k;
+        }
+      }
+      i += size;
+    }
   }
 
-  // Calls f(window) for the windows through which a path to (x, y) is not longer than the limit.
+  Window window(Index i, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  {
+    return unpack(at(i), distance, root);
+  }
+
+  // Calls f(window) for the windows of a halfedge through which a path to q is not longer than the limit.
   template <class Function>
-  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const FT& x, const FT& y,
+  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Point_in_face<FT>& q,
                        const FT& limit, const Function& f) const
   {
     for_each_packed(h, [&](const Packed& p) {
-      if (path_length(p, sigma(p, distance), x, y, limit) <= limit) f(unpack(p, distance, root));
+      bool is_straight;
+      if (path_length(p, distance, q, is_straight) <= limit) f(unpack(p, distance, root));
     });
   }
 
@@ -144,25 +200,14 @@ private:
     return p.bits & 1u ? m_sigma[value] : value == 0 ? FT(0) : distance[value - 1];
   }
 
-  // Some number above the limit if the path is longer than that.
-  static FT path_length(const Packed& p, const FT& sigma, const FT& x, const FT& y, const FT& limit)
+  FT path_length(const Packed& p, const std::vector<FT>& distance, const Point_in_face<FT>& q, bool& is_straight) const
   {
-    const bool is_parallel = p.bits & 1u;
-    const FT u = x - p.x, v = y - p.y, height = is_parallel ? FT(-p.y) : v;
-    const FT squared = u * u + v * v, room = limit - sigma;
-    // no path is shorter than the straight one, whether that is there or not
-    if (is_parallel ? -(p.x * x + p.y * y) > room : CGAL::is_negative(room) || squared > room * room)
-      return Number_policy<FT>::infinity();
-    const FT entry = p.x * y - x * p.y; // times the height
-    const auto round = [&](const FT& b) {
-      const FT w = b - p.x;
-      const FT to_end = is_parallel ? FT(-p.x * b) : square_root<FT>(w * w + p.y * p.y);
-      return FT(sigma + to_end + square_root<FT>((x - b) * (x - b) + y * y));
-    };
-    if (entry < p.b0 * height) return round(p.b0);
-    if (entry > p.b1 * height) return round(p.b1);
-    return is_parallel ? FT(sigma - (p.x * x + p.y * y)) : FT(sigma + square_root<FT>(squared));
+    const Point_in_face<FT> image{p.x, p.y}, left{p.b0, FT(0)}, right{p.b1, FT(0)};
+    const FT s = sigma(p, distance);
+    return Rays_through_chord<FT>{image, bool(p.bits & 1u), s, left, right}.path_length(q, is_straight);
   }
+
+  static int halfedge_of(const Index* begin, Index i) { return int(i >= begin[1]) + int(i >= begin[2]); }
 
   static bool is_outdated(const Window& w, const std::vector<FT>& distance)
   {

@@ -44,9 +44,13 @@ public:
   }
 
   // Other points than vertices need kept windows.
-  Path_start<FT> operator()(const Surface_point<FT>& p) const
+  Path_start<FT> operator()(const Located_point<FT>& p) const
   {
-    return p.kind == Surface_point<FT>::VERTEX ? at_vertex(p.element) : at_point(p);
+    if (p.kind == Surface_point<FT>::VERTEX) return at_vertex(p.element);
+    if (p.kind == Surface_point<FT>::EDGE) return at_point(p, distance(p));
+    const Nearest nearest = nearest_in(p.element, p.weights);
+    Path_start<FT> start;
+    return starts_clearly(p, nearest, start) ? start : at_point(p, nearest.distance);
   }
 
   Path_start<FT> at_vertex(Index v) const
@@ -67,15 +71,113 @@ public:
     return start;
   }
 
-  FT distance(const Surface_point<FT>& p) const
+  FT distance(const Located_point<FT>& p) const
   {
     if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance[p.element];
+    if (p.kind == Surface_point<FT>::FACE) return nearest_in(p.element, p.weights).distance;
     FT result = Number_policy<FT>::infinity();
-    for_each_face(p, [&](Index f, const Point& q) { result = (std::min)(result, distance_in(f, q)); });
+    for (const Index h : {p.element, m_mesh.twin(p.element)})
+    {
+      if (h == no_index) continue;
+      const FT t = p.x / m_mesh[h].length;
+      std::array<FT, 3> w;
+      w[h % 3] = h == p.element ? FT(FT(1) - t) : t;
+      w[(h + 1) % 3] = h == p.element ? t : FT(FT(1) - t);
+      w[(h + 2) % 3] = FT(0);
+      result = (std::min)(result, nearest_in(m_mesh.face(h), w).distance);
+    }
     return result;
   }
 
 private:
+  struct Nearest : Nearest_kept_window<FT>
+  {
+    FT distance = Number_policy<FT>::infinity();
+    FT by_corner = Number_policy<FT>::infinity(); // the shortest way by a corner
+    int corner = 0;
+    bool is_near_source = false; // something starts in the face
+    std::array<Point, 3> q;      // the point in the frames of the face's halfedges
+  };
+
+  // From kept windows, without making them. Of ways that tie, a straight one tells the distance best.
+  Nearest nearest_in(Index face, const std::array<FT, 3>& w) const
+  {
+    Nearest n;
+    const Index h = 3 * face;
+    const std::array<FT, 3> d = {m_field.distance[m_mesh.source(h)], m_field.distance[m_mesh.source(h + 1)],
+                                 m_field.distance[m_mesh.source(h + 2)]};
+    const bool is_reached = Number_policy<FT>::is_finite(d[0]);
+    if (!is_reached && !Number_policy<FT>::is_finite(m_field.maximum)) return n;
+    m_field.kept.prefetch(face);
+    for (int k = 0; k < 3; ++k)
+    {
+      n.q[k] = position_in_frame(m_mesh, h + Index(k), w[(k + 1) % 3], w[(k + 2) % 3]);
+      const FT way = d[k] + length(n.q[k]);
+      if (way < n.by_corner)
+      {
+        n.by_corner = way;
+        n.corner = k;
+      }
+    }
+    const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
+    // no corner of a face with a source is farther than that
+    if (!is_reached || d[0] <= extent) look_at_sources(face, n);
+    const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
+    m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
+    const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
+    const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
+    n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
+    // on the source
+    if (n.distance <= Number_policy<FT>::rounding(8) * extent) n.distance = FT(0);
+    return n;
+  }
+
+  void look_at_sources(Index face, Nearest& n) const
+  {
+    const auto local = local_windows(m_initial, face);
+    n.is_near_source = local.first != local.second;
+    for (auto i = local.first; i != local.second; ++i)
+    {
+      bool is_straight;
+      const FT d = i->window.path_length(n.q[0], is_straight);
+      FT& best = is_straight ? n.straight : n.bent;
+      best = (std::min)(best, d);
+    }
+  }
+
+  // The start without more ado if one window, or one corner, is known to be the right one.
+  bool starts_clearly(const Located_point<FT>& p, const Nearest& n, Path_start<FT>& start) const
+  {
+    if (!Number_policy<FT>::is_finite(n.distance)) return true;
+    if (n.is_near_source) return false;
+    if (n.window != no_index && n.distance == n.straight)
+    {
+      const Window<FT> w = m_field.kept.window(n.window, m_field.distance, m_field.root);
+      if (w.root.side() == Source_side::CAP) return false; // the side of a segment may tie
+      start.root = w.root;
+      start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();
+      start.halfedge = 3 * p.element + Index(n.halfedge);
+      start.exit = 0;
+      start.from = n.q[n.halfedge];
+      start.to = w.is_parallel() ? start.from + n.distance * Point{w.x, w.y} : Point{w.x, w.y};
+    }
+    else
+    {
+      const Index h = 3 * p.element + Index(n.corner), v = m_mesh.source(h);
+      const FT extent = m_mesh[h].length + m_mesh[h + 1 - 3 * Index(n.corner == 2)].length;
+      const FT tied = n.distance + Number_policy<FT>::rounding(256) * (n.distance + extent);
+      if (n.distance != n.by_corner || CGAL::is_zero(m_field.distance[v]) || (std::min)(n.straight, n.bent) <= tied)
+        return false;
+      start.root = m_field.root[v];
+      start.pseudo_source = v;
+      start.halfedge = h;
+      start.from = n.q[n.corner];
+      start.to = {FT(0), FT(0)};
+    }
+    start.distance = n.distance;
+    return true;
+  }
+
   template <class Function>
   void for_each_face(const Surface_point<FT>& p, const Function& f) const
   {
@@ -86,29 +188,10 @@ private:
                             .on_edge(int(h % 3), h == p.element ? p.x : FT(m_mesh[h].length - p.x)));
   }
 
-  // From kept windows, without making them.
-  FT distance_in(Index face, const Point& p) const
-  {
-    m_field.kept.prefetch(face);
-    const Face_frame<FT> frame(m_mesh, face);
-    FT best = Number_policy<FT>::infinity();
-    for (int k = 0; k < 3; ++k)
-      best = (std::min)(best, FT(m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - frame.corner(k))));
-    const auto local = local_windows(m_initial, face);
-    for (auto i = local.first; i != local.second; ++i) best = (std::min)(best, i->window.path_length(p));
-    for (int k = 0; k < 3; ++k)
-    {
-      const Point q = frame.vector_to_halfedge(k, p - frame.corner(k));
-      best = m_field.kept.nearest(3 * face + Index(k), m_field.distance, q.x, q.y, best);
-    }
-    // on the source
-    return best <= Number_policy<FT>::rounding(16) * frame.longest_edge() ? FT(0) : best;
-  }
-
-  Path_start<FT> at_point(const Surface_point<FT>& p) const
+  Path_start<FT> at_point(const Surface_point<FT>& p, const FT& distance) const
   {
     Path_start<FT> start;
-    start.distance = distance(p);
+    start.distance = distance;
     if (!start.is_reached()) return start;
     int liking = -1;
     FT shortest;

@@ -10,11 +10,11 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -32,10 +32,11 @@ public:
   {
   }
 
-  // Calls out(surface point) for p, where the path starts as told, for each edge that it crosses and each vertex that it
-  // passes, and for the source point where it ends. Returns the primitive where it ends. Nothing if p is not reached.
+  // Calls out(surface point) for p, where the path starts as told, for each vertex that it passes, and for the source point
+  // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not
+  // reached.
   template <class Function>
-  Index operator()(const Surface_point_& p, Path_start<FT> start, const Function& out) const
+  Index operator()(const Surface_point_& p, Path_start<FT> start, Function&& out) const
   {
     if (!start.is_reached()) return no_index;
     out(p);
@@ -45,7 +46,9 @@ public:
     {
       passed.clear();
       const End end = follow(start, passed);
-      for (const Surface_point_& q : passed) out(q);
+      for (const Path_crossing<FT>& q : passed)
+        if (q.halfedge != no_index) out(q);
+        else out(Surface_point_::at_vertex(q.source));
       out(end.point);
       if (end.primitive != no_index) return end.primitive;
       start = m_start.at_vertex(end.point.element);
@@ -53,8 +56,26 @@ public:
     return start.root.primitive();
   }
 
+  // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
+  void find_way_back(Index v, Way_back<FT>& back, Root& root) const
+  {
+    const Path_start<FT> start = m_start.at_vertex(v);
+    if (start.halfedge == no_index) return;
+    Passed passed;
+    const End end = follow(start, passed);
+    if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
+    const Index next = end.point.element;
+    const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    for (int k : {1, 2})
+      if (walk.vertex(k) == next)
+      {
+        back = Way_back<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
+        if (root.primitive() != m_field.root[next].primitive()) root = m_field.root[next];
+      }
+  }
+
 private:
-  typedef boost::container::small_vector<Surface_point_, 64> Passed;
+  typedef boost::container::small_vector<Path_crossing<FT>, 128> Passed;
 
   struct End
   {
@@ -67,6 +88,8 @@ private:
   {
     Index vertex = no_index, face = no_index, other_face = no_index;
     End end;
+
+    bool is_segment() const { return vertex == no_index && face == no_index; }
   };
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
@@ -86,19 +109,36 @@ private:
     const Goal goal = goal_of(start);
     const FT reach = length(start.to - start.from);
     Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
-    int exit = start.exit == -1 ? walk.exit_from_inside() : start.exit;
+    bool is_under_way = false;
+    // not with exact numbers, of which strips make long expressions
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_in_face(goal, walk))
+    {
+      Strip_walk<FT> strip(m_mesh, walk, start.exit);
+      const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
+      const FT ahead = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
+      is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
+      if (is_under_way)
+      {
+        if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
+            strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
+          return goal.end;
+        walk = Straight_walk<FT>(m_mesh, strip.halfedge(), strip.position(), strip.goal());
+      }
+    }
+    int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
     Index last_vertex = no_index;
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      const bool is_first = guard == 0;
+      const bool is_first = guard == 0 && !is_under_way;
       if (has_missed) look_for_detour(walk, is_first, start, reach, passed.size(), detour);
       FT last;
       if (is_in_sight(goal, walk, is_first, last))
       {
         const FT left = length(walk.goal() - walk.position());
-        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
+        const FT rounding =
+          Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
         if (last <= left + rounding || (has_missed && reach - left + last + distance_of(goal) <= detour.length))
           return goal.end;
         break;
@@ -107,7 +147,7 @@ private:
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.vertex == no_index && goal.face == no_index && ends_on_segment(walk, start, end)) return end;
+        if (End end; goal.is_segment() && ends_on_segment(walk, start, end)) return end;
         if (crossing.goal.y < -beside) break;
       }
       const Index beyond = walk.beyond(exit);
@@ -128,9 +168,9 @@ private:
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
       if (v == no_index)
-        passed.push_back(Surface_point_::on_edge(beyond, crossing.t));
+        passed.push_back({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)});
       else if (v != last_vertex)
-        passed.push_back(Surface_point_::at_vertex(v));
+        passed.push_back({no_index, v, v, FT(0)});
       last_vertex = v;
       walk.cross_over(exit, crossing);
       exit = walk.exit();
@@ -171,6 +211,14 @@ private:
     else
       goal.end = at_vertex(goal.vertex);
     return goal;
+  }
+
+  // Whether the goal is a point of the face.
+  bool is_in_face(const Goal& goal, const Straight_walk<FT>& walk) const
+  {
+    if (goal.vertex != no_index)
+      return walk.vertex(0) == goal.vertex || walk.vertex(1) == goal.vertex || walk.vertex(2) == goal.vertex;
+    return goal.face != no_index && (walk.face() == goal.face || walk.face() == goal.other_face);
   }
 
   // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how

@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -53,22 +55,47 @@ struct Surface_point
   }
 };
 
+// A point of a face in the frame of halfedge h, from its barycentric coordinates with respect to the target of h and the
+// apex.
+template <class FT>
+inline Point_in_face<FT> position_in_frame(const Unfolded_mesh<FT>& mesh, Index h, const FT& target, const FT& apex)
+{
+  return {target * mesh[h].length + apex * mesh[h].apex_x, apex * mesh[h].apex_y};
+}
+
+// A point as it was asked for: inside a face, with its barycentric coordinates, from which each halfedge's frame gets it
+// without the rounding of another's.
+template <class FT>
+struct Located_point : Surface_point<FT>
+{
+  std::array<FT, 3> weights; // FACE
+
+  Located_point(const Surface_point<FT>& p) : Surface_point<FT>(p) {}
+  Located_point(const Surface_point<FT>& p, const std::array<FT, 3>& weights) : Surface_point<FT>(p), weights(weights) {}
+};
+
+// Where a path crosses an edge, as a part of the way from the source of the halfedge to its target; or passes a vertex.
+template <class FT>
+struct Path_crossing
+{
+  Index halfedge; // no_index: at the vertex `source`
+  Index source, target;
+  FT part;
+};
+
 // Barycentric coordinates below this part of the largest are round-off of zero: the point is on the edge, or at the
 // vertex.
 inline double snapping_tolerance() { return 1e-13; }
 
+// At a vertex, or on an edge, if it is one; w: coordinates of which the sum is 1.
 template <class FT>
-Surface_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array<FT, 3> w)
+Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, bool valid, std::array<FT, 3> w,
+                                       const FT& eps)
 {
-  const FT sum = w[0] + w[1] + w[2];
-  const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
   const FT slack = Number_policy<FT>::is_inexact ? FT(1e-9) : FT(0);
   int zeros = 0, zero = -1, other = -1;
-  bool valid = face < mesh.number_of_faces() && mesh.source(3 * face) != no_index && sum > FT(0) &&
-               Number_policy<FT>::is_finite(sum);
   for (int k = 0; valid && k < 3; ++k)
   {
-    w[k] /= sum;
     valid = w[k] >= -slack && w[k] <= FT(1) + slack;
     if (w[k] <= eps)
     {
@@ -83,13 +110,22 @@ Surface_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(face) +
                                 " does not lie in the face, or the face is not of this mesh");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
-  if (zeros == 1)
-  {
-    const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
-    const Index h = 3 * face + Index(k);
-    return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
-  }
-  return Surface_point<FT>::in_face(face, Face_frame<FT>(mesh, face).point(w));
+  const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
+  const Index h = 3 * face + Index(k);
+  return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
+}
+
+template <class FT>
+BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array<FT, 3> w)
+{
+  const FT sum = w[0] + w[1] + w[2];
+  const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+  const bool valid = face < mesh.number_of_faces() && mesh.source(3 * face) != no_index && CGAL::is_positive(sum);
+  if (valid)
+    for (FT& x : w) x /= sum;
+  if (!(valid && w[0] > eps && w[1] > eps && w[2] > eps)) // if so, none is above 1
+    return classify_on_boundary(mesh, face, valid && Number_policy<FT>::is_finite(sum), w, eps);
+  return {Surface_point<FT>::in_face(face, position_in_frame(mesh, 3 * face, w[1], w[2])), w};
 }
 
 // The faces around a surface point.

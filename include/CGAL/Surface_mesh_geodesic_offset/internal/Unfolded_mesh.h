@@ -130,6 +130,7 @@ public:
     m_corner.assign(nv, no_index);
     m_can_bend.assign(nv, 0);
     find_corners();
+    for (const Halfedge& h : m_halfedges) m_longest_edge = (std::max)(m_longest_edge, h.length);
   }
 
   std::size_t number_of_faces() const { return m_halfedges.size() / 3; }
@@ -186,6 +187,8 @@ public:
     auto it = std::lower_bound(m_more_fans.begin(), m_more_fans.end(), std::make_pair(v, Index(0)));
     return it != m_more_fans.end() && it->first == v;
   }
+
+  const FT& longest_edge() const { return m_longest_edge; }
 
   FT mean_edge_length() const
   {
@@ -260,6 +263,7 @@ private:
   }
 
   std::vector<Halfedge> m_halfedges;
+  FT m_longest_edge = FT(0);
   std::vector<Index> m_corner;
   std::vector<char> m_can_bend;
   std::vector<std::pair<Index, Index>> m_more_fans; // (vertex, first corner), sorted

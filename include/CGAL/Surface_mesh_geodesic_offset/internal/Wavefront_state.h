@@ -45,9 +45,8 @@ public:
   }
 
   // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
-  // shortest paths bend becomes a pseudo-source once the front is there.
-  // A bent path has gone round the end of a window that misses v by
-  // rounding: a straight one that is as long tells the direction better.
+  // shortest paths bend becomes a pseudo-source once the front is there. A bent path has gone round the end of a window that
+  // misses v by rounding: a straight one that is as long tells the direction better.
   void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source, bool is_bent = false)
   {
     FT& known = field.distance[v];
@@ -68,6 +67,7 @@ public:
     field.root[v] = root;
     vertex_state[v] &= char(~(WAITS | IS_BENT));
     if (is_bent) vertex_state[v] |= IS_BENT;
+    has_bent_paths |= is_bent;
     if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     queue.push_vertex(queue.bucket_of(d), v);
@@ -155,6 +155,7 @@ public:
   Geodesic_field<FT>& field;
   Bucket_queue queue;
   std::vector<char> vertex_state, face_state;
+  bool has_bent_paths = false;
   Unfinished_faces unfinished;
   Wavefront_counts counts;
 };

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Straight on through the unfolded faces as quickly as can be, as long as nothing is in the way.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_STRIP_WALK_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_STRIP_WALK_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Straight_walk.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
+
+#include <boost/config.hpp>
+#include <boost/container/container_fwd.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The strip of faces lies in the plane such that the way goes from the origin along the x axis: which edge comes next is
+// told by the height of one vertex, and only the direction of this edge is waited for.
+template <class FT>
+class Strip_walk
+{
+public:
+  typedef Point_in_face<FT> Point;
+
+  // The way leaves the face where it is through the edge k.
+  Strip_walk(const Unfolded_mesh<FT>& mesh, const Straight_walk<FT>& first, int k) : m_mesh(mesh)
+  {
+    const Point way = first.goal() - first.position();
+    m_length = length(way);
+    const Point d = (FT(1) / m_length) * way;
+    const auto lay = [&](const Point& v) { return Point{dot(d, v), cross(d, v)}; };
+    const int after = (k + 1) % 3;
+    m_halfedge = first.beyond(k);
+    m_vertex[0] = first.vertex(after);
+    m_vertex[1] = first.vertex(k);
+    m_end[0] = lay(first.corner(after) - first.position());
+    m_end[1] = lay(first.corner(k) - first.position());
+    m_direction = lay(first.direction_beyond(k));
+  }
+
+  // Walks on and appends the edges that are crossed, up to a vertex that is no farther from the way than `beside`, or to
+  // where the goal is no higher over the next edge than `ahead`, or to the border. The face from which it does not go on has
+  // been entered through `halfedge()`. Tells whether it has entered any.
+  template <class Passed>
+  bool operator()(const FT& beside, const FT& ahead, Passed& passed)
+  {
+    Index h = m_halfedge;
+    Point e = m_direction;
+    // so put that a number that is none ends the walk
+    if (h == no_index || !((std::min)(m_end[0].y, FT(-m_end[1].y)) > beside) || !(height_of_goal(m_end[0], e) > ahead))
+      return false;
+    Index left = m_vertex[0], right = m_vertex[1];
+    Point l = m_end[0], r = m_end[1];
+    const Unfolded_halfedge<FT>* const mesh = &m_mesh[0];
+    Path_crossing<FT>*out = nullptr, *last = nullptr;
+    for (;;)
+    {
+      if (out == last && !make_room(passed, out, last)) return false;
+      *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
+      const auto &a = mesh[h], &b = mesh[m_mesh.next(h)], &c = mesh[m_mesh.previous(h)];
+      const Point apex{l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
+      const Point l_before = l, r_before = r, e_before = e;
+      Index beyond;
+      // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
+      // foresee the turns half of the time is better than to wait for each.
+      if (CGAL::is_positive(apex.y))
+      {
+        const FT unit = FT(1) / a.length;
+        e = turned(e, {unit * b.apex_x, -unit * b.apex_y});
+        beyond = b.twin;
+        left = c.origin;
+        l = apex;
+      }
+      else
+      {
+        const FT unit = FT(1) / c.length;
+        e = turned(e, {unit * a.apex_x, unit * a.apex_y});
+        beyond = c.twin;
+        right = c.origin;
+        r = apex;
+      }
+      if (int(beyond == no_index) | int(!(CGAL::abs(apex.y) > beside)) | int(!(height_of_goal(apex, e) > ahead)))
+      {
+        m_halfedge = h;
+        m_end[0] = l_before;
+        m_end[1] = r_before;
+        m_direction = e_before;
+        m_apex = apex;
+        passed.resize(std::size_t(out - passed.data()));
+        return true;
+      }
+      h = beyond;
+    }
+  }
+
+  Index halfedge() const { return m_halfedge; }
+
+  // In the frame of the halfedge: where it is crossed, and the goal.
+  Point position() const { return {part() * m_mesh[m_halfedge].length, FT(0)}; }
+  Point goal() const
+  {
+    const Point v = Point{m_length, FT(0)} - m_end[0];
+    return {dot(m_direction, v), cross(m_direction, v)};
+  }
+
+  FT way_left() const { return m_length - x(); }
+  FT way_to_apex() const { return length(m_apex - Point{x(), FT(0)}); }
+
+private:
+  // For some more crossings: a call for each would cost more than the crossing. No walk crosses more edges than there are.
+  template <class Passed>
+  BOOST_NOINLINE bool make_room(Passed& passed, Path_crossing<FT>*& out, Path_crossing<FT>*& last) const
+  {
+    const std::size_t size = passed.size(), more = 64;
+    if (size > m_mesh.number_of_halfedges())
+    {
+      passed.clear();
+      return false;
+    }
+    passed.resize(size + more, boost::container::default_init);
+    out = passed.data() + size;
+    last = out + more;
+    return true;
+  }
+
+  FT part() const { return m_end[0].y / (m_end[0].y - m_end[1].y); }
+  FT x() const { return m_end[0].x + part() * (m_end[1].x - m_end[0].x); }
+
+  static Point turned(const Point& e, const Point& turn)
+  {
+    return {e.x * turn.x - e.y * turn.y, e.x * turn.y + e.y * turn.x};
+  }
+
+  // Over an edge with the direction e, of which p is one end.
+  FT height_of_goal(const Point& p, const Point& e) const { return e.y * (p.x - m_length) - e.x * p.y; }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  FT m_length;       // of the way
+  Index m_halfedge;  // that is crossed next, or has been crossed
+  Index m_vertex[2]; // its ends, on the left and on the right
+  Point m_end[2], m_direction, m_apex;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
