@@ -155,11 +155,54 @@ void random_meshes()
   CHECK(elsewhere.median() <= 1e-13);
 }
 
+template <class Exception, class Function>
+bool throws(const Function& f)
+{
+  try
+  {
+    f();
+  }
+  catch (const Exception&)
+  {
+    return true;
+  }
+  return false;
+}
+
+// What the documentation says of use and misuse.
+void use()
+{
+  const Generated_mesh<test::Surface_mesh> data(planar_grid(4, 4));
+  const Face_location inside(data.faces[5], {{0.25, 0.25, 0.5}});
+  Enclosure enclosure(data.mesh);
+  CHECK(!enclosure.is_built());
+  CHECK(throws<std::logic_error>([&] { enclosure.distance_bounds(data.vertices[0]); }));
+  enclosure.build();
+  CHECK(enclosure.is_built());
+  CHECK(enclosure.distance_bounds(data.vertices[0]).first == infinity); // no source
+  CHECK(throws<std::logic_error>([&] { enclosure.distance_bounds(inside); }));
+  enclosure.add_source_point(data.vertices[0]);
+  CHECK(enclosure.distance_bounds(data.vertices[0]).first == infinity); // until it is built again
+  std::fesetround(FE_UPWARD);
+  CHECK(throws<std::logic_error>([&] { enclosure.build(); }));
+  std::fesetround(FE_TONEAREST);
+  enclosure.build(CGAL::parameters::keep_windows(true));
+  CHECK(enclosure.distance_bounds(data.vertices[0]).second == 0);
+  CHECK(enclosure.number_of_windows() > 0);
+  CHECK(throws<std::invalid_argument>([&] { enclosure.distance_bounds(Face_location(data.faces[5], {{2, -1, 0}})); }));
+  // squared distances in a plane are exact where coordinates are small integers
+  for (Vertex_index v : vertices(data.mesh))
+  {
+    const Point_3 &p = data.mesh.point(data.vertices[0]), &q = data.mesh.point(v);
+    check(enclosure.distance_bounds(v), CGAL::sqrt(CGAL::Gmpfr(CGAL::squared_distance(p, q))));
+  }
+}
+
 } // namespace
 
 int main()
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"random meshes", random_meshes}};
+  const std::pair<const char*, void (*)()> tests[] = {{"use", use}, {"random meshes", random_meshes}};
   for (const auto& test : tests)
   {
     Report::instance().set_context(test.first);

@@ -28,8 +28,8 @@ oracle for other methods.
 
 The coordinates of the vertices, rounded to `double` if they are not, are taken as exact. A source, or a point that is asked
 for, is the location as classified: coordinates that are zero up to round-off (1e-13) put it on the edge, or at the vertex.
-How the bounds are found, and why they are certain, says \ref SMGOErrorAnalysis. Relative to the distance they are mostly
-within a few 1e-14 of each other.
+How the bounds are found, and why they are certain, says \ref SurfaceMeshGeodesicOffsetErrorAnalysis. Relative to the
+distance they are mostly within a few 1e-14 of each other.
 
 The computation takes up to twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
 arithmetic with round to nearest: it must not be compiled with options like `-ffast-math`.

@@ -114,9 +114,9 @@ private:
     return true;
   }
 
-  // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 16 u of the exit's
+  // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 22 u of the exit's
   // distance from the corner at most. The path through the interval's end is longer by twice that.
-  static double detour(double exit) { return 32 * unit_roundoff * exit; }
+  static double detour(double exit) { return 48 * unit_roundoff * exit; }
 
   // From the point b to q, up to rounding of itself.
   double from_target(double b) const { return b < length ? (length - b) + m_length.low : 0.; }
@@ -130,7 +130,7 @@ private:
     const double off = w.error_of_image();
     across(w, to_image, c, s, off, den, error);
     if (den <= -error) return false;
-    t = (std::max)(0., b * (-w.y - off)) / (den + error) * (1 - 4 * unit_roundoff);
+    t = (std::max)(0., b * (-w.y - off)) / (den + error) * (1 - exit_error);
     return true;
   }
   static void far_exit(const Certified_window& w, double to_image, double b, double c, double s, double& t)
@@ -138,7 +138,7 @@ private:
     double den, error;
     const double off = w.error_of_image();
     across(w, to_image, c, s, off, den, error);
-    if (den > error) t = (std::min)(t, b * (off - w.y) / (den - error) * (1 + 4 * unit_roundoff));
+    if (den > error) t = (std::min)(t, b * (off - w.y) / (den - error) * (1 + exit_error));
   }
 
   // The sine of the angle between ray and edge, times the length of the ray so far.
