@@ -128,6 +128,14 @@ public:
     return {m_node->enclosure().low, m_node->enclosure().high};
   }
 
+  // Bounds that are almost always a few units of the last place apart, and wide where many digits cancel. Nothing is decided.
+  std::pair<double, double> bounds() const
+  {
+    if (!m_node) return {0, 0};
+    if (!m_node->enclosure().is_tight()) m_node->refine(Radical_node::first_precision);
+    return {m_node->enclosure().low, m_node->enclosure().high};
+  }
+
   Exact_root_number square_root() const { return Exact_root_number(Make::square_root(m_node)); }
 
   Exact_root_number operator+() const { return *this; }
@@ -189,6 +197,8 @@ public:
   }
 
 private:
+  friend std::pair<double, double> bounds_of(const Exact_root_number& a) { return a.bounds(); }
+
   explicit Exact_root_number(Reference node) : m_node(std::move(node)) {}
 
   mutable Reference m_node; // a comparison may replace it by a simpler expression of the same number
