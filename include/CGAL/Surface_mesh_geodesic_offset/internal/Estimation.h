@@ -32,6 +32,13 @@ inline std::pair<double, double> bounds_of(const FT& x)
   return CGAL::to_interval(x);
 }
 
+// For the places where windows end. No better than by estimates, if the number type has nothing better.
+template <class FT>
+inline Uncertain<Comparison_result> compare_bounds(const FT& a, const FT& b)
+{
+  return CGAL::compare(Interval_nt<>(bounds_of(a)), Interval_nt<>(bounds_of(b)));
+}
+
 // For number types whose comparisons are to be taken for true: floating point ones.
 template <class FT, bool is_inexact = Number_policy<FT>::is_inexact>
 struct Estimation

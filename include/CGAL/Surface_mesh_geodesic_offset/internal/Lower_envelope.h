@@ -248,7 +248,12 @@ private:
 
   void keep_later(const Window& w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
-    if (to - from > m_min_width) push_later(part(w, from, d_from, to, d_to));
+    if constexpr (Estimation<FT>::leaves_open)
+    {
+      if (!CGAL::possibly(compare_bounds(from, to) == SMALLER)) return;
+    }
+    else if (!(to - from > m_min_width)) return;
+    push_later(part(w, from, d_from, to, d_to));
   }
 
   static Window part(Window w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)

@@ -61,6 +61,10 @@ struct Exact_root_number_counts
 class Radical_evaluation
 {
 public:
+  static constexpr std::size_t most_steps = std::size_t(1) << 22;
+
+  explicit Radical_evaluation(std::size_t steps = most_steps) : m_field(steps) {}
+
   Vanishing operator()(Radical_node& top)
   {
     Vanishing result = Vanishing::UNKNOWN;
@@ -81,7 +85,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_steps = std::size_t(1) << 22;
   static constexpr std::size_t most_terms_kept = 64;
 
   bool is_known(const Radical_node& n) const { return n.closed_form() || m_values.count(&n) != 0; }
@@ -125,7 +128,7 @@ private:
     return q;
   }
 
-  Radical_field m_field{most_steps};
+  Radical_field m_field;
   std::unordered_map<const Radical_node*, Radical_quotient> m_values;
   std::vector<Radical_node*> m_evaluated;
 };
@@ -217,6 +220,24 @@ public:
     return of(Radical_expression::difference(a, b));
   }
 
+  // 0 if intervals of few bits do not tell.
+  static int of_difference_by_intervals(const Reference& a, const Reference& b)
+  {
+    if (a == b) return 0;
+    if (!a || !b) return of_difference(a, b);
+    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    if (x.low > y.high) return 1;
+    if (x.high < y.low) return -1;
+    const Reference d = Radical_expression::difference(a, b);
+    return d && refined_has_sign(*d, Radical_node::first_precision, exact_from) ? d->sign() : 0;
+  }
+
+  // Finds the closed forms of what an expression is made of, as far as that takes no time.
+  static void simplify(const Reference& a)
+  {
+    if (a && !a->closed_form() && !a->rational()) Radical_evaluation{steps_to_simplify}(*a);
+  }
+
   // Makes the enclosure of a number so tight that all its doubles are close to the number. False for zero.
   static bool approximate(const Reference& a)
   {
@@ -231,6 +252,7 @@ public:
 
 private:
   static constexpr std::size_t exact_from = 256, bound_from = 4096, core_from = 1 << 16; // bits
+  static constexpr std::size_t steps_to_simplify = std::size_t(1) << 10;
   static constexpr std::size_t most_bits_of_bound = 1 << 21;
 
   static bool refined_has_sign(Radical_node& n, std::size_t bits, std::size_t most_bits)

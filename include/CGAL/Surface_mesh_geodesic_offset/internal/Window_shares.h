@@ -45,9 +45,10 @@ public:
       m_size = 0;
       return;
     }
-    const bool a_is_last = b.b1 < a.b1;
-    if (a_is_last || a.b1 < b.b1)
-      append(a_is_last ? FIRST : SECOND, (a_is_last ? b1 : a1).inf(), std::numeric_limits<double>::infinity());
+    const Uncertain<Comparison_result> ends = compare_bounds(a.b1, b.b1);
+    if (CGAL::possibly_not(ends == EQUAL))
+      append(CGAL::certainly(ends == SMALLER) ? SECOND : CGAL::certainly(ends == LARGER) ? FIRST : OPEN,
+             (std::min)(a1.inf(), b1.inf()), std::numeric_limits<double>::infinity());
     m_end_of_lead = b0.sup();
   }
 
@@ -58,7 +59,7 @@ public:
   template <class Function>
   void for_each_part_of_first(const Function& f) const
   {
-    const bool leads = m_a.b0 < m_b.b0;
+    const bool leads = CGAL::possibly(compare_bounds(m_a.b0, m_b.b0) == SMALLER);
     if (leads && m_zones[0].nearer == SECOND) f(part(m_a, -std::numeric_limits<double>::infinity(), m_end_of_lead));
     for_each_part(m_a, SECOND, f);
   }
@@ -69,7 +70,7 @@ public:
   }
 
 private:
-  enum Nearer { FIRST = -1, OPEN = 0, SECOND = 1 };
+  enum Nearer { FIRST = -1, OPEN = 0, SECOND = 1 }; // the sign of the difference of distances
   struct Zone
   {
     int nearer;
