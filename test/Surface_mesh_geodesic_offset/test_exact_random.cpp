@@ -160,12 +160,15 @@ private:
     }
   }
 
-  // Whether the distance decreases at nearly full rate in one direction only, round a vertex: judged by points close by.
+  // Whether the distance decreases at full rate in one direction only, round a vertex: judged by points close by. The
+  // directions in which it decreases at nearly full rate make one angle then, which is not wider than it must be.
   bool has_one_path(Vertex_index v, const Geodesic& double_level)
   {
     const double d = double_level.distance_to_sources(v);
     if (d == 0) return true;
-    const int n = 64;
+    const int n = 1024;
+    const double rate = 0.99999, widest = 1.4 * 2 * std::acos(rate);
+    double angle = 0;
     std::vector<char> descends;
     bool is_closed = true;
     // round the vertex, from the border if there is one
@@ -190,12 +193,14 @@ private:
         for (int k = 0; k <= n; ++k)
         {
           const double t = double(k) / n, size = std::sqrt(((1 - t) * a + t * b).squared_length());
+          if (size < 0.1) continue; // in the middle of a corner that is nearly flat
           const double to_a = step * (1 - t) / (size * length_of(h)), to_b = step * t / (size * length_of(g));
           Face_location near_v(face(h, data_.mesh), {{0, 0, 0}});
           const auto corners = locations_.corners(near_v.first);
           for (std::size_t i = 0; i < 3; ++i)
             near_v.second[i] = corners[i] == v ? 1 - to_a - to_b : corners[i] == source(h, data_.mesh) ? to_a : to_b;
-          descends.push_back(double_level.distance_to_sources(near_v) < d - 0.998 * step);
+          descends.push_back(double_level.distance_to_sources(near_v) < d - rate * step);
+          if (descends.back()) angle += std::sqrt(CGAL::cross_product(a, b).squared_length()) / (n * size * size);
         }
       }
       h = opposite(g, data_.mesh);
@@ -203,7 +208,7 @@ private:
     std::size_t runs = 0;
     for (std::size_t i = 0; i < descends.size(); ++i)
       if (descends[i] && !(i > 0 ? descends[i - 1] : (is_closed && descends.back()))) ++runs;
-    return runs == 1;
+    return runs == 1 && angle <= widest;
   }
 
   double length_of(Halfedge_index h) const

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -217,6 +218,7 @@ public:
       ++counts().by_doubles;
       return x.low > y.high ? 1 : x.high < y.low ? -1 : 0;
     }
+    if (const auto parts = differing_parts(*a, *b)) return of_difference(*parts->first, *parts->second);
     return of(Radical_expression::difference(a, b));
   }
 
@@ -254,6 +256,19 @@ private:
   static constexpr std::size_t exact_from = 256, bound_from = 4096, core_from = 1 << 16; // bits
   static constexpr std::size_t steps_to_simplify = std::size_t(1) << 10;
   static constexpr std::size_t most_bits_of_bound = 1 << 21;
+
+  // Of two sums that share a term, the other terms; of two square roots, what is under them: they compare alike.
+  typedef std::pair<const Reference*, const Reference*> Parts;
+  static std::optional<Parts> differing_parts(const Radical_node& a, const Radical_node& b)
+  {
+    if (a.operation() != b.operation()) return std::nullopt;
+    if (a.operation() == Radical_operation::SQUARE_ROOT) return Parts(&a.operand(0), &b.operand(0));
+    if (a.operation() != Radical_operation::ADD) return std::nullopt;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (a.operand(i) == b.operand(j)) return Parts(&a.operand(1 - i), &b.operand(1 - j));
+    return std::nullopt;
+  }
 
   static bool refined_has_sign(Radical_node& n, std::size_t bits, std::size_t most_bits)
   {
