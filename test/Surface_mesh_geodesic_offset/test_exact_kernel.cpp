@@ -140,7 +140,8 @@ void test_box(const FT& a, const FT& b, const FT& c)
   s.expect(7, least(least(hypotenuse(a, b + c), hypotenuse(b, a + c)), hypotenuse(c, a + b)));
   // the middle of the edge 0 1: the vertices of the side opposite, through one or two sides
   s.start({s.middle(0, 1)});
-  for (std::size_t i : {6, 7}) s.expect(i, least(hypotenuse(a / 2, b + c), least(hypotenuse(a / 2 + b, c), hypotenuse(a / 2 + c, b))));
+  for (std::size_t i : {6, 7})
+    s.expect(i, least(hypotenuse(a / 2, b + c), least(hypotenuse(a / 2 + b, c), hypotenuse(a / 2 + c, b))));
   for (std::size_t i : {2, 3}) s.expect(i, hypotenuse(a / 2, b));
   for (std::size_t i : {4, 5}) s.expect(i, hypotenuse(a / 2, c));
   // a point in the side z = 0, at (2a/3, b/3): the top's corners, by the wall that they share with the bottom's border
@@ -185,7 +186,8 @@ void test_tetrahedron()
 
 void test_octahedron()
 {
-  Shape s("octahedron", {Point_3(1, 0, 0), Point_3(-1, 0, 0), Point_3(0, 1, 0), Point_3(0, -1, 0), Point_3(0, 0, 1), Point_3(0, 0, -1)},
+  Shape s("octahedron",
+          {Point_3(1, 0, 0), Point_3(-1, 0, 0), Point_3(0, 1, 0), Point_3(0, -1, 0), Point_3(0, 0, 1), Point_3(0, 0, -1)},
           {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}}, {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}});
   const FT edge = root(FT(2)), height = root(FT(3) / 2);
   s.start({s.vertex(0)});
@@ -336,7 +338,8 @@ void test_segments_in_plane()
   std::map<std::pair<int, int>, std::size_t> id;
   Shape s = squares("plane", 4, 3, id, [](int, int) { return true; });
   const std::size_t a = id.at({1, 1}), b = id.at({2, 1}), c = id.at({2, 2});
-  const auto first = s.at({{a, FT(1) / 2}, {b, FT(1) / 4}, {c, FT(1) / 4}}), last = s.at({{a, FT(1) / 8}, {b, FT(1) / 4}, {c, FT(5) / 8}});
+  const auto first = s.at({{a, FT(1) / 2}, {b, FT(1) / 4}, {c, FT(1) / 4}});
+  const auto last = s.at({{a, FT(1) / 8}, {b, FT(1) / 4}, {c, FT(5) / 8}});
   const FT x0 = FT(3) / 2, y0 = FT(5) / 4, x1 = FT(15) / 8, y1 = FT(13) / 8;
   s.start({first, last});
   const auto distance = [&](const FT& x, const FT& y) {

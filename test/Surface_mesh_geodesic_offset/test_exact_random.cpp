@@ -120,7 +120,8 @@ private:
     }
     else if (kind == 4)
     {
-      const std::vector<Surface_mesh::Edge_index> edge{data_.mesh.edge(halfedge(random_face(data_.mesh, random_), data_.mesh))};
+      const Halfedge_index h = halfedge(random_face(data_.mesh, random_), data_.mesh);
+      const std::vector<Surface_mesh::Edge_index> edge{data_.mesh.edge(h)};
       double_level.add_source_edges(edge);
       exact_level.add_source_edges(edge);
     }
@@ -190,17 +191,19 @@ private:
       {
         const Vector_3 a = unit(data_.mesh.point(source(h, data_.mesh)) - data_.mesh.point(v)),
                        b = unit(data_.mesh.point(target(g, data_.mesh)) - data_.mesh.point(v));
+        const double cosine = a * b, sine = std::sqrt(CGAL::cross_product(a, b).squared_length()),
+                     corner = std::atan2(sine, cosine);
         for (int k = 0; k <= n; ++k)
         {
-          const double t = double(k) / n, size = std::sqrt(((1 - t) * a + t * b).squared_length());
-          if (size < 0.1) continue; // in the middle of a corner that is nearly flat
-          const double to_a = step * (1 - t) / (size * length_of(h)), to_b = step * t / (size * length_of(g));
+          const double turn = corner * k / n, along_b = std::sin(turn) / sine;
+          const double to_a = step * (std::cos(turn) - along_b * cosine) / length_of(h), to_b = step * along_b / length_of(g);
+          if (!(to_a + to_b < 1e-3)) return false; // too flat a corner
           Face_location near_v(face(h, data_.mesh), {{0, 0, 0}});
           const auto corners = locations_.corners(near_v.first);
           for (std::size_t i = 0; i < 3; ++i)
             near_v.second[i] = corners[i] == v ? 1 - to_a - to_b : corners[i] == source(h, data_.mesh) ? to_a : to_b;
           descends.push_back(double_level.distance_to_sources(near_v) < d - rate * step);
-          if (descends.back()) angle += std::sqrt(CGAL::cross_product(a, b).squared_length()) / (n * size * size);
+          if (descends.back()) angle += corner / n;
         }
       }
       h = opposite(g, data_.mesh);

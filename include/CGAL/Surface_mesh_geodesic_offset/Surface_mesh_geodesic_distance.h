@@ -202,7 +202,8 @@ public:
   void vertex_distances(VertexDistanceMap map) const
   {
     const Build& b = built();
-    for (vertex_descriptor v : vertices(m_surface->tm)) put(map, v, FT(Surface::exported(b.field.distance[m_surface->index_of(v)])));
+    for (vertex_descriptor v : vertices(m_surface->tm))
+      put(map, v, FT(Surface::exported(b.field.distance[m_surface->index_of(v)])));
   }
 
   /// what `source_labels()` says of vertices that have no distance.

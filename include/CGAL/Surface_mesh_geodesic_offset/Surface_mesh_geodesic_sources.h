@@ -181,7 +181,8 @@ protected:
   Surface_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(m_surface->index_of(v)); }
   Surface_point classified(const Face_location& l) const
   {
-    return Geodesic_offset::internal::classify<Number>(unfolded(), m_surface->index_of(l.first), Surface::imported(l.second));
+    return Geodesic_offset::internal::classify<Number>(unfolded(), m_surface->index_of(l.first),
+                                                       Surface::imported(l.second));
   }
 
   Computing_traits m_traits;

@@ -111,9 +111,9 @@ private:
   }
 
   // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
-  // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses it gives it the length of
-  // the path round its end, which is always valid, and if none covers it, so do its neighbours on either side.
-  // Returns the best distance given to the apex through h so far, and where its ray enters.
+  // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
+  // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
+  // on either side. Returns the best distance given to the apex through h so far, and where its ray enters.
   void sort_by_exit(Index h, const Window_propagation<Traits>& face, const std::vector<Window>& windows, FT& best, FT& entry)
   {
     const auto compare = m_traits.compare_entry_with_apex_2_object();

@@ -134,7 +134,8 @@ public:
     return {m_node->enclosure().low, m_node->enclosure().high};
   }
 
-  // Bounds that are almost always a few units of the last place apart, and wide where many digits cancel. Nothing is decided.
+  // Bounds that are almost always a few units of the last place apart, and wide where many digits cancel; nothing is
+  // decided.
   std::pair<double, double> bounds() const
   {
     if (!m_node) return {0, 0};

@@ -117,7 +117,7 @@ struct Geodesic_surface
   Vector_3 vector(Index halfedge, const Point_in_face<Number>& v) const
   {
     const halfedge_descriptor h = halfedge_of(halfedge);
-    const auto corner = [&](halfedge_descriptor g) { return point(Surface_point<Number>::at_vertex(index_of(source(g, tm)))); };
+    const auto corner = [&](halfedge_descriptor g) { return position(source(g, tm)); };
     const Point_3 p = corner(h);
     const Vector_3 x = corner(next(h, tm)) - p;
     const Vector_3 y = CGAL::cross_product(CGAL::cross_product(x, corner(prev(h, tm)) - p), x);

@@ -216,7 +216,8 @@ private:
     const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
     const FT off = walk.side(k);
     if constexpr (!Number_policy<FT>::is_inexact)
-      return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) && dot(to_vertex, to_vertex) <= dot(to_goal, to_goal);
+      return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
+             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal);
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
     if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))

@@ -62,9 +62,9 @@ inline bool trim_by_ends(Window<FT>& w, const FT& length, const FT& d_source, co
   }
   if (CGAL::certainly(by_target + (l - b1) < d1))
   {
-    const Estimate x = estimate(w.x);
-    const Estimate t = l - (w.is_parallel() ? tie_with_end<FT>(w, Estimate(-x), Estimate(estimate(w.sigma) - x * l), by_target)
-                                            : tie_with_end<FT>(w, Estimate(l - x), Estimate(0), by_target));
+    const Estimate x = estimate(w.x), from_target = w.is_parallel() ? Estimate(-x) : Estimate(l - x);
+    const Estimate at_target = w.is_parallel() ? Estimate(estimate(w.sigma) - x * l) : Estimate(0);
+    const Estimate t = l - tie_with_end<FT>(w, from_target, at_target, by_target);
     if (CGAL::certainly(t <= b0)) return false;
     if (CGAL::certainly(t < b1))
     {
