@@ -47,7 +47,9 @@ class Surface_mesh_geodesic_offset
   typedef Surface_mesh_geodesic_distance<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Base;
   typedef typename Base::Build Build;
   typedef typename Base::Index Index;
+  typedef typename Base::Number Number;
   typedef typename Base::Surface Surface;
+  typedef Offset_levels<Number> Levels_inside;
 
   using Base::built;
   using Base::m_built;
@@ -99,7 +101,7 @@ public:
                                             const NamedParameters& np = parameters::default_values(),
                                             const Offset_selection& selection = Offset_selection())
   {
-    const Offset_levels<FT> wanted(as_levels(levels));
+    const Levels_inside wanted(as_levels(levels));
     const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
     propagate_and_cut(*fresh, wanted, selection, f);
     m_built = fresh;
@@ -128,7 +130,7 @@ public:
   void offset_curves_by_distance(const Levels& levels, const Function& f,
                                  const Offset_selection& selection = Offset_selection()) const
   {
-    const Offset_levels<FT> wanted(as_levels(levels));
+    const Levels_inside wanted(as_levels(levels));
     const Build& b = built();
     if (b.kept)
     {
@@ -137,7 +139,7 @@ public:
       output.finish();
       return;
     }
-    FT maximum = b.maximum;
+    Number maximum = b.maximum;
     if (!wanted.is_unlimited() && wanted.size() > 0) maximum = (std::min)(maximum, wanted[wanted.size() - 1]);
     Build again(unfolded(), b.sources, {maximum, false, {}, {}});
     propagate_and_cut(again, wanted, selection, f);
@@ -147,12 +149,14 @@ public:
 
 private:
   template <class Levels>
-  static Offset_levels<FT> as_levels(const Levels& levels)
+  static Levels_inside as_levels(const Levels& levels)
   {
     if constexpr (std::is_convertible<Levels, FT>::value)
-      return Offset_levels<FT>(std::array<FT, 1>{FT(levels)});
+      return Levels_inside(std::array<Number, 1>{Surface::imported(FT(levels))});
+    else if constexpr (std::is_same<Levels, Offset_levels<FT>>::value)
+      return levels.template converted<Number>([](const FT& d) { return Surface::imported(d); });
     else
-      return Offset_levels<FT>(levels);
+      return Levels_inside(levels);
   }
 
   template <class OutputIterator>
@@ -164,7 +168,7 @@ private:
   }
 
   template <class Function>
-  void propagate_and_cut(Build& b, const Offset_levels<FT>& levels, const Offset_selection& selection,
+  void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
                          const Function& f) const
   {
     const auto output = curve_output(b, levels, selection, f);
@@ -173,7 +177,7 @@ private:
   }
 
   template <class Function>
-  auto curve_output(const Build& b, const Offset_levels<FT>& levels, const Offset_selection& selection,
+  auto curve_output(const Build& b, const Levels_inside& levels, const Offset_selection& selection,
                     const Function& f) const
   {
     const bool by_inside = selection.side == Offset_side::INSIDE || selection.side == Offset_side::OUTSIDE;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds contain the distances of a run with 200 bits, and are close together: 300 random meshes, planar,
+// Certified bounds contain the distances of a run with 200 bits, and are close together: 150 random meshes, planar,
 // symmetric, rotated and with needles, with points, polylines and edges as sources.
 
 #include "geodesic_types.h"
@@ -141,7 +141,7 @@ void random_meshes()
   CGAL::Gmpfr::set_default_precision(200);
   Widths at_vertices, elsewhere;
   std::size_t windows = 0, certified_windows = 0;
-  for (unsigned seed = 0; seed < 300; ++seed)
+  for (unsigned seed = 0; seed < 150; ++seed)
   {
     Report::instance().set_context("random mesh " + std::to_string(seed));
     Query_case c("random", random_mesh(seed));

@@ -37,7 +37,7 @@ functions are const and may be called from several threads.
 template <class Surface_>
 class Geodesic_offset_curve
 {
-  typedef Geodesic_offset::internal::Level_piece<typename Surface_::FT> Level_piece;
+  typedef Geodesic_offset::internal::Level_piece<typename Surface_::Number> Level_piece;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
 public:

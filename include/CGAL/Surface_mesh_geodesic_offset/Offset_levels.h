@@ -74,7 +74,22 @@ public:
     return (std::min)(i, m_count);
   }
 
+#ifndef DOXYGEN_RUNNING
+  template <class Number, class Conversion>
+  Offset_levels<Number> converted(const Conversion& convert) const
+  {
+    Offset_levels<Number> result;
+    result.m_count = m_count;
+    result.m_spacing = convert(m_spacing);
+    for (const FT& d : m_distances) result.m_distances.push_back(convert(d));
+    return result;
+  }
+#endif
+
 private:
+  template <class>
+  friend class Offset_levels;
+
   Offset_levels() = default;
 
   static FT checked(const FT& d, const char* what)

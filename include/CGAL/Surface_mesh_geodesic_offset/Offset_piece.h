@@ -51,8 +51,9 @@ public:
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
 private:
-  typedef Geodesic_offset::internal::Level_piece<FT> Level_piece;
-  typedef Geodesic_offset::internal::Point_in_face<FT> Point_in_face;
+  typedef typename Surface_::Number Number;
+  typedef Geodesic_offset::internal::Level_piece<Number> Level_piece;
+  typedef Geodesic_offset::internal::Point_in_face<Number> Point_in_face;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
 public:
@@ -75,10 +76,10 @@ public:
   }
 
   /// the radius of an arc. \pre `is_arc()`
-  const FT& radius() const
+  FT radius() const
   {
     CGAL_precondition(is_arc());
-    return m_piece->radius;
+    return Surface_::exported(m_piece->radius);
   }
 
   /// the line of a segment, in the direction of travel; the smaller distances are on its positive side. \pre `is_segment()`
@@ -86,7 +87,8 @@ public:
   {
     CGAL_precondition(is_segment());
     // center: unit direction away from the source
-    return Line_2(-m_piece->center.x, -m_piece->center.y, m_piece->radius);
+    return Line_2(-Surface_::exported(m_piece->center.x), -Surface_::exported(m_piece->center.y),
+                  Surface_::exported(m_piece->radius));
   }
 
   /// where the piece starts and ends.
@@ -111,8 +113,8 @@ public:
   /// the length: of an arc as an arc.
   FT length() const
   {
-    if (is_segment()) return Geodesic_offset::internal::length(m_piece->end - m_piece->start);
-    return m_piece->radius * angle();
+    if (is_segment()) return Surface_::exported(Geodesic_offset::internal::length(m_piece->end - m_piece->start));
+    return radius() * angle();
   }
 
   /// the point at a parameter that runs from 0 at the start to 1 at the end, in proportion to length.
@@ -166,7 +168,7 @@ public:
   /// @}
 
 private:
-  static Point_2 public_point(const Point_in_face& p) { return Point_2(p.x, p.y); }
+  static Point_2 public_point(const Point_in_face& p) { return Point_2(Surface_::exported(p.x), Surface_::exported(p.y)); }
 
   Face_location location_of(const Point_in_face& p, int edge) const
   {
@@ -192,10 +194,10 @@ private:
   // `angle`: that of the piece.
   Point_in_face at(const FT& t, const FT& angle) const
   {
-    if (is_segment()) return m_piece->start + t * (m_piece->end - m_piece->start);
+    if (is_segment()) return m_piece->start + Surface_::imported(t) * (m_piece->end - m_piece->start);
     const Point_in_face a = m_piece->start - m_piece->center;
     const double x = CGAL::to_double(t) * CGAL::to_double(angle);
-    const FT c(std::cos(x)), s(std::sin(x));
+    const Number c(std::cos(x)), s(std::sin(x));
     return m_piece->center + Point_in_face{c * a.x - s * a.y, s * a.x + c * a.y};
   }
 

@@ -66,11 +66,12 @@ protected:
   typedef typename Base::Surface_point Surface_point;
   typedef typename Base::Located_point Located_point;
   typedef typename Base::Index Index;
-  typedef Geodesic_offset::internal::Number_policy<FT> Policy;
-  typedef Geodesic_offset::internal::Build_request<FT> Request;
-  typedef Geodesic_offset::internal::Geodesic_build<Traits> Build;
-  typedef Geodesic_offset::internal::Path_start<FT> Path_start;
-  typedef Geodesic_offset::internal::Path_crossing<FT> Path_crossing;
+  typedef typename Base::Number Number;
+  typedef Geodesic_offset::internal::Number_policy<Number> Policy;
+  typedef Geodesic_offset::internal::Build_request<Number> Request;
+  typedef Geodesic_offset::internal::Geodesic_build<typename Base::Computing_traits> Build;
+  typedef Geodesic_offset::internal::Path_start<Number> Path_start;
+  typedef Geodesic_offset::internal::Path_crossing<Number> Path_crossing;
 
   using Base::classified;
   using Base::m_sources;
@@ -130,7 +131,7 @@ public:
 
   /// the distance up to which the distances were computed, inclusive: the maximum distance, or less if the build was
   /// cancelled or has stopped at its targets; infinity if all is known. All points farther away are at infinity.
-  FT covered_distance() const { return built().maximum; }
+  FT covered_distance() const { return Surface::exported(built().maximum); }
 
   /// counts of the last build.
   const Statistics& statistics() const { return built().statistics; }
@@ -149,8 +150,8 @@ public:
   {
     const Located_point p = classified(location);
     const Build& b = built_for(p);
-    const FT d = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field).distance(p);
-    return d > b.maximum ? Policy::infinity() : d;
+    const Number d = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field).distance(p);
+    return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
   /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
@@ -181,7 +182,7 @@ public:
     Path_end end;
     const auto& primitive = built().initial.primitives[trace(p, start, end)];
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          start.root.side(), start.distance, m_surface->location(end.point)};
+                          start.root.side(), Surface::exported(start.distance), m_surface->location(end.point)};
   }
 
   /// the gradient of the distance: the unit vector that points straight away from where the shortest path goes first, in the
@@ -194,7 +195,7 @@ public:
     if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
       return CGAL::NULL_VECTOR;
     const auto way = start.from - start.to;
-    return m_surface->vector(start.halfedge, (FT(1) / length(way)) * way);
+    return m_surface->vector(start.halfedge, (Number(1) / length(way)) * way);
   }
 
   /// puts the distances of all vertices into a map.
@@ -203,7 +204,8 @@ public:
   void vertex_distances(VertexDistanceMap map) const
   {
     const Build& b = built();
-    for (vertex_descriptor v : vertices(m_surface->tm)) put(map, v, b.field.distance[m_surface->index_of(v)]);
+    for (vertex_descriptor v : vertices(m_surface->tm))
+      put(map, v, FT(Surface::exported(b.field.distance[m_surface->index_of(v)])));
   }
 
   /// what `source_labels()` says of vertices that have no distance.
@@ -230,13 +232,13 @@ public:
   {
     const Build& b = built_with_windows();
     Index face;
-    typename Base::Barycentric_coordinates weights;
-    FT distance;
+    std::array<Number, 3> weights;
+    Number distance;
     if (Policy::is_finite(b.maximum) ||
-        !Geodesic_offset::internal::Farthest_point<FT>(unfolded(), b.initial, b.field)(face, weights, distance))
+        !Geodesic_offset::internal::Farthest_point<Number>(unfolded(), b.initial, b.field)(face, weights, distance))
       throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
                              "everywhere, or there is no source");
-    return {Face_location(m_surface->face_of[face], weights), distance};
+    return {Face_location(m_surface->face_of[face], Surface::exported(weights)), Surface::exported(distance)};
   }
 
   /// the same without the point.
@@ -306,14 +308,14 @@ protected:
   Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
-    const Path_start start = Geodesic_offset::internal::Path_starts<FT>(unfolded(), b.initial, b.field)(p);
+    const Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
     return start.distance > b.maximum ? Path_start() : start;
   }
 
   template <class Visitor>
   void visit(const Path_crossing& p, Visitor& visitor) const
   {
-    visitor(m_surface->halfedge_of(p.halfedge), p.part);
+    visitor(m_surface->halfedge_of(p.halfedge), Surface::exported(p.part));
   }
 
   template <class Visitor>
@@ -322,7 +324,7 @@ protected:
     if (p.kind == Surface_point::VERTEX)
       visitor(m_surface->vertex_of[p.element]);
     else if (p.kind == Surface_point::EDGE)
-      visitor(m_surface->halfedge_of(p.element), FT(p.x / unfolded()[p.element].length));
+      visitor(m_surface->halfedge_of(p.element), Surface::exported(Number(p.x / unfolded()[p.element].length)));
     else
     {
       const Face_location l = m_surface->location(p);
@@ -334,7 +336,7 @@ protected:
   Index trace(const Surface_point& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
-    return Geodesic_offset::internal::Path_tracing<FT>(unfolded(), b.initial, b.field)(p, start, out);
+    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field)(p, start, out);
   }
 
   template <class Location, class Function>
@@ -351,7 +353,7 @@ protected:
     using parameters::get_parameter;
     Request r;
     r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_maximum_distance), Policy::infinity());
-    if (!(r.maximum >= FT(0)))
+    if (!(r.maximum >= Number(0)))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the maximum distance is negative or not a number");
     r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());

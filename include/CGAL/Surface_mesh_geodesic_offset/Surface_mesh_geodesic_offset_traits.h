@@ -175,6 +175,11 @@ public:
       if (!CGAL::is_positive(den)) return false;
       const FT inverse = FT(1) / den;
       t = -(b * y) * inverse;
+      if constexpr (!Geodesic_offset::internal::Number_policy<FT>::is_inexact)
+      {
+        is_rough = true; // one square root is less than a root of roots at each face
+        return true;
+      }
       const FT growth = s * b * inverse;
       distance = is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth);
       is_rough = growth > FT(2) || t > length;

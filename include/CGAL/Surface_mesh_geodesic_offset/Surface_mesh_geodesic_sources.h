@@ -72,9 +72,11 @@ public:
 protected:
   typedef Geodesic_offset::internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map>
     Surface;
-  typedef Geodesic_offset::internal::Surface_point<FT> Surface_point;
-  typedef Geodesic_offset::internal::Located_point<FT> Located_point;
-  typedef Geodesic_offset::internal::Source_set<FT> Source_set;
+  typedef typename Surface::Computing_traits Computing_traits;
+  typedef typename Surface::Number Number;
+  typedef Geodesic_offset::internal::Surface_point<Number> Surface_point;
+  typedef Geodesic_offset::internal::Located_point<Number> Located_point;
+  typedef Geodesic_offset::internal::Source_set<Number> Source_set;
   typedef Geodesic_offset::internal::Index Index;
 
 public:
@@ -93,7 +95,7 @@ public:
   /// the same with property maps.
   Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
                                 Vertex_point_map vertex_point_map, const Traits& traits = Traits())
-    : m_traits(traits),
+    : m_traits(Geodesic_offset::internal::Computation<Traits>::computing_traits(traits)),
       m_surface(std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map, traits)),
       m_locator(std::make_shared<Geodesic_offset::internal::Surface_locator<Surface>>(m_surface))
   {
@@ -175,15 +177,16 @@ public:
   /// @}
 
 protected:
-  const Geodesic_offset::internal::Unfolded_mesh<FT>& unfolded() const { return m_surface->unfolded; }
+  const Geodesic_offset::internal::Unfolded_mesh<Number>& unfolded() const { return m_surface->unfolded; }
 
   Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(m_surface->index_of(v)); }
   Located_point classified(const Face_location& l) const
   {
-    return Geodesic_offset::internal::classify<FT>(unfolded(), m_surface->index_of(l.first), l.second);
+    return Geodesic_offset::internal::classify<Number>(unfolded(), m_surface->index_of(l.first),
+                                                       Surface::imported(l.second));
   }
 
-  Traits m_traits;
+  Computing_traits m_traits;
   std::shared_ptr<const Surface> m_surface;
   Source_set m_sources;
 

@@ -58,18 +58,20 @@ public:
       bool left_to_apex = false, right_from_apex = false, goes_left = exit != RIGHT, goes_right = exit != LEFT;
       left_end = w.b1;
       right_begin = w.b0;
-      if (exit == BOTH)
+      if (covers_apex(exit))
       {
         // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the
         // side of the best ray's entry, the rays that enter before it.
         split = face.entry_of_apex(w);
         d_apex = m_apex_distance[i];
-        left_to_apex = d_apex <= best || split <= entry;
-        right_from_apex = d_apex <= best || split >= entry;
-        left_end = left_to_apex ? split : entry;
-        right_begin = right_from_apex ? split : entry;
-        goes_left = left_end > w.b0;
-        goes_right = right_begin < w.b1;
+        const Estimate at_split = estimate(split), at_entry = estimate(entry);
+        const bool may_be_best = CGAL::possibly(estimate(d_apex) <= estimate(best));
+        left_to_apex = may_be_best || CGAL::possibly(at_split <= at_entry);
+        right_from_apex = may_be_best || CGAL::possibly(at_split >= at_entry);
+        left_end = left_to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
+        right_begin = right_from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
+        goes_left = exit != FROM_APEX && CGAL::possibly(estimate(left_end) > estimate(w.b0));
+        goes_right = exit != UP_TO_APEX && CGAL::possibly(estimate(right_begin) < estimate(w.b1));
         if (!left_to_apex && goes_left) d_left = w.distance_at(left_end);
         if (!right_from_apex && goes_right) d_right = w.distance_at(right_begin);
       }
@@ -95,12 +97,23 @@ public:
   }
 
 private:
-  enum Exit : char { NONE, LEFT, BOTH, RIGHT };
+  typedef typename Estimation<FT>::Estimate Estimate;
+
+  // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
+  // are exact for all rays.
+  enum Exit : char { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
+  static constexpr bool is_exact = !Number_policy<FT>::is_inexact;
+
+  static bool covers_apex(Exit exit)
+  {
+    if constexpr (is_exact) return exit >= UP_TO_APEX && exit <= FROM_APEX;
+    else return exit == BOTH;
+  }
 
   // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
-  // that cover it. Rounding may leave the apex between two windows. So a window that just misses it gives it the length of
-  // the path round its end, which is always valid, and if none covers it, so do its neighbours on either side.
-  // Returns the best distance given to the apex through h so far, and where its ray enters.
+  // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
+  // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
+  // on either side. Returns the best distance given to the apex through h so far, and where its ray enters.
   void sort_by_exit(Index h, const Window_propagation<Traits>& face, const std::vector<Window>& windows, FT& best, FT& entry)
   {
     const auto compare = m_traits.compare_entry_with_apex_2_object();
@@ -119,21 +132,24 @@ private:
         m_exit[i] = NONE;
         continue;
       }
-      if (compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y) == POSITIVE)
+      Sign at_b0, at_b1 = ZERO;
+      if ((at_b0 = compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y)) == POSITIVE)
       {
         m_exit[i] = RIGHT;
+        if (is_exact) continue;
         if (!first_right) first_right = &w;
         else if (face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w, w.b0, w.d0);
       }
-      else if (compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y) == NEGATIVE)
+      else if ((at_b1 = compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y)) == NEGATIVE)
       {
         m_exit[i] = LEFT;
+        if (is_exact) continue;
         last_left = &w;
         if (face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w, w.b1, w.d1);
       }
       else
       {
-        m_exit[i] = BOTH;
+        m_exit[i] = !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
         covered = true;
         const FT& d = m_apex_distance[i] = face.distance_at_apex(w);
         if (d < best)

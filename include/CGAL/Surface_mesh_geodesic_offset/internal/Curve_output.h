@@ -28,7 +28,7 @@ template <class Surface, class Function>
 class Curve_output
 {
 public:
-  typedef typename Surface::FT FT;
+  typedef typename Surface::Number FT;
   typedef Geodesic_offset_curve<Surface> Curve;
   typedef Curve_context<Surface> Context;
 
@@ -49,11 +49,11 @@ public:
     const FT scale = m_levels[level] + m_edge;
     cut.for_each_curve(scale, [&](bool closed, auto&& pieces) {
       m_select(scale, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
-        curves.emplace_back(m_context, m_levels[level], is_closed, std::move(part));
+        curves.emplace_back(m_context, Surface::exported(m_levels[level]), is_closed, std::move(part));
       });
     });
     m_next = (std::max)(m_next, level + 1);
-    m_function(m_levels[level], std::move(curves));
+    m_function(Surface::exported(m_levels[level]), std::move(curves));
   }
 
   void finish() const
@@ -64,7 +64,7 @@ public:
 private:
   void pass_to(std::size_t level) const
   {
-    for (; m_next < level; ++m_next) m_function(m_levels[m_next], std::vector<Curve>());
+    for (; m_next < level; ++m_next) m_function(Surface::exported(m_levels[m_next]), std::vector<Curve>());
   }
 
   std::shared_ptr<const Context> m_context;

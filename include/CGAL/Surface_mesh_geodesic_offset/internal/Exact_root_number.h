@@ -25,6 +25,7 @@
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Gmpq.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 
 #include <cmath>
@@ -95,8 +96,13 @@ public:
   }
   Exact_root_number(const CORE::Expr& x) : m_node(Radical_from_core::convert(x)) {}
 
-  // The same number. CORE is recursive, so this throws std::length_error for expressions that are thousands deep.
-  CORE::Expr core_expression() const { return Radical_to_core::convert(m_node); }
+  // The same number, in a short form if that is found soon. CORE is recursive, so this throws std::length_error for
+  // expressions that are thousands deep.
+  CORE::Expr core_expression() const
+  {
+    Radical_sign::simplify(m_node);
+    return Radical_to_core::convert(m_node);
+  }
 
   // What decided the comparisons so far.
   static Exact_root_number_counts& counts() { return Radical_sign::counts(); }
@@ -125,6 +131,15 @@ public:
   std::pair<double, double> to_interval() const
   {
     if (!Radical_sign::approximate(m_node)) return {0, 0};
+    return {m_node->enclosure().low, m_node->enclosure().high};
+  }
+
+  // Bounds that are almost always a few units of the last place apart, and wide where many digits cancel; nothing is
+  // decided.
+  std::pair<double, double> bounds() const
+  {
+    if (!m_node) return {0, 0};
+    if (!m_node->enclosure().is_tight()) m_node->refine(Radical_node::first_precision);
     return {m_node->enclosure().low, m_node->enclosure().high};
   }
 
@@ -189,6 +204,14 @@ public:
   }
 
 private:
+  friend Uncertain<Comparison_result> compare_bounds(const Exact_root_number& a, const Exact_root_number& b)
+  {
+    if (a.m_node == b.m_node) return EQUAL;
+    const int s = Radical_sign::of_difference_by_intervals(a.m_node, b.m_node);
+    return s == 0 ? Uncertain<Comparison_result>::indeterminate() : make_uncertain(Comparison_result(s));
+  }
+  friend std::pair<double, double> bounds_of(const Exact_root_number& a) { return a.bounds(); }
+
   explicit Exact_root_number(Reference node) : m_node(std::move(node)) {}
 
   mutable Reference m_node; // a comparison may replace it by a simpler expression of the same number

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
@@ -197,7 +198,7 @@ private:
     f.bits = w.bits & ~2u;
     f.origin = Face_window_origin(k);
     f.edge = (unsigned char)(k);
-    add(f, w.minimum());
+    add(f, minimum(w));
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Computation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
@@ -26,6 +27,8 @@ namespace internal {
 template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
 struct Geodesic_surface
 {
+  typedef typename Computation<Traits>::Computing_traits Computing_traits;
+  typedef typename Computing_traits::FT Number; // of the unfolded mesh
   typedef typename Traits::Kernel Kernel;
   typedef typename Traits::FT FT;
   typedef typename Traits::Point_3 Point_3;
@@ -39,12 +42,24 @@ struct Geodesic_surface
 
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                    const VertexPointMap& vpm, const Traits& traits = Traits())
-    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm, traits)
+    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm, Computation<Traits>::computing_traits(traits))
   {
     face_of.resize(unfolded.number_of_faces());
     for (face_descriptor f : faces(tm)) face_of[get(fim, f)] = f;
     vertex_of.resize(unfolded.number_of_vertices());
     for (vertex_descriptor v : vertices(tm)) vertex_of[get(vim, v)] = v;
+  }
+
+  // Numbers of the unfolded mesh, for the user, and the other way round.
+  static decltype(auto) exported(const Number& x) { return converted_number<FT>(x); }
+  static decltype(auto) imported(const FT& x) { return converted_number<Number>(x); }
+  static Barycentric_coordinates exported(const std::array<Number, 3>& w)
+  {
+    return {exported(w[0]), exported(w[1]), exported(w[2])};
+  }
+  static std::array<Number, 3> imported(const Barycentric_coordinates& w)
+  {
+    return {imported(w[0]), imported(w[1]), imported(w[2])};
   }
 
   // As a point of the traits, of whatever kernel the mesh's points are.
@@ -53,47 +68,49 @@ struct Geodesic_surface
   Index index_of(vertex_descriptor v) const { return Index(get(vim, v)); }
   Index index_of(face_descriptor f) const { return Index(get(fim, f)); }
 
-  Face_location location(Index face, const Point_in_face<FT>& p) const
+  Face_location location(Index face, const Point_in_face<Number>& p) const
   {
-    return Face_location(face_of[face], Face_frame<FT>(unfolded, face).barycentric(p));
+    return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric(p)));
   }
 
   // A point known to lie on halfedge `edge` of the face; 3 if on none.
-  Face_location location(Index face, const Point_in_face<FT>& p, int edge) const
+  Face_location location(Index face, const Point_in_face<Number>& p, int edge) const
   {
     if (edge == 3) return location(face, p);
-    return Face_location(face_of[face], Face_frame<FT>(unfolded, face).barycentric_on_edge(edge, p));
+    return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
   }
 
   // At an isolated vertex there is no face.
-  Face_location location(const Surface_point<FT>& p) const
+  Face_location location(const Surface_point<Number>& p) const
   {
-    if (p.kind == Surface_point<FT>::FACE) return location(p.element, {p.x, p.y});
+    if (p.kind == Surface_point<Number>::FACE) return location(p.element, {p.x, p.y});
     Face_location l(boost::graph_traits<Triangle_mesh>::null_face(), Barycentric_coordinates{FT(0), FT(0), FT(0)});
-    const Index h = p.kind == Surface_point<FT>::EDGE ? p.element : unfolded.corner(p.element);
+    const Index h = p.kind == Surface_point<Number>::EDGE ? p.element : unfolded.corner(p.element);
     if (h == no_index) return l;
-    const FT t = p.kind == Surface_point<FT>::EDGE ? FT(p.x / unfolded[h].length) : FT(0);
+    const FT t = p.kind == Surface_point<Number>::EDGE ? exported(Number(p.x / unfolded[h].length)) : FT(0);
     l.first = face_of[h / 3];
     l.second[h % 3] = FT(1) - t;
     l.second[(h % 3 + 1) % 3] = t;
     return l;
   }
 
-  Face_location location(const Path_crossing<FT>& p) const
+  Face_location location(const Path_crossing<Number>& p) const
   {
+    const FT part = exported(p.part);
     Face_location l(face_of[p.halfedge / 3], Barycentric_coordinates{FT(0), FT(0), FT(0)});
-    l.second[p.halfedge % 3] = FT(1) - p.part;
-    l.second[(p.halfedge % 3 + 1) % 3] = p.part;
+    l.second[p.halfedge % 3] = FT(1) - part;
+    l.second[(p.halfedge % 3 + 1) % 3] = part;
     return l;
   }
 
-  Point_3 point(const Path_crossing<FT>& p) const { return between(p.source, p.target, p.part); }
+  Point_3 point(const Path_crossing<Number>& p) const { return between(p.source, p.target, exported(p.part)); }
 
-  Point_3 point(const Surface_point<FT>& p) const
+  Point_3 point(const Surface_point<Number>& p) const
   {
-    if (p.kind == Surface_point<FT>::FACE) return point(location(p));
-    if (p.kind == Surface_point<FT>::EDGE)
-      return between(unfolded.source(p.element), unfolded.target(p.element), FT(p.x / unfolded[p.element].length));
+    if (p.kind == Surface_point<Number>::FACE) return point(location(p));
+    if (p.kind == Surface_point<Number>::EDGE)
+      return between(unfolded.source(p.element), unfolded.target(p.element),
+                     exported(Number(p.x / unfolded[p.element].length)));
     return position(vertex_of[p.element]);
   }
 
@@ -112,15 +129,15 @@ struct Geodesic_surface
   }
 
   // A vector in the frame of a halfedge, in space.
-  Vector_3 vector(Index halfedge, const Point_in_face<FT>& v) const
+  Vector_3 vector(Index halfedge, const Point_in_face<Number>& v) const
   {
     const halfedge_descriptor h = halfedge_of(halfedge);
-    const auto corner = [&](halfedge_descriptor g) { return point(Surface_point<FT>::at_vertex(index_of(source(g, tm)))); };
+    const auto corner = [&](halfedge_descriptor g) { return position(source(g, tm)); };
     const Point_3 p = corner(h);
     const Vector_3 x = corner(next(h, tm)) - p;
     const Vector_3 y = CGAL::cross_product(CGAL::cross_product(x, corner(prev(h, tm)) - p), x);
     const auto unit = [](const Vector_3& u) { return u / square_root<FT>(u.squared_length()); };
-    return v.x * unit(x) + v.y * unit(y);
+    return exported(v.x) * unit(x) + exported(v.y) * unit(y);
   }
 
   Point_3 point(const Face_location& l) const
@@ -142,7 +159,7 @@ struct Geodesic_surface
   VertexIndexMap vim;
   FaceIndexMap fim;
   VertexPointMap vpm;
-  Unfolded_mesh<FT> unfolded;
+  Unfolded_mesh<Number> unfolded;
   std::vector<face_descriptor> face_of;     // by index
   std::vector<vertex_descriptor> vertex_of; // by index
 };

@@ -10,7 +10,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_shares.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_ties.h>
 
 #include <algorithm>
@@ -31,17 +33,19 @@ public:
   Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
   // The windows [first, taken) are sorted and disjoint, those in [taken, last) are in any order, on a halfedge of
-  // the given length. The result is sorted and disjoint, valid until the next call.
+  // the given length. The result is sorted and disjoint, valid until the next call. With numbers whose order may stay open,
+  // neighbours may overlap where both may be the nearer one.
   const std::vector<Window>& operator()(const Window* first, const Window* taken, const Window* last, const FT& length)
   {
     m_envelope.clear();
     m_later.clear();
+    m_length = length;
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     sort(first, taken, last);
     for (const Key& k : m_order)
     {
-      while (!m_later.empty() && m_later.back().b0 < k.b0) add(pop_later());
+      while (!m_later.empty() && Estimation<FT>::key(m_later.back().b0) < k.b0) add(pop_later());
       add(first[k.index]);
     }
     while (!m_later.empty()) add(pop_later());
@@ -51,7 +55,7 @@ public:
 private:
   struct Key
   {
-    FT b0;
+    typename Estimation<FT>::Key b0;
     Index index;
     bool operator<(const Key& o) const { return b0 < o.b0 || (!(o.b0 < b0) && index < o.index); }
   };
@@ -61,9 +65,11 @@ private:
   {
     const Index n = Index(last - first), t = Index(taken - first);
     m_order.resize(n);
-    for (Index i = 0; i < n; ++i) m_order[i] = Key{first[i].b0, i};
+    for (Index i = 0; i < n; ++i) m_order[i] = Key{Estimation<FT>::key(first[i].b0), i};
     if (n > 48)
     {
+      if (Estimation<FT>::leaves_open && !std::is_sorted(m_order.begin(), m_order.begin() + t))
+        std::sort(m_order.begin(), m_order.begin() + t);
       if (!std::is_sorted(m_order.begin() + t, m_order.end())) std::sort(m_order.begin() + t, m_order.end());
       if (t != 0) std::inplace_merge(m_order.begin(), m_order.begin() + t, m_order.end());
       return;
@@ -82,7 +88,7 @@ private:
   void push_later(const Window& w)
   {
     auto it = m_later.end();
-    while (it != m_later.begin() && (it - 1)->b0 < w.b0) --it;
+    while (it != m_later.begin() && Estimation<FT>::key((it - 1)->b0) < Estimation<FT>::key(w.b0)) --it;
     m_later.insert(it, w);
   }
 
@@ -96,11 +102,21 @@ private:
   bool same_image(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
+    if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
     const FT scale = a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y);
     const FT allowance = Number_policy<FT>::rounding(256) * scale;
     return CGAL::abs(a.x - b.x) <= allowance && CGAL::abs(a.y - b.y) <= allowance &&
-           CGAL::abs(a.sigma - b.sigma) <= allowance && a.root.side() == b.root.side() &&
-           (*m_source_of)[a.root.primitive()] == (*m_source_of)[b.root.primitive()];
+           CGAL::abs(a.sigma - b.sigma) <= allowance && is_of_one_root(a, b);
+  }
+
+  bool is_of_one_root(const Window& a, const Window& b) const
+  {
+    return a.root.side() == b.root.side() && (*m_source_of)[a.root.primitive()] == (*m_source_of)[b.root.primitive()];
+  }
+
+  static bool same_distances(const Window& a, const Window& b)
+  {
+    return a.is_parallel() == b.is_parallel() && a.x == b.x && a.y == b.y && a.sigma == b.sigma;
   }
 
   void add(const Window& w)
@@ -111,7 +127,21 @@ private:
       return;
     }
     Window& a = m_envelope.back();
-    if (w.b0 >= a.b1)
+    if constexpr (Estimation<FT>::leaves_open)
+    {
+      if (CGAL::possibly(estimate(w.b0) >= estimate(a.b1)))
+      {
+        if (a.is_propagated() == w.is_propagated() && same_image(a, w) && w.b0 <= a.b1)
+          unite(a, w);
+        else
+          m_envelope.push_back(w);
+      }
+      else if (same_image(a, w))
+        unite(a, w);
+      else
+        share(a, w);
+    }
+    else if (w.b0 >= a.b1)
     {
       if (w.b0 - a.b1 <= m_max_gap && a.is_propagated() == w.is_propagated() && same_image(a, w))
       {
@@ -178,6 +208,31 @@ private:
     keep_later(other, ties.high(), ties.distance_at_high(a_owns), other.b1, other.d1);
   }
 
+  // The same if distances are only estimated: each keeps all but those parts where the other one is certainly nearer. Ties
+  // on all of the overlap go to the first.
+  void share(const Window a, const Window& w)
+  {
+    if (same_distances(a, w))
+    {
+      keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
+      return;
+    }
+    const Window_shares<FT> shares(a, w, m_length);
+    if (shares.is_open())
+    {
+      m_envelope.push_back(w);
+      return;
+    }
+    m_envelope.pop_back();
+    bool is_first = true;
+    shares.for_each_part_of_first([&](const Window& p) {
+      if (is_first && p.b0 == a.b0) m_envelope.push_back(p);
+      else push_later(p);
+      is_first = false;
+    });
+    shares.for_each_part_of_second([&](const Window& p) { push_later(p); });
+  }
+
   // Shortens the last window of the envelope to end at t, where its distance is d; removes it if nothing is left.
   void cut_back(const FT& t, const FT& d)
   {
@@ -193,7 +248,12 @@ private:
 
   void keep_later(const Window& w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
-    if (to - from > m_min_width) push_later(part(w, from, d_from, to, d_to));
+    if constexpr (Estimation<FT>::leaves_open)
+    {
+      if (!CGAL::possibly(compare_bounds(from, to) == SMALLER)) return;
+    }
+    else if (!(to - from > m_min_width)) return;
+    push_later(part(w, from, d_from, to, d_to));
   }
 
   static Window part(Window w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
@@ -209,7 +269,7 @@ private:
   const Traits& m_traits;
   std::vector<Window> m_envelope, m_later;
   std::vector<Key> m_order;
-  FT m_min_width, m_max_gap;
+  FT m_length, m_min_width, m_max_gap;
 };
 
 } // namespace internal

@@ -64,9 +64,15 @@ public:
     start.halfedge = back.corner;
     start.exit = 1;
     const Point u{back.x, back.y};
+    start.from = {FT(0), FT(0)};
+    if constexpr (!Number_policy<FT>::is_inexact)
+      if (dot(u, u) != FT(1))
+      {
+        start.to = u; // the way itself: only directions of parallel rays and of edges are unit vectors
+        return start;
+      }
     FT way = start.distance;
     if (back.pseudo_source != no_index) way -= m_field.distance[back.pseudo_source];
-    start.from = {FT(0), FT(0)};
     start.to = (way / length(u)) * u;
     return start;
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
 
@@ -136,6 +137,7 @@ private:
       FT last;
       if (is_in_sight(goal, walk, is_first, last))
       {
+        if constexpr (!Number_policy<FT>::is_inexact) return goal.end;
         const FT left = length(walk.goal() - walk.position());
         const FT rounding =
           Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
@@ -143,6 +145,7 @@ private:
           return goal.end;
         break;
       }
+      if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
       const auto crossing = walk.crossing(exit);
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
       if (crossing.goal.y <= beside)
@@ -173,7 +176,6 @@ private:
         passed.push_back({no_index, v, v, FT(0)});
       last_vertex = v;
       walk.cross_over(exit, crossing);
-      exit = walk.exit();
     }
     if (!has_missed)
     {
@@ -254,12 +256,16 @@ private:
     return {Surface_point_::at_vertex(v), CGAL::is_zero(m_field.distance[v]) ? m_field.root[v].primitive() : no_index};
   }
 
-  // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on.
+  // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on; if
+  // numbers are exact, whether it meets the corner.
   bool passes(const Straight_walk<FT>& walk, int k, const typename Straight_walk<FT>::Crossing& crossing,
               const Path_start<FT>& start) const
   {
     const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
     const FT off = walk.side(k);
+    if constexpr (!Number_policy<FT>::is_inexact)
+      return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
+             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal);
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
     if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
@@ -311,9 +317,21 @@ private:
         return;
       Surface_point_ point = place.first;
       const Point foot = foot_in(face, frame, p, primitive, point);
-      const FT miss = length(foot - q);
-      if (length(foot - p) > longest || !(miss < nearest)) return;
-      nearest = miss;
+      if constexpr (Estimation<FT>::leaves_open)
+      {
+        const auto way = foot - p, straight = q - p, miss = foot - q;
+        const auto missed = estimate(dot(miss, miss));
+        if (CGAL::certainly(estimate(dot(way, way)) > estimate(dot(straight, straight))) ||
+            !CGAL::possibly(missed < CGAL::square(estimate(nearest))))
+          return;
+        nearest = Estimation<FT>::upper_cut(CGAL::sqrt(missed));
+      }
+      else
+      {
+        const FT miss = length(foot - q);
+        if (length(foot - p) > longest || !(miss < nearest)) return;
+        nearest = miss;
+      }
       end = {point, primitive};
     };
     consider(start.root.primitive());

@@ -13,6 +13,7 @@
 
 #include <CGAL/CORE_Expr.h>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <unordered_map>
@@ -34,22 +35,54 @@ public:
     if (!a) return CORE::Expr(0);
     if (a->depth() > largest_depth) throw std::length_error("an expression too deep for CORE");
     std::unordered_map<const Radical_node*, CORE::Expr> made;
-    Radical_node::visit(*a, [&](const Radical_node& n) { return made.count(&n) == 0; },
-                        [&](const Radical_node& n) { made.emplace(&n, converted(n, made)); });
+    a->refine(bits);
+    std::vector<Radical_node*> pending(1, a.get());
+    while (!pending.empty())
+    {
+      Radical_node& n = *pending.back();
+      const std::size_t size = pending.size();
+      if (made.count(&n) == 0)
+      {
+        for (int i = 0; i < 2 && !n.closed_form(); ++i)
+          if (n.operand(i) && made.count(n.operand(i).get()) == 0) pending.push_back(n.operand(i).get());
+        if (pending.size() > size) continue;
+        const CORE::Expr x = converted(n, made);
+        tell_what_is_known(n, x);
+        made.emplace(&n, x);
+      }
+      pending.pop_back();
+    }
     return made.at(a.get());
   }
 
 private:
   typedef std::unordered_map<const Radical_node*, CORE::Expr> Made;
 
+  static constexpr std::size_t bits = 256;
+
+  // CORE evaluates each number with doubles first, and asks for a root bound if that does not tell the sign. With our
+  // enclosure for these doubles it need not ask, but for zero.
+  static void tell_what_is_known(const Radical_node& n, const CORE::Expr& x)
+  {
+    const Double_enclosure& e = n.enclosure();
+    if (!e.has_sign() || !e.is_tight() || !(std::abs(e.middle()) > 1e-300) || !(std::abs(e.middle()) < 1e300)) return;
+    x.Rep()->ffVal = CORE::filteredFp(e.middle(), std::abs(e.middle()), units_of_enclosure);
+  }
+  static constexpr int units_of_enclosure = 16; // at most, of 2^-53
+
   static CORE::Expr converted(const Big_rational& q) { return CORE::Expr(CORE::BigRat(q.backend().data())); }
 
   static CORE::Expr converted(const Radical_node& n, const Made& made)
   {
+    if (n.rational()) return converted(*n.rational());
+    if (n.closed_form())
+    {
+      const Radical_quotient& q = *n.closed_form();
+      return q.is_sum() ? converted(q.numerator) : converted(q.numerator) / converted(q.denominator);
+    }
     const auto operand = [&](int i) -> const CORE::Expr& { return made.at(n.operand(i).get()); };
     switch (n.operation())
     {
-    case Radical_operation::RATIONAL: return converted(*n.rational());
     case Radical_operation::CORE_NUMBER: return n.core_number();
     case Radical_operation::NEGATE: return -operand(0);
     case Radical_operation::ADD: return operand(0) + operand(1);
@@ -57,11 +90,19 @@ private:
     case Radical_operation::MULTIPLY: return operand(0) * operand(1);
     case Radical_operation::DIVIDE: return operand(0) / operand(1);
     case Radical_operation::SQUARE_ROOT: return CORE::sqrt(operand(0));
-    case Radical_operation::CLOSED_FORM: break;
+    default: throw std::logic_error("a constant without a value");
     }
+  }
+
+  // Without symbols.
+  static CORE::Expr converted(const Radical_sum& s)
+  {
     CORE::Expr sum(0);
-    for (const Radical_term& t : n.closed_form()->numerator.terms())
-      sum += converted(t.factor) * CORE::sqrt(CORE::Expr(CORE::BigInt(t.radicand.backend().data())));
+    for (const Radical_term& t : s.terms())
+    {
+      const CORE::Expr factor = converted(t.factor);
+      sum += t.radicand == 1 ? factor : factor * CORE::sqrt(CORE::Expr(CORE::BigInt(t.radicand.backend().data())));
+    }
     return sum;
   }
 };

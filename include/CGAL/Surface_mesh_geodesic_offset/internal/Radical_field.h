@@ -43,7 +43,7 @@ enum class Vanishing { ZERO, NOT_ZERO, UNKNOWN };
 class Radical_field
 {
 public:
-  explicit Radical_field(std::size_t steps) : m_work(steps) {}
+  explicit Radical_field(std::size_t steps) : m_steps_for_square((std::min)(steps, most_steps_for_square)), m_work(steps) {}
 
   Radical_quotient sum(const Radical_quotient& a, const Radical_quotient& b)
   {
@@ -93,7 +93,7 @@ public:
 private:
   static constexpr std::size_t most_symbols = 64;
   static constexpr std::size_t most_levels = 10;         // for recognising squares
-  static constexpr std::size_t steps_for_square = 1 << 17;
+  static constexpr std::size_t most_steps_for_square = 1 << 17;
   static constexpr std::size_t most_levels_inverted = 4; // beyond, the inverse is longer than it is useful
   static constexpr std::size_t least_products_with_base = 32;
   static constexpr mpfr_prec_t most_bits = 1 << 14;
@@ -221,7 +221,7 @@ private:
   std::optional<Radical_sum> known_root(const Radical_sum& a, bool& is_independent)
   {
     if (!are_independent(a.symbols())) return std::nullopt;
-    Radical_work work(steps_for_square);
+    Radical_work work(m_steps_for_square);
     try
     {
       Presentation field(*this, work);
@@ -346,6 +346,7 @@ private:
     });
   }
 
+  const std::size_t m_steps_for_square;
   Radical_work m_work;
   std::vector<Symbol> m_symbols;
 };

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,10 @@ struct Exact_root_number_counts
 class Radical_evaluation
 {
 public:
+  static constexpr std::size_t most_steps = std::size_t(1) << 22;
+
+  explicit Radical_evaluation(std::size_t steps = most_steps) : m_field(steps) {}
+
   Vanishing operator()(Radical_node& top)
   {
     Vanishing result = Vanishing::UNKNOWN;
@@ -81,7 +86,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_steps = std::size_t(1) << 22;
   static constexpr std::size_t most_terms_kept = 64;
 
   bool is_known(const Radical_node& n) const { return n.closed_form() || m_values.count(&n) != 0; }
@@ -125,7 +129,7 @@ private:
     return q;
   }
 
-  Radical_field m_field{most_steps};
+  Radical_field m_field;
   std::unordered_map<const Radical_node*, Radical_quotient> m_values;
   std::vector<Radical_node*> m_evaluated;
 };
@@ -214,7 +218,26 @@ public:
       ++counts().by_doubles;
       return x.low > y.high ? 1 : x.high < y.low ? -1 : 0;
     }
+    if (const auto parts = differing_parts(*a, *b)) return of_difference(*parts->first, *parts->second);
     return of(Radical_expression::difference(a, b));
+  }
+
+  // 0 if intervals of few bits do not tell.
+  static int of_difference_by_intervals(const Reference& a, const Reference& b)
+  {
+    if (a == b) return 0;
+    if (!a || !b) return of_difference(a, b);
+    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    if (x.low > y.high) return 1;
+    if (x.high < y.low) return -1;
+    const Reference d = Radical_expression::difference(a, b);
+    return d && refined_has_sign(*d, Radical_node::first_precision, exact_from) ? d->sign() : 0;
+  }
+
+  // Finds the closed forms of what an expression is made of, as far as that takes no time.
+  static void simplify(const Reference& a)
+  {
+    if (a && !a->closed_form() && !a->rational()) Radical_evaluation{steps_to_simplify}(*a);
   }
 
   // Makes the enclosure of a number so tight that all its doubles are close to the number. False for zero.
@@ -231,7 +254,21 @@ public:
 
 private:
   static constexpr std::size_t exact_from = 256, bound_from = 4096, core_from = 1 << 16; // bits
+  static constexpr std::size_t steps_to_simplify = std::size_t(1) << 10;
   static constexpr std::size_t most_bits_of_bound = 1 << 21;
+
+  // Of two sums that share a term, the other terms; of two square roots, what is under them: they compare alike.
+  typedef std::pair<const Reference*, const Reference*> Parts;
+  static std::optional<Parts> differing_parts(const Radical_node& a, const Radical_node& b)
+  {
+    if (a.operation() != b.operation()) return std::nullopt;
+    if (a.operation() == Radical_operation::SQUARE_ROOT) return Parts(&a.operand(0), &b.operand(0));
+    if (a.operation() != Radical_operation::ADD) return std::nullopt;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (a.operand(i) == b.operand(j)) return Parts(&a.operand(1 - i), &b.operand(1 - j));
+    return std::nullopt;
+  }
 
   static bool refined_has_sign(Radical_node& n, std::size_t bits, std::size_t most_bits)
   {

@@ -100,8 +100,8 @@ public:
     FT bound = Number_policy<FT>::infinity();
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      const FT way = (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length);
-      bound = (std::min)(bound, FT(m_state.field.distance[m_mesh.source(h)] + way));
+      const FT &a = m_mesh[h].length, &b = m_mesh[m_mesh.previous(h)].length;
+      bound = lesser(bound, FT(m_state.field.distance[m_mesh.source(h)] + (certainly_less(a, b) ? b : a)));
     }
     return bound;
   }

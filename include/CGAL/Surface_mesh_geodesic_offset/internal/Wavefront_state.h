@@ -59,7 +59,7 @@ public:
     }
     if (!(d < known)) return;
     // what rounding improves comes from no other root, and is no reason to spread again
-    const bool ties = d >= known - rounding;
+    const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
     if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
     if (ties) return;
@@ -116,9 +116,9 @@ public:
     Window& next() { return *m_next; }
     void keep()
     {
-      const FT nearest = m_next->minimum();
-      if (nearest > m_front.maximum) return;
-      if (nearest < m_nearest) m_nearest = nearest;
+      const FT nearest = minimum(*m_next);
+      if (certainly_less(m_front.maximum, nearest)) return;
+      m_nearest = lesser(m_nearest, nearest);
       ++m_next;
     }
 

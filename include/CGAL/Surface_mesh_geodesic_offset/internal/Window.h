@@ -71,13 +71,6 @@ struct Window
     const FT u = px - x, v = py - y;
     return sigma + square_root<FT>(u * u + v * v);
   }
-
-  // The smallest distance on the interval.
-  FT minimum() const
-  {
-    if (!is_parallel() && b0 < x && x < b1) return sigma - y;
-    return d0 < d1 ? d0 : d1;
-  }
 };
 
 // Brings a window's image into another frame whose origin is at (ox, oy) and whose x axis has the direction (c, s) in the

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
@@ -53,6 +54,7 @@ public:
   {
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y);
     const FT t = (w.x * apex_y - w.y * apex_x) / slope;
+    if constexpr (Estimation<FT>::leaves_open) return t; // side tests are exact then
     return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
   }
 
@@ -85,7 +87,7 @@ public:
       if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, rough)) return false;
       if (rough) child.d1 = distance_at(child, child.b1, FT(0));
     }
-    return child.b0 < child.b1;
+    return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
 
   // The child on r -> q of the rays that enter from `begin` to b1.
@@ -112,7 +114,7 @@ public:
       child.b0 = right_length - t;
       if (rough) child.d0 = distance_at(child, child.b0, FT(0));
     }
-    return child.b0 < child.b1;
+    return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
 
   FT length, apex_x, apex_y, left_length, right_length;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where two windows on one halfedge give equal distances.
+// Where two windows on one halfedge give equal distances, for floating point numbers. (For others see Window_shares.h.)
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_TIES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_TIES_H
@@ -87,8 +87,8 @@ private:
     return true;
   }
 
-  // The root of g between u and v, where it has opposite signs: the closed form first, then, for rounded numbers,
-  // a bracketed iteration where the closed form lost digits.
+  // The root of g between u and v, where it has opposite signs: the closed form first, then a
+  // bracketed iteration where the closed form lost digits.
   void find_root(FT u, FT gu, FT v, FT gv)
   {
     FT &t = m_ties[m_number], &d = m_distances[m_number];
@@ -103,7 +103,6 @@ private:
       }
       good = false;
       d = at(m_a, t);
-      if (!Number_policy<FT>::is_inexact) return;
       const FT other = at(m_b, t), g = d - other;
       if (m_compare(d, other, m_scale) == EQUAL || !(t > u && t < v)) return;
       if ((g > 0) == (gu > 0))

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_EXACT_SQUARE_ROOTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_EXACT_SQUARE_ROOTS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Exact_root_number.h>
+
+#include <CGAL/CORE_Expr.h>
+
+// To be included where distances are computed with a kernel that has exact square roots, as
+// Exact_predicates_exact_constructions_kernel_with_sqrt. Inside, computations run on numbers of the package's own, the
+// comparisons of which are quick also for equal numbers; results are numbers of the kernel.
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <>
+struct Computation_number<CORE::Expr>
+{
+  typedef Exact_root_number type;
+};
+
+template <>
+struct Number_conversion<CORE::Expr, Exact_root_number>
+{
+  static CORE::Expr convert(const Exact_root_number& x) { return x.core_expression(); }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,425 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A kernel with exact square roots: distances equal closed forms, as numbers of CORE: on boxes, the tetrahedron, the
+// octahedron, prisms, a saddle, an L and a plane; from vertices, points on edges and in faces, and segments. Offsets have
+// exact joints.
+
+#include "test_check.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+
+#include <array>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
+typedef Kernel::FT FT;
+typedef Kernel::Point_3 Point_3;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+typedef Geodesic::Face_location Face_location;
+typedef std::array<std::size_t, 3> Triangle;
+typedef std::map<std::size_t, FT> Weights; // of vertices
+
+FT root(const FT& x)
+{
+  return CORE::sqrt(x);
+}
+FT hypotenuse(const FT& x, const FT& y)
+{
+  return root(x * x + y * y);
+}
+const FT& least(const FT& a, const FT& b)
+{
+  return b < a ? b : a;
+}
+
+class Shape
+{
+public:
+  Shape(const std::string& name, const std::vector<Point_3>& points, const std::vector<Triangle>& triangles) : name_(name)
+  {
+    for (const Point_3& p : points) vertices.push_back(mesh.add_vertex(p));
+    for (const Triangle& t : triangles) mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+    CHECK(mesh.number_of_faces() == triangles.size());
+  }
+
+  // The point with the given weights of vertices of one face.
+  Face_location at(const Weights& weights) const
+  {
+    for (auto f : mesh.faces())
+    {
+      Face_location l(f, {{FT(0), FT(0), FT(0)}});
+      std::size_t found = 0, k = 0;
+      for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      {
+        // the halfedge's target comes first; coordinates start with its source
+        const auto w = weights.find(std::size_t(v));
+        if (w != weights.end())
+        {
+          l.second[(k + 1) % 3] = w->second;
+          ++found;
+        }
+        ++k;
+      }
+      if (found == weights.size()) return l;
+    }
+    throw std::logic_error("not in one face");
+  }
+
+  Face_location middle(std::size_t a, std::size_t b) const { return at({{a, FT(1) / 2}, {b, FT(1) / 2}}); }
+  Face_location center(std::size_t a, std::size_t b, std::size_t c) const
+  {
+    return at({{a, FT(1) / 3}, {b, FT(1) / 3}, {c, FT(1) / 3}});
+  }
+  Face_location vertex(std::size_t a) const { return at({{a, FT(1)}}); }
+
+  void start(const std::vector<Face_location>& source)
+  {
+    geodesic_.reset(new Geodesic(mesh));
+    if (source.size() == 1) geodesic_->add_source_point(source[0]);
+    else geodesic_->add_source_polyline(source);
+    geodesic_->build(CGAL::parameters::keep_windows(true));
+    Report::instance().set_context(name_);
+  }
+
+  void expect(const Face_location& target, const FT& expected, const std::string& what) const
+  {
+    const FT d = geodesic_->distance_to_sources(target);
+    CHECK_DETAIL(d == expected, what + ": " + values(CGAL::to_double(d), CGAL::to_double(expected)));
+    CHECK_DETAIL(!(d == expected + FT(1) / FT(1e18)), what + ": equality says no to others");
+  }
+  void expect(std::size_t v, const FT& expected) const { expect(vertex(v), expected, "vertex " + std::to_string(v)); }
+
+  const Geodesic& geodesic() const { return *geodesic_; }
+
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+
+private:
+  std::string name_;
+  std::unique_ptr<Geodesic> geodesic_;
+};
+
+// Vertex i has the coordinates a, b, c where its bits say so.
+Shape box(const FT& a, const FT& b, const FT& c)
+{
+  std::vector<Point_3> p;
+  for (int i = 0; i < 8; ++i) p.emplace_back(i & 1 ? a : FT(0), i & 2 ? b : FT(0), i & 4 ? c : FT(0));
+  return Shape("box", p,
+               {{{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}}, {{0, 1, 5}}, {{0, 5, 4}}, {{2, 6, 7}}, {{2, 7, 3}},
+                {{0, 4, 6}}, {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}});
+}
+
+void test_box(const FT& a, const FT& b, const FT& c)
+{
+  Shape s = box(a, b, c);
+  const FT size[3] = {a, b, c};
+  s.start({s.vertex(0)});
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    FT squares(0);
+    for (int k = 0; k < 3; ++k)
+      if (i >> k & 1) squares += size[k] * size[k];
+    if (i == 7) continue;
+    s.expect(i, root(squares));
+  }
+  // the opposite corner: over any of the three edges between
+  s.expect(7, least(least(hypotenuse(a, b + c), hypotenuse(b, a + c)), hypotenuse(c, a + b)));
+  // the middle of the edge 0 1: the vertices of the side opposite, through one or two sides
+  s.start({s.middle(0, 1)});
+  for (std::size_t i : {6, 7})
+    s.expect(i, least(hypotenuse(a / 2, b + c), least(hypotenuse(a / 2 + b, c), hypotenuse(a / 2 + c, b))));
+  for (std::size_t i : {2, 3}) s.expect(i, hypotenuse(a / 2, b));
+  for (std::size_t i : {4, 5}) s.expect(i, hypotenuse(a / 2, c));
+  // a point in the side z = 0, at (2a/3, b/3): the top's corners, by the wall that they share with the bottom's border
+  s.start({s.at({{0, FT(1) / 3}, {1, FT(1) / 3}, {3, FT(1) / 3}})});
+  const FT x = 2 * a / 3, y = b / 3;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const FT dx = i & 1 ? a - x : x, dy = i & 2 ? b - y : y;
+    s.expect(i, hypotenuse(dx, dy));
+    s.expect(i + 4, least(hypotenuse(dx, dy + c), hypotenuse(dy, dx + c)));
+  }
+  // the edge 0 1 as a segment: the sides beside it are swept by parallel rays
+  s.start({s.vertex(0), s.vertex(1)});
+  for (std::size_t i : {2, 3}) s.expect(i, b);
+  for (std::size_t i : {4, 5}) s.expect(i, c);
+  for (std::size_t i : {6, 7}) s.expect(i, hypotenuse(b, c)); // round the ends of the segment
+  s.expect(s.center(0, 2, 3), 2 * b / 3, "in a side beside the segment");
+}
+
+void test_tetrahedron()
+{
+  Shape s("tetrahedron", {Point_3(1, 1, 1), Point_3(1, -1, -1), Point_3(-1, 1, -1), Point_3(-1, -1, 1)},
+          {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 1}}, {{1, 3, 2}}});
+  const FT edge = 2 * root(FT(2)), height = root(FT(6));
+  s.start({s.vertex(0)});
+  for (std::size_t i : {1, 2, 3}) s.expect(i, edge);
+  s.expect(s.middle(1, 2), height, "the middle of an edge of the face opposite");
+  s.expect(s.center(1, 2, 3), height * 4 / 3, "the center of the face opposite");
+  s.start({s.middle(0, 1)});
+  s.expect(s.middle(2, 3), edge, "the middle of the edge opposite");
+  s.expect(s.middle(0, 2), edge / 2, "the middle of a neighbour");
+  for (std::size_t i : {2, 3}) s.expect(i, height);
+  s.start({s.center(0, 1, 2)});
+  s.expect(s.center(0, 2, 3), height * 2 / 3, "the center of a neighbour");
+  s.expect(3, height * 4 / 3);
+  for (std::size_t i : {0, 1, 2}) s.expect(i, height * 2 / 3);
+  s.start({s.vertex(0), s.vertex(1)});
+  for (std::size_t i : {2, 3}) s.expect(i, height);
+  // two of the faces in one plane: the edge opposite is parallel to the source
+  s.expect(s.middle(2, 3), height, "the middle of the edge opposite to the segment");
+}
+
+void test_octahedron()
+{
+  Shape s("octahedron",
+          {Point_3(1, 0, 0), Point_3(-1, 0, 0), Point_3(0, 1, 0), Point_3(0, -1, 0), Point_3(0, 0, 1), Point_3(0, 0, -1)},
+          {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}}, {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}});
+  const FT edge = root(FT(2)), height = root(FT(3) / 2);
+  s.start({s.vertex(0)});
+  s.expect(1, 2 * height);
+  for (std::size_t i : {2, 3, 4, 5}) s.expect(i, edge);
+  s.start({s.middle(0, 2)});
+  for (std::size_t i : {4, 5}) s.expect(i, height);
+  for (std::size_t i : {0, 2}) s.expect(i, edge / 2);
+  // unfolded round vertex 4, at an angle of 120 degrees
+  for (std::size_t i : {1, 3}) s.expect(i, root(FT(7) / 2));
+  s.start({s.center(0, 2, 4)});
+  s.expect(s.center(2, 1, 4), height * 2 / 3, "the center of a neighbour");
+  for (std::size_t i : {1, 3, 5}) s.expect(i, height * 4 / 3);
+  s.start({s.vertex(0), s.vertex(2)});
+  for (std::size_t i : {4, 5}) s.expect(i, height);
+}
+
+// The mantle of a prism over a polygon, in two layers; vertex i + n j above corner i.
+Shape prism(const std::vector<std::array<FT, 2>>& corners, const FT& height)
+{
+  const std::size_t n = corners.size();
+  std::vector<Point_3> p;
+  std::vector<Triangle> t;
+  for (std::size_t j = 0; j < 3; ++j)
+    for (const auto& c : corners) p.emplace_back(c[0], c[1], height * int(j) / 2);
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t a = n * j + i, b = n * j + (i + 1) % n;
+      t.push_back({{a, b, b + n}});
+      t.push_back({{a, b + n, a + n}});
+    }
+  return Shape("prism", p, t);
+}
+
+void test_prism(const std::vector<std::array<FT, 2>>& corners, const FT& height)
+{
+  Shape s = prism(corners, height);
+  const std::size_t n = corners.size();
+  std::vector<FT> along(1, FT(0));
+  for (std::size_t i = 0; i < n; ++i)
+    along.push_back(along[i] + hypotenuse(corners[(i + 1) % n][0] - corners[i][0], corners[(i + 1) % n][1] - corners[i][1]));
+  const FT period = along[n];
+  const auto expect_from = [&](const FT& u, const FT& v) {
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const FT du = along[i] < u ? u - along[i] : along[i] - u;
+        s.expect(n * j + i, hypotenuse(least(du, period - du), height * int(j) / 2 - v));
+      }
+  };
+  s.start({s.vertex(0)});
+  expect_from(FT(0), FT(0));
+  s.start({s.middle(0, n)});
+  expect_from(FT(0), height / 4);
+  s.start({s.at({{0, FT(1) / 4}, {1, FT(1) / 2}, {n + 1, FT(1) / 4}})});
+  expect_from(along[1] * 3 / 4, height / 8);
+  // a segment up the wall
+  s.start({s.vertex(0), s.vertex(n)});
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const FT du = least(along[i], period - along[i]);
+    s.expect(i, du);
+    s.expect(n + i, du);
+    s.expect(2 * n + i, hypotenuse(du, height / 2));
+  }
+}
+
+// Eight right angles round vertex 0, that is 4 pi; legs of lengths root 2 and root 3 by turns.
+void test_saddle()
+{
+  std::vector<Point_3> p{Point_3(0, 0, 0)};
+  const int x[8] = {1, 1, 0, -1, -1, -1, 0, 1}, y[8] = {0, 1, 1, 1, 0, -1, -1, -1};
+  std::vector<Triangle> t;
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    p.emplace_back(x[i], y[i], i % 2 == 0 ? 1 : -1);
+    t.push_back({{0, 1 + i, 1 + (i + 1) % 8}});
+  }
+  Shape s("saddle", p, t);
+  const FT leg[2] = {root(FT(2)), root(FT(3))};
+  for (std::size_t first : {0, 1})
+    for (int part : {1, 2, 3}) // the source is at so many thirds of a leg
+    {
+      s.start({part == 3 ? s.vertex(1 + first) : s.at({{0, FT(3 - part) / 3}, {1 + first, FT(part) / 3}})});
+      const FT own = leg[first] * part / 3;
+      s.expect(0, own);
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        const std::size_t apart = (std::min)((i + 8 - first) % 8, (first + 8 - i) % 8);
+        const FT& other = leg[i % 2];
+        s.expect(1 + i, apart == 0 ? other - own : apart == 1 ? hypotenuse(own, other) : own + other);
+      }
+    }
+  // the center of a face: at the distances of thirds of both legs from them
+  s.start({s.center(0, 1, 2)});
+  s.expect(0, hypotenuse(leg[0], leg[1]) / 3);
+  for (std::size_t i : {3, 4, 5, 6}) s.expect(1 + i, hypotenuse(leg[0], leg[1]) / 3 + leg[i % 2]);
+  s.expect(3, hypotenuse(leg[0] * 4 / 3, leg[1] / 3)); // straight on from the first leg
+  s.expect(8, hypotenuse(leg[0] / 3, leg[1] * 4 / 3)); // straight back from the second one
+}
+
+// Squares [i, i + 1] x [j, j + 1] with a corner cut off by `is_in`.
+template <class Is_in>
+Shape squares(const std::string& name, int n, int m, std::map<std::pair<int, int>, std::size_t>& number, const Is_in& is_in)
+{
+  std::vector<Point_3> p;
+  std::vector<Triangle> t;
+  const auto id = [&](int x, int y) {
+    const auto found = number.emplace(std::make_pair(x, y), p.size());
+    if (found.second) p.emplace_back(x, y, 0);
+    return found.first->second;
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j)
+      if (is_in(i, j))
+      {
+        t.push_back({{id(i, j), id(i + 1, j), id(i + 1, j + 1)}});
+        t.push_back({{id(i, j), id(i + 1, j + 1), id(i, j + 1)}});
+      }
+  return Shape(name, p, t);
+}
+
+void test_l()
+{
+  std::map<std::pair<int, int>, std::size_t> id;
+  Shape s = squares("L", 4, 4, id, [](int i, int j) { return i < 2 || j < 2; });
+  // the reflex corner is (2, 2)
+  const auto expect_from = [&](const FT& x, const FT& y) {
+    for (const auto& v : id)
+    {
+      const FT u = v.first.first, w = v.first.second;
+      // the way to the other arm passes the corner on the wrong side
+      const bool is_hidden = w > 2 && (u - x) * (2 - y) > (w - y) * (2 - x);
+      s.expect(v.second, is_hidden ? hypotenuse(x - 2, y - 2) + hypotenuse(u - 2, w - 2) : hypotenuse(x - u, y - w));
+    }
+  };
+  s.start({s.vertex(id.at({4, 1}))});
+  expect_from(FT(4), FT(1));
+  s.start({s.middle(id.at({3, 1}), id.at({3, 2}))});
+  expect_from(FT(3), FT(3) / 2);
+  s.start({s.center(id.at({3, 1}), id.at({4, 1}), id.at({4, 2}))});
+  expect_from(FT(11) / 3, FT(4) / 3);
+}
+
+void test_segments_in_plane()
+{
+  std::map<std::pair<int, int>, std::size_t> id;
+  Shape s = squares("plane", 4, 3, id, [](int, int) { return true; });
+  const std::size_t a = id.at({1, 1}), b = id.at({2, 1}), c = id.at({2, 2});
+  const auto first = s.at({{a, FT(1) / 2}, {b, FT(1) / 4}, {c, FT(1) / 4}});
+  const auto last = s.at({{a, FT(1) / 8}, {b, FT(1) / 4}, {c, FT(5) / 8}});
+  const FT x0 = FT(3) / 2, y0 = FT(5) / 4, x1 = FT(15) / 8, y1 = FT(13) / 8;
+  s.start({first, last});
+  const auto distance = [&](const FT& x, const FT& y) {
+    const FT u = x1 - x0, v = y1 - y0, t = (x - x0) * u + (y - y0) * v, l = u * u + v * v;
+    if (t <= 0) return hypotenuse(x - x0, y - y0);
+    if (t >= l) return hypotenuse(x - x1, y - y1);
+    const FT cross = (x - x0) * v - (y - y0) * u;
+    return (cross < 0 ? FT(-cross) : cross) / root(l);
+  };
+  for (const auto& v : id) s.expect(v.second, distance(FT(v.first.first), FT(v.first.second)));
+  s.expect(s.center(id.at({3, 1}), id.at({4, 1}), id.at({4, 2})), distance(FT(11) / 3, FT(4) / 3), "in a face");
+  // a path, the nearest point and the gradient are exact, too
+  const auto target = s.vertices[id.at({4, 0})];
+  std::vector<Point_3> path;
+  s.geodesic().shortest_path_points_to_sources(target, std::back_inserter(path));
+  CHECK(path.back() == Point_3(x0, y0, 0) || path.back() == Point_3(x1, y1, 0) ||
+        (path.back().x() - x0) * (y1 - y0) == (path.back().y() - y0) * (x1 - x0));
+  for (const Point_3& p : path) // straight
+    CHECK((p.x() - 4) * path.back().y() == p.y() * (path.back().x() - 4));
+  const auto g = s.geodesic().gradient(target);
+  CHECK(g.squared_length() == 1);
+  CHECK(g.x() * (FT(0) - path.back().y()) == g.y() * (FT(4) - path.back().x()));
+  CHECK(s.geodesic().nearest_source(target)->distance == distance(FT(4), FT(0)));
+}
+
+// Two sources in a plane: the offset's arcs meet where both are at the level.
+void test_offsets()
+{
+  std::map<std::pair<int, int>, std::size_t> id;
+  Shape s = squares("offset", 4, 4, id, [](int, int) { return true; });
+  Geodesic geodesic(s.mesh);
+  geodesic.add_source_point(s.vertices[id.at({1, 2})]);
+  geodesic.add_source_point(s.vertices[id.at({3, 2})]);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const FT level = FT(5) / 4;
+  std::vector<Geodesic::Offset_curve> curves;
+  geodesic.offset_curves(level, std::back_inserter(curves));
+  std::size_t joints = 0, pieces = 0;
+  Report::instance().set_context("offset");
+  for (const auto& curve : curves)
+    for (const auto& piece : curve.pieces())
+    {
+      ++pieces;
+      CHECK(piece.is_arc() && piece.radius() == level);
+      for (const Face_location& l : {piece.start(), piece.end()})
+      {
+        const Point_3 p = curve.point(l);
+        const FT to_first = (p.x() - 1) * (p.x() - 1) + (p.y() - 2) * (p.y() - 2),
+                 to_second = (p.x() - 3) * (p.x() - 3) + (p.y() - 2) * (p.y() - 2);
+        CHECK((to_first < to_second ? to_first : to_second) == level * level);
+        if (to_first == to_second) ++joints;
+      }
+    }
+  CHECK(pieces > 8);
+  CHECK(joints == 4); // of each of the two joints, the end of one piece and the start of the next
+}
+
+} // namespace
+
+int main()
+{
+  try
+  {
+    test_box(FT(1), FT(1), FT(1));
+    test_box(FT(4), FT(3), FT(2));
+    test_box(FT(1), FT(3) / 4, FT(1) / 2);
+    test_box(root(FT(2)), FT(1), root(FT(3)));
+    test_tetrahedron();
+    test_octahedron();
+    test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5));
+    test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3));
+    test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2));
+    test_saddle();
+    test_l();
+    test_segments_in_plane();
+    test_offsets();
+  }
+  catch (const std::exception& e)
+  {
+    CHECK_DETAIL(!"an exception was thrown", e.what());
+  }
+  return Report::instance().finish("test_exact_kernel");
+}
