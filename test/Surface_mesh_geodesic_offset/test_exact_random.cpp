@@ -38,6 +38,7 @@ typedef Generated_mesh<test::Surface_mesh> Data;
 struct Totals
 {
   std::size_t meshes = 0, distances = 0, paths = 0, unique_paths = 0, exact_windows = 0, windows = 0;
+  std::size_t signs = 0, exact_signs = 0; // decided in builds
   double worst = 0, slowest = 0;
   std::string slowest_name;
   std::vector<double> widths; // of certified bounds, relative
@@ -96,7 +97,11 @@ public:
     enclosure.build();
     check_bounds(exact_level, enclosure);
     double_level.build(CGAL::parameters::keep_windows(true));
-    totals_.exact_windows += exact_level.statistics().windows_propagated;
+    const auto& statistics = exact_level.statistics();
+    totals_.exact_windows += statistics.windows_propagated;
+    CHECK(statistics.sign_decisions > 0 && statistics.exact_decisions <= statistics.sign_decisions);
+    totals_.signs += statistics.sign_decisions;
+    totals_.exact_signs += statistics.exact_decisions;
     totals_.windows += double_level.statistics().windows_propagated;
     compare_distances(exact_level, double_level);
     compare_paths(exact_level, double_level);
@@ -334,7 +339,8 @@ int main(int argc, char**)
   const auto& counts = Exact_root_number::counts();
   std::cout << totals.meshes << " meshes, " << totals.distances << " distances, worst relative difference " << totals.worst
             << "; " << totals.paths << " paths, " << totals.unique_paths << " unique; windows " << totals.exact_windows
-            << " exactly, " << totals.windows << " in doubles\nsigns by identity " << counts.by_identity.value()
+            << " exactly, " << totals.windows << " in doubles\nsigns in builds " << totals.signs << ", exactly decided "
+            << totals.exact_signs << "; with paths and comparisons: signs by identity " << counts.by_identity.value()
             << ", by doubles " << counts.by_doubles.value() << ", by more bits " << counts.by_precision.value()
             << ", exactly zero " << counts.exactly_zero.value() << ", exactly not zero " << counts.exactly_not_zero.value()
             << ", by high precision " << counts.by_high_precision.value() << ", by root bound "

@@ -25,7 +25,7 @@ template <class FT_, class FaceLocation>
 struct Geodesic_nearest_source
 {
   std::size_t source;    ///< id of the source, as returned when it was added
-  std::size_t part;      ///< number of the point, or of the segment, within the source; of a set of edges: of the edge in the
+  std::size_t part;      ///< number of the point, or the segment, within the source; of a set of edges: of the edge in the
                          ///< range, or the index of the vertex
   bool is_segment;       ///< whether the nearest point lies inside a segment (or an edge), and not at one of its ends
   Source_side side;      ///< side of the source from which it is reached

@@ -20,6 +20,8 @@ struct Geodesic_offset_statistics
   std::size_t kept_bytes = 0;         ///< memory of the windows that were kept
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
   std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
+  std::size_t sign_decisions = 0;     ///< with exact square roots: signs and comparisons of numbers that were asked for
+  std::size_t exact_decisions = 0;    ///< those of them that intervals, of up to 256 bits, did not decide
   double propagation_seconds = 0;     ///< time of the propagation alone
   double offset_seconds = 0;          ///< time of cutting offsets, without what the caller does with them
 };

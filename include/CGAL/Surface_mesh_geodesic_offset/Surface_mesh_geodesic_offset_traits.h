@@ -48,7 +48,7 @@ class Surface_mesh_geodesic_offset_traits
   static_assert(Geodesic_offset::internal::has_square_roots<typename K::FT>(),
                 "Surface_mesh_geodesic_offset: distances need square roots. The FT of this kernel has none. Take a kernel "
                 "with a floating point type, as Exact_predicates_inexact_constructions_kernel, or one with exact square "
-                "roots, as Exact_predicates_exact_constructions_kernel_with_sqrt; the mesh's own points may be of any kernel.");
+                "roots, as Exact_predicates_exact_constructions_kernel_with_sqrt; the mesh's points may be of any kernel.");
 
 public:
   typedef K Kernel;
@@ -109,7 +109,7 @@ public:
 
   In the frame of a halfedge (origin at its source, \f$x\f$ axis along it, face above) the source image of the window is
   \f$(X : Y : W)\f$ with \f$Y < 0\f$ for \f$W = 1\f$. The ray through \f$(b, 0)\f$ has direction \f$(bW - X, -Y)\f$. The sign
-  returned is that of \f$ b\,(W a_y - Y) - (X a_y - Y a_x)\f$, which is the cross product of that direction and the vector from
+  returned is that of \f$ b\,(W a_y - Y) - (X a_y - Y a_x)\f$, the cross product of that direction and the vector from
   \f$(b,0)\f$ to the apex \f$(a_x, a_y)\f$: `POSITIVE` if the apex is to the left of the ray (the ray passes to the right of
   the apex), `ZERO` if the ray hits it.
 
@@ -160,14 +160,14 @@ public:
   \f$(c, s)\f$, the left one of the two others: an end of the child's interval. (For the right one all is mirrored.)
 
   With \f$D = s (X - bW) - c Y\f$ it does if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin, after growing by the
-  part \f$sb / D\f$ of its length so far (of the unit for \f$W = 0\f$). Exact if `FT` is. Otherwise the distance is to be found
+  part \f$sb / D\f$ of its length so far (of the unit for \f$W = 0\f$). Exact if `FT` is. Else the distance is to be found
   anew, from the image, if rounding has moved the exit beyond the end of the edge, or if the length has more than trebled, as
   growing keeps the relative error of a point very near to the source.
   */
   class Construct_exit_2
   {
   public:
-    // d: the distance at (b, 0). On success t is at most `length`, and `distance` belongs to t unless it is said to be rough.
+    // d: the distance at (b, 0). On success t is at most `length`, and `distance` belongs to t unless said to be rough.
     bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d, const FT& c,
                     const FT& s, const FT& length, FT& t, FT& distance, bool& is_rough) const
     {

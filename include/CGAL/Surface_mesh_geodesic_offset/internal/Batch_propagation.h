@@ -179,7 +179,7 @@ private:
     if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
-    // if the window misses the apex by rounding only, the way to the image tells the direction better, above all in tiny faces
+    // if the window misses the apex by rounding only, the way to the image tells the direction better, also in tiny faces
     const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
     const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
     const bool is_bent = off > away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));

@@ -37,7 +37,8 @@ public:
                const Offset_levels<FT>& levels, const Offset_selection& selection, std::map<Index, Source_side> inside,
                const Function& f)
     : m_context(std::make_shared<Context>(Context{surface, primitives})), m_levels(levels),
-      m_select(selection, m_context->primitives, std::move(inside)), m_edge(surface->unfolded.mean_edge_length()), m_function(f)
+      m_select(selection, m_context->primitives, std::move(inside)), m_edge(surface->unfolded.mean_edge_length()),
+      m_function(f)
   {
   }
 

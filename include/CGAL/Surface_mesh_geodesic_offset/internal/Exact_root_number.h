@@ -277,6 +277,28 @@ public:
   };
 };
 
+namespace Geodesic_offset {
+namespace internal {
+
+template <>
+struct Sign_decisions<Exact_root_number>
+{
+  static std::size_t exact()
+  {
+    const Exact_root_number_counts& c = Exact_root_number::counts();
+    return std::size_t(c.exactly_zero.value() + c.exactly_not_zero.value() + c.by_high_precision.value() +
+                       c.by_root_bound.value() + c.by_core.value());
+  }
+  static std::size_t all()
+  {
+    const Exact_root_number_counts& c = Exact_root_number::counts();
+    return std::size_t(c.by_identity.value() + c.by_doubles.value() + c.by_precision.value()) + exact();
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+
 CGAL_DEFINE_COERCION_TRAITS_FOR_SELF(Geodesic_offset::internal::Exact_root_number)
 CGAL_DEFINE_COERCION_TRAITS_FROM_TO(short, Geodesic_offset::internal::Exact_root_number)
 CGAL_DEFINE_COERCION_TRAITS_FROM_TO(int, Geodesic_offset::internal::Exact_root_number)

@@ -138,6 +138,7 @@ private:
   void run(const Traits& traits, Consumer& consumer)
   {
     const Clock::time_point start = Clock::now();
+    const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
     Wavefront<Traits> front(m_mesh, initial, traits, maximum, kept, field);
     std::size_t next_target = 0;
     const auto goes_on = [&](const FT& distance, std::size_t passed) {
@@ -151,6 +152,8 @@ private:
     front.run(consumer, goes_on, m_first_new);
     maximum = front.maximum();
     if (front.has_bent_paths()) follow_ways_back();
+    statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
+    statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
     statistics.windows_created = front.counts().windows_created;
     statistics.windows_propagated = front.counts().windows_propagated;
     statistics.windows_peak = field.lists.peak();

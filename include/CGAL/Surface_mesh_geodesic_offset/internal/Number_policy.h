@@ -10,6 +10,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -65,6 +66,14 @@ struct Number_policy
     else if constexpr (std::numeric_limits<FT>::is_specialized) return FT(factor) * std::numeric_limits<FT>::epsilon();
     else return FT(factor) * Unit_roundoff<FT>()();
   }
+};
+
+// How many signs were decided so far in the process, and how many of them not by intervals, if the number type counts them.
+template <class FT>
+struct Sign_decisions
+{
+  static std::size_t all() { return 0; }
+  static std::size_t exact() { return 0; }
 };
 
 template <class FT>

@@ -95,7 +95,7 @@ private:
     const auto &e = (*m_mesh)[h], &n = (*m_mesh)[m_edge[1]], &p = (*m_mesh)[m_edge[2]];
     m_length = {e.length, n.length, p.length};
     m_corner = {Point{FT(0), FT(0)}, Point{e.length, FT(0)}, Point{e.apex_x, e.apex_y}};
-    // the angle at the target from the vectors there: from differences of coordinates it would lose all digits on a tiny edge
+    // the angle at the target from the vectors there: differences of coordinates would lose all digits on a tiny edge
     const FT to_unit = FT(1) / e.length, to_unit_left = FT(1) / p.length;
     m_direction = {Point{FT(-1), FT(0)}, Point{to_unit * n.apex_x, -to_unit * n.apex_y},
                    Point{to_unit_left * e.apex_x, to_unit_left * e.apex_y}};

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A path by way of a vertex takes rays from a window only if it is shorter beyond doubt. In needle faces all paths to a point
+// A path by way of a vertex takes rays from a window only if it is shorter beyond doubt. In needle faces all paths to points
 // tie up to rounding, and a window that is lost there is not replaced by another one: the vertex may be no pseudo-source.
 template <class FT>
 inline auto pruning_allowance(const typename Estimation<FT>::Estimate& scale)

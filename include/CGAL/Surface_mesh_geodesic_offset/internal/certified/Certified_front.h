@@ -121,8 +121,9 @@ private:
       w.set_image({m_mesh[e].length - apex.x, -apex.y});
       w.sigma = sigma;
       w.radius = radius;
-      const auto exit = [&](const Ray& r) { return (std::min)(m_mesh.to_unit(m_sector.exit_of_ray(h, r)), m_mesh.length(e)); };
-      w.set_interval(upper ? exit(*upper) : 0., lower ? exit(*lower) : m_mesh.length(e));
+      const double size = m_mesh.length(e);
+      const auto exit = [&](const Ray& r) { return (std::min)(m_mesh.to_unit(m_sector.exit_of_ray(h, r)), size); };
+      w.set_interval(upper ? exit(*upper) : 0., lower ? exit(*lower) : size);
       m_state.add(g, w);
     });
   }
