@@ -180,9 +180,10 @@ struct Ply_element
   std::string              name;
   std::size_t              number = 0;
   std::vector<std::string> properties;
-  std::vector<std::string> types; // of the properties; "list" for all lists
+  std::vector<std::string> types; // of the properties, like "float" or "list uchar int"
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
 };
 
 // Reads up to end_header. Returns what is wrong with it.
@@ -213,6 +214,8 @@ inline std::string read_ply_header(Line_reader& lines, bool& ascii, std::vector<
         return where + "misplaced property";
       elements.back().properties.push_back(words.back());
       elements.back().types.push_back(words[1]);
+      for(std::size_t i = 2; i + 1 < words.size(); ++i)
+        elements.back().types.back() += ' ' + words[i];
     }
   }
   return std::string();
@@ -277,8 +280,8 @@ inline std::string diagnose_ply(std::istream& in)
       const std::string element = e.name + ' ' + std::to_string(i);
       const std::string wrong = is_vertex               ? wrong_coordinates(words, x, element, lines.number())
                               : e.properties.size() > 1 ? std::string()
-                              : (e.name == "face" || e.name == "faces")        ? wrong_face(words, vertices, element, lines.number())
-                                                        : std::string();
+                              : e.is_face() ? wrong_face(words, vertices, element, lines.number())
+                                            : std::string();
       if(!wrong.empty())
         return wrong;
     }
