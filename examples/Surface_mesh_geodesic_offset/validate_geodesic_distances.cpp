@@ -81,14 +81,11 @@ int validate(const Validation_options& options)
   const std::vector<Comparison::Bounds> bounds = bounds_of(input, enclosure);
   const Comparison comparison(bounds, table.distances, options.tolerance);
 
+  Output_files files;
   if(!options.per_vertex.empty())
-  {
-    Output_files files;
     files.add(options.per_vertex, [&](std::ostream& out) {
       write_per_vertex(out, bounds, table.distances, comparison.errors);
     });
-    files.commit();
-  }
   std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(bounds.size(), "vertex", "vertices") << ", "
             << counted(input.soup().polygons.size(), "face") << '\n';
   for(const std::string& remark : input.remarks())
@@ -105,6 +102,7 @@ int validate(const Validation_options& options)
   std::cout.flush();
   if(!std::cout)
     throw Input_error("cannot write the report to the standard output");
+  files.commit();
   return comparison.beyond_tolerance == 0 ? all_inside : some_outside;
 }
 

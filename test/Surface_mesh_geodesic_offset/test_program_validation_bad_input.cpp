@@ -344,6 +344,15 @@ private:
     const std::string directory = std::filesystem::path(mesh_).parent_path().string();
     expect(input, "a directory as output",
            {mesh_, "--source-vertex", "0", "--distances", table_, "--per-vertex", directory}, {directory});
+    if (!std::filesystem::exists("/dev/full")) return;
+    Report::instance().set_context("no room for the report");
+    Arguments arguments = {"-c", "exec \"$@\" > /dev/full", "sh", program_};
+    const Arguments good = on(table_);
+    arguments.insert(arguments.end(), good.begin(), good.end());
+    const Program_result result = run_program("/bin/sh", arguments);
+    CHECK(result.exit_code == input);
+    CHECK_DETAIL(std::count(result.errors.begin(), result.errors.end(), '\n') == 1, result.errors);
+    CHECK(!std::filesystem::exists(rows_));
   }
 
   std::string program_;
