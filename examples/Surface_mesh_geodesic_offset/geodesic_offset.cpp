@@ -12,6 +12,7 @@
 #include "geodesic_offset/output_file.h"
 #include "geodesic_offset/picture.h"
 #include "geodesic_offset/png_output.h"
+#include "geodesic_offset/program_main.h"
 #include "geodesic_offset/progress.h"
 #include "geodesic_offset/sources.h"
 #include "geodesic_offset/stats_output.h"
@@ -21,16 +22,13 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
-#include <CGAL/assertions_behaviour.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <exception>
 #include <iostream>
 #include <iterator>
 #include <limits>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -223,56 +221,18 @@ void run(const Options& options)
   progress.line("outputs written", write_time.seconds());
 }
 
-// Messages may hold parts of damaged files.
-std::string one_line(std::string text)
-{
-  for(char& c : text)
-    if(static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
-  constexpr std::size_t longest = 500;
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
-}
-
-int fail(int code, const std::string& text)
-{
-  std::cerr << "geodesic_offset: " << one_line(text) << std::endl;
-  return code;
-}
-
-// What CGAL finds wrong becomes an exception, which is reported in one line.
-void be_silent(const char*, const char*, const char*, int, const char*) {}
-
 } // namespace
 } // namespace geodesic_offset
 
 int main(int argc, char* argv[])
 {
   using namespace geodesic_offset;
-  CGAL::set_error_handler(be_silent);
-  CGAL::set_warning_handler(be_silent);
-  try
-  {
+  return program_main("geodesic_offset", [&] {
     const Options options = parse_options(argc, argv);
     if(options.help)
       print_help(std::cout);
     else
       run(options);
     return 0;
-  }
-  catch(const Usage_error& error)
-  {
-    return fail(2, error.what());
-  }
-  catch(const std::bad_alloc&)
-  {
-    return fail(1, "out of memory");
-  }
-  catch(const std::exception& error)
-  {
-    return fail(1, error.what());
-  }
-  catch(...)
-  {
-    return fail(1, "unknown error");
-  }
+  });
 }

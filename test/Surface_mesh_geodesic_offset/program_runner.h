@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs the program geodesic_offset in a scratch directory (POSIX).
+// Runs the programs of the examples in a scratch directory (POSIX).
 
 #ifndef GEODESIC_OFFSET_TEST_PROGRAM_RUNNER_H
 #define GEODESIC_OFFSET_TEST_PROGRAM_RUNNER_H

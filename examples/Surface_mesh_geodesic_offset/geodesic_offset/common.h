@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The types and the two kinds of failure that all parts of the program share.
+// The types and the two kinds of failure that all parts of the programs share.
 
 #ifndef GEODESIC_OFFSET_COMMON_H
 #define GEODESIC_OFFSET_COMMON_H
@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -24,6 +26,9 @@ using Vector   = Kernel::Vector_3;
 using Mesh     = CGAL::Surface_mesh<Point>;
 using Traits   = CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>;
 using Geodesic = CGAL::Surface_mesh_geodesic_offset<Traits>;
+
+// what takes sources and locates points, whatever it computes from them
+using Geodesic_sources = CGAL::Surface_mesh_geodesic_sources<Traits>;
 
 using Vertex        = Mesh::Vertex_index;
 using Halfedge      = Mesh::Halfedge_index;
@@ -45,6 +50,14 @@ struct Input_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+inline bool has_extension(const std::string& path, const std::string& extension)
+{
+  return path.size() > extension.size() &&
+         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) {
+           return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
+         });
+}
 
 inline std::string quoted(const std::string& s) { return "'" + s + "'"; }
 

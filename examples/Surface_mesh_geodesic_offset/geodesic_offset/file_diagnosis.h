@@ -180,6 +180,10 @@ struct Ply_element
   std::string              name;
   std::size_t              number = 0;
   std::vector<std::string> properties;
+  std::vector<std::string> types; // of the properties, like "float" or "list uchar int"
+
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
 };
 
 // Reads up to end_header. Returns what is wrong with it.
@@ -209,8 +213,17 @@ inline std::string read_ply_header(Line_reader& lines, bool& ascii, std::vector<
       if(elements.empty() || words.size() < 3)
         return where + "misplaced property";
       elements.back().properties.push_back(words.back());
+      elements.back().types.push_back(words[1]);
+      for(std::size_t i = 2; i + 1 < words.size(); ++i)
+        elements.back().types.back() += ' ' + words[i];
     }
   }
+  return std::string();
+}
+
+// What is wrong with the header of a mesh
+inline std::string wrong_ply_elements(const std::vector<Ply_element>& elements)
+{
   const auto has_element = [&](const std::string& name, const std::string& plural) {
     return std::any_of(elements.begin(), elements.end(), [&](const Ply_element& e) {
       return e.name == name || e.name == plural;
@@ -225,8 +238,7 @@ inline std::string read_ply_header(Line_reader& lines, bool& ascii, std::vector<
       return "its header announces no " + std::string(e.name[0] == 'v' ? "vertices" : "faces");
   for(const Ply_element& e : elements)
     for(const char* coordinate : {"x", "y", "z"})
-      if((e.name == "vertex" || e.name == "vertices") &&
-         std::find(e.properties.begin(), e.properties.end(), coordinate) == e.properties.end())
+      if(e.is_vertex() && std::find(e.properties.begin(), e.properties.end(), coordinate) == e.properties.end())
         return "its vertices have no property " + std::string(coordinate);
   return std::string();
 }
@@ -237,7 +249,8 @@ inline std::string diagnose_ply_header(std::istream& in)
   Line_reader lines(in);
   bool ascii = false;
   std::vector<Ply_element> elements;
-  return read_ply_header(lines, ascii, elements);
+  const std::string wrong_header = read_ply_header(lines, ascii, elements);
+  return wrong_header.empty() ? wrong_ply_elements(elements) : wrong_header;
 }
 
 inline std::string diagnose_ply(std::istream& in)
@@ -245,7 +258,9 @@ inline std::string diagnose_ply(std::istream& in)
   Line_reader lines(in);
   bool ascii = false;
   std::vector<Ply_element> elements;
-  const std::string wrong_header = read_ply_header(lines, ascii, elements);
+  std::string wrong_header = read_ply_header(lines, ascii, elements);
+  if(wrong_header.empty())
+    wrong_header = wrong_ply_elements(elements);
   if(!wrong_header.empty() || !ascii)
     return wrong_header;
 
@@ -253,7 +268,7 @@ inline std::string diagnose_ply(std::istream& in)
   std::size_t vertices = 0;
   for(const Ply_element& e : elements)
   {
-    const bool is_vertex = (e.name == "vertex" || e.name == "vertices");
+    const bool is_vertex = e.is_vertex();
     if(is_vertex)
       vertices = e.number;
     const std::size_t x = static_cast<std::size_t>(
@@ -265,8 +280,8 @@ inline std::string diagnose_ply(std::istream& in)
       const std::string element = e.name + ' ' + std::to_string(i);
       const std::string wrong = is_vertex               ? wrong_coordinates(words, x, element, lines.number())
                               : e.properties.size() > 1 ? std::string()
-                              : (e.name == "face" || e.name == "faces")        ? wrong_face(words, vertices, element, lines.number())
-                                                        : std::string();
+                              : e.is_face() ? wrong_face(words, vertices, element, lines.number())
+                                            : std::string();
       if(!wrong.empty())
         return wrong;
     }

@@ -6,14 +6,12 @@
 #ifndef GEODESIC_OFFSET_OPTIONS_H
 #define GEODESIC_OFFSET_OPTIONS_H
 
+#include "command_line.h"
 #include "common.h"
 #include "numbers.h"
+#include "source_options.h"
 
-#include <boost/program_options.hpp>
-
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <ostream>
@@ -23,17 +21,8 @@
 
 namespace geodesic_offset {
 
-struct Options
+struct Options : Source_options
 {
-  std::string mesh;
-
-  std::vector<std::size_t>           source_vertices;
-  std::vector<std::array<double, 3>> source_points;
-  std::vector<std::string>           source_polylines;
-  std::vector<std::array<double, 4>> source_planes;
-  std::vector<double>                source_sharp_edges;
-  bool                               source_boundary = false;
-
   std::vector<double>        distances;
   std::optional<double>      spacing;
   std::optional<std::size_t> count;
@@ -54,18 +43,7 @@ struct Options
   bool has_levels() const { return !distances.empty() || spacing; }
 };
 
-inline bool has_extension(const std::string& path, const std::string& extension)
-{
-  return path.size() > extension.size() &&
-         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) {
-           return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-         });
-}
-
 namespace internal {
-
-namespace po = boost::program_options;
-using Words = std::vector<std::string>;
 
 inline po::options_description options_description()
 {
@@ -74,16 +52,6 @@ inline po::options_description options_description()
                               "MESH is an .off, .obj, .ply or .stl file");
   const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
-
-  po::options_description sources("Sources (repeatable, in any mix)");
-  sources.add_options()
-    ("source-vertex", words("I"), "vertex of the mesh, counted from 0 in the order of the file")
-    ("source-point", words("X,Y,Z"), "nearest point of the surface")
-    ("source-polyline", words("FILE"), ".polylines.txt; each point goes to the nearest point of the surface, "
-                                       "consecutive points are joined by the shortest path on the surface")
-    ("source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")
-    ("source-boundary", po::bool_switch(), "all boundary edges")
-    ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees");
 
   po::options_description levels("Levels");
   levels.add_options()
@@ -110,26 +78,8 @@ inline po::options_description options_description()
     ("quiet", po::bool_switch(), "print nothing but errors")
     ("help", po::bool_switch(), "print this");
 
-  all.add(sources).add(levels).add(outputs);
+  all.add(source_options_description()).add(levels).add(outputs);
   return all;
-}
-
-inline double positive_number(const std::string& option, const std::string& word)
-{
-  double value = 0;
-  if(!parse_number(word, value) || !(value > 0))
-    throw Usage_error("--" + option + " must be a positive finite number, not " + quoted(word));
-  return value;
-}
-
-template <std::size_t N>
-std::array<double, N> numbers(const std::string& option, const std::string& word)
-{
-  std::array<double, N> values{};
-  if(!parse_numbers(word, values))
-    throw Usage_error("--" + option + " must be " + std::to_string(N) +
-                      " finite numbers separated by commas, not " + quoted(word));
-  return values;
 }
 
 inline std::array<double, 3> direction(const std::string& option, const std::string& word)
@@ -191,8 +141,8 @@ inline void check_outputs(const Options& options)
     throw Usage_error("--up needs --picture");
 
   // the mesh and the curves are read before anything is written: writing over them would still lose them
-  std::set<std::string> files{options.mesh};
-  files.insert(options.source_polylines.begin(), options.source_polylines.end());
+  const Words read = options.files();
+  std::set<std::string> files(read.begin(), read.end());
   Words written = options.outputs;
   for(const std::string& file : {options.field, options.picture, options.stats})
     if(!file.empty())
@@ -205,51 +155,10 @@ inline void check_outputs(const Options& options)
 inline Options checked_options(const po::variables_map& map)
 {
   Options options;
-  const auto words = [&](const char* name) { return map.count(name) ? map[name].as<Words>() : Words(); };
-  const auto word = [&](const char* name) {
-    if(map.count(name) == 0)
-      return std::string();
-    if(map[name].as<std::string>().empty())
-      throw Usage_error("--" + std::string(name) + " is empty");
-    return map[name].as<std::string>();
-  };
+  const auto word = [&](const char* name) { return option_word(map, name); };
+  read_source_options(map, options);
 
-  const Words meshes = words("mesh");
-  for(const std::string& mesh : meshes)
-    if(mesh.empty() || mesh[0] == '-')
-      throw Usage_error("unknown option " + quoted(mesh));
-  if(meshes.empty())
-    throw Usage_error("no MESH given (--help lists the options)");
-  if(meshes.size() > 1)
-    throw Usage_error("more than one MESH given: " + quoted(meshes[0]) + " and " + quoted(meshes[1]));
-  options.mesh = meshes[0];
-
-  for(const std::string& w : words("source-vertex"))
-  {
-    options.source_vertices.emplace_back();
-    if(!parse_index(w, options.source_vertices.back()))
-      throw Usage_error("--source-vertex must be a vertex index, not " + quoted(w));
-  }
-  for(const std::string& w : words("source-point"))
-    options.source_points.push_back(numbers<3>("source-point", w));
-  options.source_polylines = words("source-polyline");
-  for(const std::string& w : words("source-plane"))
-  {
-    options.source_planes.push_back(numbers<4>("source-plane", w));
-    const std::array<double, 4>& plane = options.source_planes.back();
-    if(plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
-      throw Usage_error("--source-plane " + quoted(w) + " is not a plane: its normal is zero");
-  }
-  for(const std::string& w : words("source-sharp-edges"))
-  {
-    double degrees = 0;
-    if(!parse_number(w, degrees) || degrees < 0 || degrees >= 180)
-      throw Usage_error("--source-sharp-edges must be an angle in degrees from 0 to less than 180, not " + quoted(w));
-    options.source_sharp_edges.push_back(degrees);
-  }
-  options.source_boundary = map["source-boundary"].as<bool>();
-
-  for(const std::string& w : words("distance"))
+  for(const std::string& w : option_words(map, "distance"))
     options.distances.push_back(positive_number("distance", w));
   if(map.count("spacing"))
     options.spacing = positive_number("spacing", map["spacing"].as<std::string>());
@@ -267,7 +176,7 @@ inline Options checked_options(const po::variables_map& map)
 
   options.selection = selection(word("side"), word("end"));
 
-  options.outputs = words("output");
+  options.outputs = option_words(map, "output");
   options.field   = word("field");
   options.picture = word("picture");
   options.stats   = word("stats");
@@ -278,10 +187,6 @@ inline Options checked_options(const po::variables_map& map)
   options.stitch = !map["no-stitch"].as<bool>();
   options.quiet = map["quiet"].as<bool>();
 
-  if(options.source_vertices.empty() && options.source_points.empty() && options.source_polylines.empty() &&
-     options.source_planes.empty() && options.source_sharp_edges.empty() && !options.source_boundary)
-    throw Usage_error("no source given (--source-vertex, --source-point, --source-polyline, --source-plane, "
-                      "--source-boundary or --source-sharp-edges)");
   if(!options.distances.empty() && options.spacing)
     throw Usage_error("--distance and --spacing exclude each other");
   if(options.count && !options.spacing)
@@ -300,32 +205,8 @@ inline void print_help(std::ostream& out) { out << internal::options_description
 // Throws Usage_error.
 inline Options parse_options(int argc, const char* const* argv)
 {
-  namespace po = boost::program_options;
-  po::options_description all = internal::options_description();
-  all.add_options()("mesh", po::value<internal::Words>());
-  po::positional_options_description positional;
-  positional.add("mesh", -1);
-
-  po::variables_map map;
-  try
-  {
-    // no abbreviations: a misspelt option is an error and not another option
-    using Style = po::command_line_style::style_t;
-    const int style = Style::allow_long | Style::long_allow_adjacent | Style::long_allow_next;
-    const po::parsed_options parsed =
-      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run();
-    for(const po::option& option : parsed.options)
-      for(const std::string& value : option.value)
-        if(option.position_key < 0 && value.compare(0, 2, "--") == 0)
-          throw Usage_error("--" + option.string_key + " needs a value");
-    po::store(parsed, map);
-    po::notify(map);
-  }
-  catch(const po::error& error)
-  {
-    throw Usage_error(error.what());
-  }
-
+  const boost::program_options::variables_map map =
+    internal::parsed_command_line(argc, argv, internal::options_description());
   if(map["help"].as<bool>())
   {
     Options options;

@@ -9,7 +9,6 @@
 #include "common.h"
 #include "file_diagnosis.h"
 #include "memory_guard.h"
-#include "options.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>

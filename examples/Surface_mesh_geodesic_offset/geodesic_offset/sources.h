@@ -9,9 +9,9 @@
 #include "common.h"
 #include "location.h"
 #include "mesh_input.h"
-#include "options.h"
 #include "plane_section.h"
 #include "polyline_file.h"
+#include "source_options.h"
 #include "surface_path.h"
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -28,10 +28,10 @@ namespace geodesic_offset {
 
 class Sources
 {
-  const Mesh_input& m_input;
-  const Mesh&       m_mesh;
-  const Geodesic&   m_geodesic; // locates points
-  Path_finder       m_find_path;
+  const Mesh_input&       m_input;
+  const Mesh&             m_mesh;
+  const Geodesic_sources& m_geodesic; // locates points
+  Path_finder             m_find_path;
 
   std::vector<Vertex>           m_vertices;
   std::vector<Face_location>    m_points;
@@ -41,7 +41,7 @@ class Sources
   std::vector<std::string>      m_remarks;
 
 public:
-  Sources(const Mesh_input& input, const Options& options, const Geodesic& geodesic)
+  Sources(const Mesh_input& input, const Source_options& options, const Geodesic_sources& geodesic)
     : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic), m_find_path(input.mesh())
   {
     for(std::size_t i : options.source_vertices)
@@ -59,7 +59,7 @@ public:
       add_sharp_edges(degrees, options.mesh);
   }
 
-  void add_to(Geodesic& geodesic) const
+  void add_to(Geodesic_sources& geodesic) const
   {
     for(Vertex v : m_vertices)
       geodesic.add_source_point(v);

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From the command line to words and numbers. Everything that is wrong here is a Usage_error.
+
+#ifndef GEODESIC_OFFSET_COMMAND_LINE_H
+#define GEODESIC_OFFSET_COMMAND_LINE_H
+
+#include "common.h"
+#include "numbers.h"
+
+#include <boost/program_options.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+namespace po = boost::program_options;
+using Words = std::vector<std::string>;
+
+inline double positive_number(const std::string& option, const std::string& word)
+{
+  double value = 0;
+  if(!parse_number(word, value) || !(value > 0))
+    throw Usage_error("--" + option + " must be a positive finite number, not " + quoted(word));
+  return value;
+}
+
+template <std::size_t N>
+std::array<double, N> numbers(const std::string& option, const std::string& word)
+{
+  std::array<double, N> values{};
+  if(!parse_numbers(word, values))
+    throw Usage_error("--" + option + " must be " + std::to_string(N) +
+                      " finite numbers separated by commas, not " + quoted(word));
+  return values;
+}
+
+// All words that were given for an option, or none
+inline Words option_words(const po::variables_map& map, const char* name)
+{
+  return map.count(name) ? map[name].as<Words>() : Words();
+}
+
+// An empty text if the option was not given
+inline std::string option_word(const po::variables_map& map, const char* name)
+{
+  if(map.count(name) == 0)
+    return std::string();
+  if(map[name].as<std::string>().empty())
+    throw Usage_error("--" + std::string(name) + " is empty");
+  return map[name].as<std::string>();
+}
+
+// The options of the description, and words without an option as "mesh"
+inline po::variables_map parsed_command_line(int argc, const char* const* argv, const po::options_description& description)
+{
+  po::options_description all = description;
+  all.add_options()("mesh", po::value<Words>());
+  po::positional_options_description positional;
+  positional.add("mesh", -1);
+
+  po::variables_map map;
+  try
+  {
+    // no abbreviations: a misspelt option is an error and not another option
+    using Style = po::command_line_style::style_t;
+    const int style = Style::allow_long | Style::long_allow_adjacent | Style::long_allow_next;
+    const po::parsed_options parsed =
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run();
+    for(const po::option& option : parsed.options)
+      for(const std::string& value : option.value)
+        if(option.position_key < 0 && value.compare(0, 2, "--") == 0)
+          throw Usage_error("--" + option.string_key + " needs a value");
+    po::store(parsed, map);
+    po::notify(map);
+  }
+  catch(const po::error& error)
+  {
+    throw Usage_error(error.what());
+  }
+  return map;
+}
+
+} // namespace internal
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_COMMAND_LINE_H

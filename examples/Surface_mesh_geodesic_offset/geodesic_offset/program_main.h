@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is around every program: all that goes wrong ends in one line of errors and an exit code.
+
+#ifndef GEODESIC_OFFSET_PROGRAM_MAIN_H
+#define GEODESIC_OFFSET_PROGRAM_MAIN_H
+
+#include "common.h"
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace geodesic_offset {
+namespace internal {
+
+// Messages may hold parts of damaged files.
+inline std::string one_line(std::string text)
+{
+  for(char& c : text)
+    if(static_cast<unsigned char>(c) < 32 || c == 127)
+      c = ' ';
+  constexpr std::size_t longest = 500;
+  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
+
+// What CGAL finds wrong becomes an exception, which is reported in one line.
+inline void be_silent(const char*, const char*, const char*, int, const char*) {}
+
+} // namespace internal
+
+// work() returns the exit code.
+template <class Work>
+int program_main(const std::string& name, const Work& work)
+{
+  CGAL::set_error_handler(internal::be_silent);
+  CGAL::set_warning_handler(internal::be_silent);
+  const auto fail = [&](int code, const std::string& text) {
+    std::cerr << name << ": " << internal::one_line(text) << std::endl;
+    return code;
+  };
+  try
+  {
+    return work();
+  }
+  catch(const Usage_error& error)
+  {
+    return fail(2, error.what());
+  }
+  catch(const std::bad_alloc&)
+  {
+    return fail(1, "out of memory");
+  }
+  catch(const std::exception& error)
+  {
+    return fail(1, error.what());
+  }
+  catch(...)
+  {
+    return fail(1, "unknown error");
+  }
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_PROGRAM_MAIN_H

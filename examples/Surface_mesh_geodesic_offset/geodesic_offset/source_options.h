@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The mesh and the sources on it, as all programs take them.
+
+#ifndef GEODESIC_OFFSET_SOURCE_OPTIONS_H
+#define GEODESIC_OFFSET_SOURCE_OPTIONS_H
+
+#include "command_line.h"
+#include "common.h"
+#include "numbers.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Source_options
+{
+  std::string mesh;
+
+  std::vector<std::size_t>           source_vertices;
+  std::vector<std::array<double, 3>> source_points;
+  std::vector<std::string>           source_polylines;
+  std::vector<std::array<double, 4>> source_planes;
+  std::vector<double>                source_sharp_edges;
+  bool                               source_boundary = false;
+
+  // The files that are read
+  std::vector<std::string> files() const
+  {
+    std::vector<std::string> result{mesh};
+    result.insert(result.end(), source_polylines.begin(), source_polylines.end());
+    return result;
+  }
+};
+
+namespace internal {
+
+inline po::options_description source_options_description()
+{
+  const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
+  po::options_description sources("Sources (repeatable, in any mix)");
+  sources.add_options()
+    ("source-vertex", words("I"), "vertex of the mesh, counted from 0 in the order of the file")
+    ("source-point", words("X,Y,Z"), "nearest point of the surface")
+    ("source-polyline", words("FILE"), ".polylines.txt; each point goes to the nearest point of the surface, "
+                                       "consecutive points are joined by the shortest path on the surface")
+    ("source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")
+    ("source-boundary", po::bool_switch(), "all boundary edges")
+    ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees");
+  return sources;
+}
+
+inline void read_source_options(const po::variables_map& map, Source_options& options)
+{
+  const Words meshes = option_words(map, "mesh");
+  for(const std::string& mesh : meshes)
+    if(mesh.empty() || mesh[0] == '-')
+      throw Usage_error("unknown option " + quoted(mesh));
+  if(meshes.empty())
+    throw Usage_error("no MESH given (--help lists the options)");
+  if(meshes.size() > 1)
+    throw Usage_error("more than one MESH given: " + quoted(meshes[0]) + " and " + quoted(meshes[1]));
+  options.mesh = meshes[0];
+
+  for(const std::string& w : option_words(map, "source-vertex"))
+  {
+    options.source_vertices.emplace_back();
+    if(!parse_index(w, options.source_vertices.back()))
+      throw Usage_error("--source-vertex must be a vertex index, not " + quoted(w));
+  }
+  for(const std::string& w : option_words(map, "source-point"))
+    options.source_points.push_back(numbers<3>("source-point", w));
+  options.source_polylines = option_words(map, "source-polyline");
+  for(const std::string& w : option_words(map, "source-plane"))
+  {
+    options.source_planes.push_back(numbers<4>("source-plane", w));
+    const std::array<double, 4>& plane = options.source_planes.back();
+    if(plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
+      throw Usage_error("--source-plane " + quoted(w) + " is not a plane: its normal is zero");
+  }
+  for(const std::string& w : option_words(map, "source-sharp-edges"))
+  {
+    double degrees = 0;
+    if(!parse_number(w, degrees) || degrees < 0 || degrees >= 180)
+      throw Usage_error("--source-sharp-edges must be an angle in degrees from 0 to less than 180, not " + quoted(w));
+    options.source_sharp_edges.push_back(degrees);
+  }
+  options.source_boundary = map["source-boundary"].as<bool>();
+
+  if(options.source_vertices.empty() && options.source_points.empty() && options.source_polylines.empty() &&
+     options.source_planes.empty() && options.source_sharp_edges.empty() && !options.source_boundary)
+    throw Usage_error("no source given (--source-vertex, --source-point, --source-polyline, --source-plane, "
+                      "--source-boundary or --source-sharp-edges)");
+}
+
+} // namespace internal
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_SOURCE_OPTIONS_H

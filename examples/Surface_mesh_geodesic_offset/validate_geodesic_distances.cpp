@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// An oracle for other people's methods: how far distances from any program are from a certified enclosure of the true ones.
+// --help lists the options. Exit codes: 0 all distances are inside, or within the tolerance; 3 some are not; 1 something
+// that the command line names is wrong (one line on stderr says what); 2 the command line itself is wrong.
+
+#include "geodesic_offset/common.h"
+#include "geodesic_offset/mesh_input.h"
+#include "geodesic_offset/output_file.h"
+#include "geodesic_offset/program_main.h"
+#include "geodesic_offset/sources.h"
+#include "validate_geodesic_distances/comparison.h"
+#include "validate_geodesic_distances/distance_table.h"
+#include "validate_geodesic_distances/file_vertices.h"
+#include "validate_geodesic_distances/options.h"
+#include "validate_geodesic_distances/ply_table.h"
+#include "validate_geodesic_distances/report.h"
+#include "validate_geodesic_distances/text_table.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+namespace {
+
+using Enclosure = CGAL::Surface_mesh_geodesic_enclosure<Traits>;
+
+constexpr int all_inside = 0, some_outside = 3;
+
+Distance_table read_table(const Validation_options& options, const Mesh_input& input)
+{
+  const std::size_t vertices = input.soup().points.size();
+  Distance_table table = has_extension(options.distances, ".ply")
+                           ? Ply_table_reader(options.distances, options.mesh, vertices)(options.property)
+                           : Text_table_reader(options.distances, options.mesh, vertices)();
+  require_same_points(table, input, options.mesh);
+  return table;
+}
+
+// For each vertex of the file. Those without faces cannot be reached.
+std::vector<Comparison::Bounds> bounds_of(const Mesh_input& input, const Enclosure& enclosure)
+{
+  std::vector<Comparison::Bounds> bounds(input.soup().points.size(), {infinity, infinity});
+  for(std::size_t i = 0; i < bounds.size(); ++i)
+    input.for_each_vertex_of(i, [&](Vertex v) { bounds[i] = enclosure.distance_bounds(v); });
+  return bounds;
+}
+
+Enclosure enclosure_on(const Mesh_input& input, const std::string& path)
+{
+  try
+  {
+    return Enclosure(input.mesh());
+  }
+  catch(const std::invalid_argument& error)
+  {
+    throw Input_error(quoted(path) + ": " + error.what());
+  }
+}
+
+int validate(const Validation_options& options)
+{
+  if(!options.per_vertex.empty())
+    Output_files::check(options.per_vertex);
+  require_numbered_vertices(options.mesh);
+  const Mesh_input input(options.mesh, false);
+  require_unchanged_vertices(input, options.mesh);
+  const Distance_table table = read_table(options, input); // before the long work
+
+  Enclosure enclosure = enclosure_on(input, options.mesh);
+  const Sources sources(input, options, enclosure);
+  sources.add_to(enclosure);
+  enclosure.build();
+  const std::vector<Comparison::Bounds> bounds = bounds_of(input, enclosure);
+  const Comparison comparison(bounds, table.distances, options.tolerance);
+
+  Output_files files;
+  if(!options.per_vertex.empty())
+    files.add(options.per_vertex, [&](std::ostream& out) {
+      write_per_vertex(out, bounds, table.distances, comparison.errors);
+    });
+  std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(bounds.size(), "vertex", "vertices") << ", "
+            << counted(input.soup().polygons.size(), "face") << '\n';
+  for(const std::string& remark : input.remarks())
+    std::cout << "mesh: " << remark << '\n';
+  if(const std::size_t unused = number_of_unused_vertices(input))
+    std::cout << "mesh: " << counted(unused, "vertex", "vertices") << " without faces, infinitely far away\n";
+  if(!vertices_of_double_borders(input.mesh()).empty())
+    std::cout << "mesh: some border edges are at the same place; they are not joined\n";
+  for(const std::string& remark : sources.remarks())
+    std::cout << "sources: " << remark << '\n';
+  std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n'
+            << "distances: " << table.name << '\n';
+  Report_writer(std::cout, comparison)(bounds, table.distances, options.tolerance);
+  std::cout.flush();
+  if(!std::cout)
+    throw Input_error("cannot write the report to the standard output");
+  files.commit();
+  return comparison.beyond_tolerance == 0 ? all_inside : some_outside;
+}
+
+} // namespace
+} // namespace geodesic_offset
+
+int main(int argc, char* argv[])
+{
+  using namespace geodesic_offset;
+  return program_main("validate_geodesic_distances", [&] {
+    const Validation_options options = parse_validation_options(argc, argv);
+    if(options.help)
+    {
+      print_validation_help(std::cout);
+      return 0;
+    }
+    return validate(options);
+  });
+}

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A table of distances of the vertices, one number for each of them.
+
+#ifndef VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H
+#define VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H
+
+#include "../geodesic_offset/common.h"
+#include "../geodesic_offset/numbers.h"
+
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Distance_table
+{
+  std::string         name; // for messages
+  std::vector<double> distances;
+  std::vector<Point>  points; // where the table says that the vertices are; empty if it does not
+};
+
+namespace internal {
+
+inline bool spells_infinity(std::string word)
+{
+  for(char& c : word)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if(word[0] == '+')
+    word.erase(0, 1);
+  return word == "inf" || word == "infinity" || word == "1.#inf";
+}
+
+// Throws Input_error that begins with `where`.
+inline double parsed_distance(const std::string& where, std::size_t vertex, const std::string& word)
+{
+  if(!word.empty() && spells_infinity(word))
+    return infinity;
+  double value = 0;
+  const std::string what = where + "vertex " + std::to_string(vertex) + " has the distance " + quoted(word.substr(0, 40));
+  if(!parse_number(word, value))
+    throw Input_error(what + ", which is neither a finite number nor inf");
+  if(value < 0)
+    throw Input_error(what + ", which is negative");
+  return value;
+}
+
+} // namespace internal
+} // namespace geodesic_offset
+
+#endif // VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H

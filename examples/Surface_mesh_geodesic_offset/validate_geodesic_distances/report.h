@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the user gets to read, and the table of all vertices.
+
+#ifndef VALIDATE_GEODESIC_DISTANCES_REPORT_H
+#define VALIDATE_GEODESIC_DISTANCES_REPORT_H
+
+#include "../geodesic_offset/common.h"
+#include "../geodesic_offset/numbers.h"
+#include "comparison.h"
+
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+// With as many digits as a reader needs to get the same double
+inline std::string full_number(double value)
+{
+  std::ostringstream stream;
+  stream.precision(std::numeric_limits<double>::max_digits10);
+  stream << value;
+  return stream.str();
+}
+
+class Report_writer
+{
+  std::ostream&     m_out;
+  const Comparison& m_comparison;
+
+public:
+  Report_writer(std::ostream& out, const Comparison& comparison) : m_out(out), m_comparison(comparison) {}
+
+  void operator()(const std::vector<Comparison::Bounds>& bounds, const std::vector<double>& distances,
+                  double tolerance) const
+  {
+    const Comparison& c = m_comparison;
+    count("vertices", c.errors.size(), "in the mesh and in the table");
+    count("inside", c.inside, "between their certified bounds, or infinite where no source can be reached from");
+    count("too short", c.too_short, "below the lower bound: no path on the surface is as short as that");
+    count("too long", c.too_long, "above the upper bound: there is a shorter path on the surface");
+    count("infinite in the table only", c.infinite_in_table_only, "there is a path to a source");
+    count("finite in the table only", c.infinite_in_truth_only, "there is no path to any source");
+    count("beyond the tolerance", c.beyond_tolerance,
+          tolerance == 0 ? "all that are not inside" : "outside by more than " + short_number(tolerance) + " of the bound");
+
+    count("compared", c.reached, "finite in both: the figures below are about these vertices");
+    count("compared relatively", c.away, "those of them that are not at distance 0: the relative figures are about these");
+    errors("outside, absolute", c.outside, "distance from the enclosure, 0 inside");
+    errors("outside, relative", c.relative_outside, "the same, divided by the bound");
+    errors("off the middle, absolute", c.off_middle, "difference from the middle of the enclosure");
+    errors("off the middle, relative", c.relative_off_middle, "the same, divided by the middle");
+    number("bias, absolute", c.bias, "mean of distance minus middle: negative if too short on average");
+    number("bias, relative", c.relative_bias, "the same, divided by the middle");
+    widths("width, absolute", c.width, "of the enclosures: errors below it cannot be seen");
+    widths("width, relative", c.relative_width, "the same, divided by the middle");
+
+    if(c.inside == c.errors.size())
+      line("worst vertex", "none", "all are inside");
+    else
+    {
+      const std::size_t v = c.worst;
+      line("worst vertex", std::to_string(v) + ": distance " + full_number(distances[v]) + ", bounds " +
+                             full_number(bounds[v].first) + " and " + full_number(bounds[v].second) + ", outside by " +
+                             short_number(c.errors[v]),
+           "farthest outside; negative if too short");
+    }
+  }
+
+private:
+  void line(const std::string& label, const std::string& value, const std::string& meaning) const
+  {
+    m_out << label << ": " << value << " (" << meaning << ")\n";
+  }
+
+  void count(const std::string& label, std::size_t n, const std::string& meaning) const
+  {
+    line(label, std::to_string(n), meaning);
+  }
+
+  void number(const std::string& label, double value, const std::string& meaning) const
+  {
+    line(label, short_number(value), meaning);
+  }
+
+  void errors(const std::string& label, const Error_figures& f, const std::string& meaning) const
+  {
+    const std::string at = f.largest == 0 ? "" : " at vertex " + std::to_string(f.at);
+    line(label, "largest " + short_number(f.largest) + at + ", mean " + short_number(f.mean) + ", rms " +
+                  short_number(f.rms), meaning);
+  }
+
+  void widths(const std::string& label, const Width_figures& f, const std::string& meaning) const
+  {
+    line(label, "median " + short_number(f.median) + ", largest " + short_number(f.largest), meaning);
+  }
+};
+
+// One line a vertex.
+inline void write_per_vertex(std::ostream& out, const std::vector<Comparison::Bounds>& bounds,
+                             const std::vector<double>& distances, const std::vector<double>& errors)
+{
+  out << "# vertex lower upper distance error\n";
+  out.precision(std::numeric_limits<double>::max_digits10);
+  for(std::size_t i = 0; i < distances.size(); ++i)
+    out << i << ' ' << bounds[i].first << ' ' << bounds[i].second << ' ' << distances[i] << ' ' << errors[i] << '\n';
+}
+
+} // namespace geodesic_offset
+
+#endif // VALIDATE_GEODESIC_DISTANCES_REPORT_H
