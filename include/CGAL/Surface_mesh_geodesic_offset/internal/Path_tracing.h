@@ -62,11 +62,14 @@ public:
   {
     const Path_start<FT> start = m_start.at_vertex(v);
     if (start.halfedge == no_index) return;
+    const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    const FT limit = start.distance * (FT(1) + Number_policy<FT>::rounding(512));
+    const auto may_lead_to = [&](int k) { return m_field.distance[walk.vertex(k)] + length(walk.corner(k)) <= limit; };
+    if (!may_lead_to(1) && !may_lead_to(2)) return;
     Passed passed;
     const End end = follow(start, passed);
     if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
     const Index next = end.point.element;
-    const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
     for (int k : {1, 2})
       if (walk.vertex(k) == next)
       {

@@ -61,8 +61,7 @@ public:
   void spread_from_pseudo_source(Index v)
   {
     if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
-    char& state = m_state.vertex_state[v];
-    state = char(Wavefront_state<FT>::HAS_SPREAD | (state & Wavefront_state<FT>::IS_BENT));
+    m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
     const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
     m_sector.for_each_sector_behind(

@@ -92,7 +92,7 @@ public:
   const FT& maximum() const { return m_state.maximum; }
 
   // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
-  bool has_bent_paths() const { return m_state.has_bent_paths(); }
+  bool has_bent_paths() const { return m_state.has_bent_paths; }
 
   // No point of the face is farther than this: a corner's distance and the way from there.
   FT largest_distance(Index f) const

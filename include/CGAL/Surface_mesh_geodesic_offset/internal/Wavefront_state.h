@@ -67,15 +67,10 @@ public:
     field.root[v] = root;
     vertex_state[v] &= char(~(WAITS | IS_BENT));
     if (is_bent) vertex_state[v] |= IS_BENT;
+    has_bent_paths |= is_bent;
     if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     queue.push_vertex(queue.bucket_of(d), v);
-  }
-
-  // Whether rounding has left a vertex without a straight path.
-  bool has_bent_paths() const
-  {
-    return std::any_of(vertex_state.begin(), vertex_state.end(), [](char s) { return (s & IS_BENT) != 0; });
   }
 
   // A face that the front has reached is looked at again when the front may have passed it.
@@ -160,6 +155,7 @@ public:
   Geodesic_field<FT>& field;
   Bucket_queue queue;
   std::vector<char> vertex_state, face_state;
+  bool has_bent_paths = false;
   Unfinished_faces unfinished;
   Wavefront_counts counts;
 };
