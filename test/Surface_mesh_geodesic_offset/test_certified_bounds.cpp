@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Certified bounds contain the distances of a run with 200 bits, and are close together: 150 random meshes, planar,
-// symmetric, rotated and with needles, with points, polylines and edges as sources.
+// symmetric, rotated and with needles, with points, polylines and edges as sources. Vertices are passed closely, sources
+// lie very near to saddle vertices, and windows are swept in several rounds.
 
 #include "geodesic_types.h"
 #include "query_cases.h"
@@ -155,6 +156,142 @@ void random_meshes()
   CHECK(elsewhere.median() <= 1e-13);
 }
 
+// Where a ray passes a flat vertex so closely that rounding of an edge's length could let it fall between two windows: a
+// source just before the vertex, exactly opposite to another one.
+void past_flat_vertex()
+{
+  Random random(1);
+  for (const double before : {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})
+    for (int i = 0; i < 600; ++i)
+    {
+      // round vertex 0: two vertices above, three below
+      Soup soup;
+      soup.points.push_back(Point_3(uniform(random, 0.3, 1), uniform(random, 0.3, 1), 0));
+      const Point_3 o = soup.points.front();
+      const double corners[5][2] = {{-uniform(random, 0.3, 1), 0.3 * uniform(random)},
+                                    {-0.8 * uniform(random, 0.3, 1), -uniform(random, 0.3, 1)},
+                                    {0.05 * uniform(random), -1 - uniform(random)},
+                                    {0.8 * uniform(random, 0.3, 1), -uniform(random, 0.3, 1)},
+                                    {uniform(random, 0.3, 1), 0.3 * uniform(random)}};
+      for (const auto& c : corners) soup.points.push_back(Point_3(o.x() + c[0], o.y() + c[1], 0));
+      for (std::size_t k = 1; k <= 5; ++k)
+      {
+        const std::size_t next = k % 5 + 1;
+        const auto uv = [&](std::size_t j) { return Point_2(soup.points[j].x(), soup.points[j].y()); };
+        soup.add_triangle({{0, k, next}}, 0, {{uv(0), uv(k), uv(next)}});
+      }
+      const Generated_mesh<test::Surface_mesh> data(soup);
+      // opposite to vertex 3, in the face of 0, 5 and 1
+      const Vector_3 a = soup.points[5] - o, b = soup.points[1] - o, way = soup.points[3] - o;
+      const double x = -before * way.x(), y = -before * way.y(), area = a.x() * b.y() - a.y() * b.x();
+      const double of_a = (x * b.y() - y * b.x()) / area, of_b = (a.x() * y - a.y() * x) / area;
+      if (of_a < 1e-12 || of_b < 1e-12) continue; // would be put on an edge
+      Face_location source(data.faces[4], {{0, 0, 0}});
+      const Mesh_locations locations(data.mesh);
+      const auto order = locations.corners(data.faces[4]);
+      for (std::size_t k = 0; k < 3; ++k)
+        source.second[k] = order[k] == data.vertices[5] ? of_a : order[k] == data.vertices[1] ? of_b : 1 - of_a - of_b;
+      Enclosure enclosure(data.mesh);
+      enclosure.add_source_point(source);
+      enclosure.build();
+      const double distance = std::sqrt(way.squared_length()) * (1 + before);
+      const auto bounds = enclosure.distance_bounds(data.vertices[3]);
+      CHECK_DETAIL(bounds.first <= distance * (1 + 1e-12) && bounds.second >= distance * (1 - 1e-12),
+                   values(bounds.first, distance));
+    }
+}
+
+// Sources at a saddle vertex, near and very near, and short segments there: behind it all distances are those by way of it,
+// at most.
+void near_saddle()
+{
+  Random random(2);
+  for (const double total : {2.2, 2.5, 3., 4.2})
+    for (const double near : {1e-2, 1e-5, 1e-8, 1e-11})
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        const Soup cone = Cone(8, total * CGAL_PI, 1).triangulated(0, 0, 1);
+        const Generated_mesh<test::Surface_mesh> data(rotated(cone, static_cast<unsigned>(i)));
+        const Mesh_locations locations(data.mesh);
+        const auto& face = data.faces[uniform_index(random, data.faces.size())];
+        const Vertex_index apex = data.vertices[0];
+        const auto order = locations.corners(face);
+        const auto place = [&](double x, double y) { // from the apex along both edges
+          Face_location l(face, {{0, 0, 0}});
+          bool is_first = true;
+          for (std::size_t k = 0; k < 3; ++k)
+          {
+            l.second[k] = order[k] == apex ? 1 - x - y : is_first ? x : y;
+            is_first = is_first && order[k] == apex;
+          }
+          return l;
+        };
+        Enclosure enclosure(data.mesh);
+        if (i % 2 == 0)
+        {
+          const double x = near * uniform(random, 0.1, 1), y = near * uniform(random, 0.1, 1);
+          enclosure.add_source_point(place(x, i % 4 == 0 ? 0 : y));
+        }
+        else
+          enclosure.add_source_polyline(std::vector<Face_location>{place(near, 0), place(near * 0.9, near * 0.2)});
+        enclosure.build();
+        const double to_apex = enclosure.distance_bounds(apex).second;
+        CHECK(to_apex > 0 && to_apex <= 2 * near);
+        for (Vertex_index v : vertices(data.mesh))
+        {
+          const double way = to_apex + distance(data.mesh.point(apex), data.mesh.point(v));
+          const auto bounds = enclosure.distance_bounds(v);
+          CHECK_DETAIL(bounds.first <= way * (1 + 1e-15), values(bounds.first, way));
+          CHECK(bounds.second <= way * (1 + 1e-12));
+        }
+      }
+}
+
+// Of random windows on one edge, swept in several rounds, the nearest one stays everywhere, and they stay sorted.
+void sweeps()
+{
+  using namespace CGAL::Geodesic_offset::internal;
+  Random random(3);
+  Certified_envelope sweep;
+  for (int list = 0; list < 20000; ++list)
+  {
+    std::vector<Certified_window> all, swept;
+    for (int round = 0; round < 3; ++round)
+    {
+      const std::size_t taken = swept.size();
+      for (std::size_t i = 0, n = 1 + uniform_index(random, 3); i < n; ++i)
+      {
+        Certified_window w{};
+        w.bits = uniform_index(random, 4) == 0;
+        const double angle = uniform(random, 0.2, CGAL_PI - 0.2);
+        w.set_image(w.is_parallel() ? Double_double_2{std::cos(angle), -std::sin(angle)}
+                                    : Double_double_2{uniform(random, -0.5, 1.5), -uniform(random, 0.1, 1)});
+        w.sigma = w.is_parallel() ? uniform(random, 0.8, 1.6) : uniform(random, 0, 0.6);
+        const double from = uniform_index(random, 2) ? 0. : uniform(random, 0, 0.8);
+        w.set_interval(from, uniform_index(random, 2) ? 1. : uniform(random, from + 0.05, 1));
+        all.push_back(w);
+        swept.push_back(w);
+      }
+      const auto& result = sweep(swept.data(), swept.data() + taken, swept.data() + swept.size(), 1.);
+      swept.assign(result.begin(), result.end());
+      for (Certified_window& w : swept) w.set_propagated();
+      CHECK(std::is_sorted(swept.begin(), swept.end(),
+                           [](const Certified_window& a, const Certified_window& b) { return a.b0 < b.b0; }));
+    }
+    const auto nearest = [](const std::vector<Certified_window>& windows, double t) {
+      double result = infinity;
+      for (const Certified_window& w : windows)
+        if (w.b0 <= t && t <= w.b1) result = (std::min)(result, w.distance_at(t));
+      return result;
+    };
+    for (int i = 0; i < 50; ++i)
+    {
+      const double t = (i + 0.5) / 50, d = nearest(all, t);
+      if (std::isfinite(d)) CHECK(nearest(swept, t) <= d + 1e-13);
+    }
+  }
+}
+
 template <class Exception, class Function>
 bool throws(const Function& f)
 {
@@ -202,7 +339,11 @@ void use()
 
 int main()
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"use", use}, {"random meshes", random_meshes}};
+  const std::pair<const char*, void (*)()> tests[] = {{"use", use},
+                                                      {"past a flat vertex", past_flat_vertex},
+                                                      {"near a saddle vertex", near_saddle},
+                                                      {"sweeps", sweeps},
+                                                      {"random meshes", random_meshes}};
   for (const auto& test : tests)
   {
     Report::instance().set_context(test.first);

@@ -58,6 +58,7 @@ public:
   /// \param np an optional named parameter, `keep_windows(b)`: whether points other than vertices will be asked for; then
   ///        some 100 bytes a window stay in memory.
   /// \throws std::logic_error if the rounding mode is not to nearest
+  /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60
   template <class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
   {

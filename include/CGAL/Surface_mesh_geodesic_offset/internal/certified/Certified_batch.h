@@ -110,10 +110,10 @@ private:
         list.split_entry = face.entry_of_apex(w);
       }
       // the way back, in the frame of the corner at the apex
-      const double bx = w.is_parallel() ? w.x : w.to_image(face.apex_x), by = w.is_parallel() ? w.y : w.y - face.apex_y;
-      const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * bx + face.sl * by),
-                                       face.sl * bx - face.cl * by};
-      const double away = std::abs(bx) + std::abs(by);
+      const Point_in_face<double> v = face.from_apex(w);
+      const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * v.x + face.sl * v.y),
+                                       face.sl * v.x - face.cl * v.y};
+      const double away = std::abs(v.x) + std::abs(v.y);
       m_state.arrive(apex, d, error, back, length_error * (1 + (face.length + face.left_length) / away));
     }
     best = list.split_distance;

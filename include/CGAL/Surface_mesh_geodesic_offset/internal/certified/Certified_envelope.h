@@ -74,9 +74,9 @@ private:
   // Neighbours with one image that are so near to each other have no other ray between them.
   double gap() const { return 64 * unit_roundoff * m_length; }
 
-  // Images that differ by no more are one. It must be less than the error that all rays are allowed: the rays of a merged
-  // window come from one of the images only.
-  double merging(const Window& w) const { return 0.25 * image_error * (std::abs(w.x) + std::abs(w.y) + 1); }
+  // Images that differ by no more are one. For all faces on the way together it must be less than the error that rays are
+  // allowed: the rays of a merged window come from one of the images only.
+  double merging(const Window& w) const { return 0x1p-18 * image_error * (std::abs(w.x) + std::abs(w.y) + 1); }
 
   // Lengths are in units of the longest edge, so no shortest path is longer.
   static constexpr double farthest = 0x1p34;
@@ -146,8 +146,9 @@ private:
     of_a.append_all(ties.kept_of_first());
     if (a.b1 > ties.high()) of_a.append({ties.high(), a.b1});
     if (w.b1 > ties.high()) of_w.append({ties.high(), w.b1});
-    const bool a_stays = of_a.size() > 0, w_stays = of_w.size() > 0 && of_w[0].from <= w.b0;
-    for (int i = 1; i < of_a.size(); ++i) push_part(a, of_a[i]);
+    // what begins later than before waits for its turn
+    const bool a_stays = of_a.size() > 0 && of_a[0].from <= a.b0, w_stays = of_w.size() > 0 && of_w[0].from <= w.b0;
+    for (int i = a_stays ? 1 : 0; i < of_a.size(); ++i) push_part(a, of_a[i]);
     for (int i = w_stays ? 1 : 0; i < of_w.size(); ++i) push_part(w, of_w[i]);
     if (a_stays)
       cut(a, of_a[0]);

@@ -56,25 +56,23 @@ private:
     for (const Certified_source& s : sources.in_faces)
     {
       m_state.schedule(s.face);
-      for (int k = 0; k < 3; ++k) start_at_corner(s, k);
+      for (int k = 0; k < 3; ++k) start_at_corner(sources, s, k);
     }
     for (const Certified_source& s : sources.in_faces)
       sources.for_each_window(s, [&](Index h, const Window& w) { m_state.add(h, w); });
   }
 
   // The way from a source to a corner of its face.
-  void start_at_corner(const Certified_source& s, int k)
+  void start_at_corner(const Certified_sources& sources, const Certified_source& s, int k)
   {
-    const Index h = 3 * s.face;
-    const Double_double_2 apex = m_mesh.apex(h);
-    const Point_in_face<double> corners[3] = {{0., 0.}, {m_mesh.length(h), 0.}, {apex.x.high, apex.y.high}};
-    const double distance = s.distance_at(corners[k]);
-    // back to the nearest point of the source, in the frame of the corner's halfedge
-    const Point_in_face<double> along = corners[(k + 1) % 3] - corners[k], v = s.nearest_to(corners[k]) - corners[k];
-    const double size = length(along);
-    const Ray back{h + Index(k), dot(along, v) / size, cross(along, v) / size};
-    m_state.arrive(m_unfolded.source(back.corner), distance, 4 * s.moved, back,
-                   4 * s.moved / (std::max)(distance, s.moved));
+    const Index h = 3 * s.face + Index(k);
+    double reach;
+    const Point_in_face<double> way = s.way_from(sources.corner(s.face, k), reach);
+    const double distance = length(way);
+    // back to the nearest point, in the frame of the corner's halfedge
+    const Double_double_2 back = in_frame(sources.direction(s.face, k), {way.x, way.y});
+    m_state.arrive(m_unfolded.source(h), distance, 4 * s.moved, Ray{h, back.x.high, back.y.high},
+                   distance > 0 ? length_error * (1 + reach / distance) : Number_policy<double>::infinity());
   }
 
   void take(Index h)
@@ -95,15 +93,37 @@ private:
   // Behind a vertex, at angles of at least pi to where the path came from, as far as that is known.
   void spread_behind(Index v, const Arrival& a)
   {
-    m_sector.for_each_sector_behind(
-      a.back, [&](const Ray& from, const Ray& to, Index first) { spread(from, to, first, a.distance, a.radius); },
-      a.angle + walking_error);
-    if (m_unfolded.has_several_fans(v))
-      m_unfolded.for_each_fan(v, [&](Index first) { spread(Ray(), Ray(), first, a.distance, a.radius); });
+    const auto spread_sector = [&](const Ray& from, const Ray& to, Index first) {
+      spread(from, to, first, a.distance, a.radius);
+    };
+    const auto spread_fan = [&](Index first) { spread(Ray(), Ray(), first, a.distance, a.radius); };
+    const double angle = a.angle + walking_error(v);
+    if (!(angle < largest_angle))
+    { // in all directions
+      m_unfolded.for_each_fan(v, spread_fan);
+      return;
+    }
+    m_sector.for_each_sector_behind(a.back, spread_sector, angle);
+    if (m_unfolded.has_several_fans(v)) m_unfolded.for_each_fan(v, spread_fan);
   }
 
+  // Beyond it, directions are taken as unknown.
+  static constexpr double largest_angle = 0x1p-10;
+
   // The angle that rounding turns a ray by that is carried round a vertex and through a face.
-  static constexpr double walking_error = 0x1p-44;
+  double walking_error(Index v) const
+  {
+    int corners = 0;
+    m_unfolded.for_each_fan(v, [&](Index first) {
+      Index c = first;
+      do
+      {
+        ++corners;
+        c = m_unfolded.corner_ccw(c);
+      } while (c != no_index && c != first);
+    });
+    return (std::max)(0x1p-44, 16 * unit_roundoff * (corners + 8));
+  }
 
   // The rays from a vertex in a sector.
   void spread(const Ray& from, const Ray& to, Index first, double sigma, double radius)

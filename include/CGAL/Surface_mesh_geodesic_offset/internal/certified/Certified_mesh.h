@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -42,7 +44,9 @@ public:
     double longest = 1;
     for (Index h = 0; h < m_halfedges.size(); ++h)
       longest = h == 0 ? unfolded[h].length : (std::max)(longest, unfolded[h].length);
-    m_unit = std::ldexp(1., (std::max)(-1000, (std::min)(1000, std::ilogb(longest))));
+    if (!(0x1p-200 < longest && longest < 0x1p200))
+      throw std::invalid_argument("Surface_mesh_geodesic_enclosure: the longest edge must be between 1e-60 and 1e60");
+    m_unit = std::ldexp(1., std::ilogb(longest));
     const double scale = 1 / m_unit; // both are powers of two: nothing is rounded
     std::vector<Coordinates> points(unfolded.number_of_vertices());
     for (Index v = 0; v < points.size(); ++v)
@@ -103,9 +107,13 @@ private:
     const Coordinates &p = points[m_unfolded.source(h)], &q = points[m_unfolded.source(h + 1)],
                       &r = points[m_unfolded.source(h + 2)];
     const Vector u[3] = {difference(p, q), difference(q, r), difference(r, p)};
-    const Vector n = {u[0][1] * u[1][2] - u[0][2] * u[1][1], u[0][2] * u[1][0] - u[0][0] * u[1][2],
-                      u[0][0] * u[1][1] - u[0][1] * u[1][0]};
-    const Double_double area = square_root(dot(n, n)); // twice the area
+    // twice the area from the two shorter edges: from long ones that differ little it would lose digits
+    int longest = 0;
+    for (int k : {1, 2})
+      if (length(h + Index(k)) > length(h + Index(longest))) longest = k;
+    const Vector &a = u[(longest + 1) % 3], &b = u[(longest + 2) % 3];
+    const Vector n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const Double_double area = square_root(dot(n, n));
     for (int k = 0; k < 3; ++k)
     {
       const Double_double scale = Double_double(1) / (m_halfedges[h + k].length * m_halfedges[h + (k + 2) % 3].length);
@@ -159,6 +167,7 @@ private:
     const bool is_near = std::abs(high(y)) <= corner_error * degree;
     if (is_near && high(x) < 0) ++half_turns;
     result = is_near ? half_turns > limit : half_turns >= limit;
+    if (!is_certain && std::is_same<Number, Double_double>::value) return result = true; // rays from it do no harm
     return is_certain && (!is_near || half_turns != limit);
   }
 

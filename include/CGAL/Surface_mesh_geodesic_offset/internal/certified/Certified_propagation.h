@@ -28,14 +28,20 @@ public:
   {
   }
 
-  Sign side_of_apex(const Certified_window& w, double b) const { return w.side_of(apex_x, apex_y, b); }
+  Sign side_of_apex(const Certified_window& w, double b) const { return w.side_of(m_apex.x, apex_y, place(b)); }
+
+  // From the apex to the image.
+  Point_in_face<double> from_apex(const Certified_window& w) const
+  {
+    if (w.is_parallel()) return {w.x, w.y};
+    return {(w.x - apex_x) + (w.x_low - m_apex.x.low), (w.y - apex_y) + (w.y_low - m_apex.y.low)};
+  }
 
   // Up to the rounding of a length, whatever is near.
   double distance_at_apex(const Certified_window& w) const
   {
     if (w.is_parallel()) return w.distance_at(apex_x, apex_y);
-    const double u = (apex_x - w.x) + (m_apex.x.low - w.x_low), v = (apex_y - w.y) + (m_apex.y.low - w.y_low);
-    return w.sigma + std::sqrt(u * u + v * v);
+    return w.sigma + internal::length(from_apex(w));
   }
 
   // How far a window's distance at the apex may be off. If it is not certain that the apex is in its rays, the way round the
@@ -43,7 +49,8 @@ public:
   double error_at_apex(const Certified_window& w, double distance, bool is_certain) const
   {
     const double rounding = side_error * (distance + (w.is_parallel() ? length + left_length : 0.));
-    return w.radius + (is_certain ? rounding : rounding + 6 * side_error * (length + left_length));
+    const double lateral = is_certain ? 0. : 6 * side_error * (length + left_length);
+    return w.radius + rounding + lateral + 4 * w.error_of_image();
   }
 
   // Where the ray to the apex enters, up to rounding of the length.
@@ -59,13 +66,13 @@ public:
   {
     if (!turn(w, m_at_p, w.image(), child)) return false;
     double from = 0, to = left_length;
-    if (!near_exit(w, w.to_image(w.b0), w.b0, cl, sl, from)) return false;
-    if (!to_apex) far_exit(w, w.to_image(end), end, cl, sl, to);
+    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, from)) return false;
+    if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, to);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
     child.set_interval(from, to);
-    child.radius = w.radius + (from > 0 || !to_apex ? detour(to) : 0.);
+    child.radius = w.radius + (from > 0 || !to_apex ? detour(w, to) : 0.);
     return true;
   }
 
@@ -76,8 +83,8 @@ public:
     const Double_double_2 axis{m_at_q.x, -m_at_q.y}; // r -> q
     if (!turn(w, axis, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
     double from = 0, to = right_length; // counted from q
-    if (!near_exit(w, w.is_parallel() ? -w.x : -w.to_image(w.b1), from_target(w.b1), cr, sr, from)) return false;
-    if (!from_apex) far_exit(w, w.is_parallel() ? -w.x : -w.to_image(begin), from_target(begin), cr, sr, to);
+    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1), cr, sr, from)) return false;
+    if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin), cr, sr, to);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
@@ -97,7 +104,7 @@ public:
     const double rounding = 2 * unit_roundoff * right_length;
     child.set_interval(to < right_length ? (std::max)(0., right_length - to - rounding) : 0.,
                        from > 0 ? (std::min)(right_length, right_length - from + rounding) : right_length);
-    child.radius = w.radius + (from > 0 || !from_apex ? detour(to) + 4 * rounding : 0.);
+    child.radius = w.radius + (from > 0 || !from_apex ? detour(w, to) + 4 * rounding : 0.);
     return child.b0 < child.b1;
   }
 
@@ -116,7 +123,13 @@ private:
 
   // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 22 u of the exit's
   // distance from the corner at most. The path through the interval's end is longer by twice that.
-  static double detour(double exit) { return 48 * unit_roundoff * exit; }
+  static double detour(const Certified_window& w, double exit)
+  {
+    return 48 * unit_roundoff * exit + 4 * w.error_of_image();
+  }
+
+  // A point of the halfedge; its end is the vertex itself.
+  Double_double place(double b) const { return b < length ? Double_double(b) : m_length; }
 
   // From the point b to q, up to rounding of itself.
   double from_target(double b) const { return b < length ? (length - b) + m_length.low : 0.; }

@@ -38,10 +38,10 @@ public:
     else
       for (Index face : faces_of(m_mesh.unfolded(), p))
       {
-        Point position;
+        Double_double_2 place;
         unsigned edges;
-        position_in_face(m_mesh.unfolded(), p, face, position, edges);
-        search(face, {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)});
+        m_sources.place_in_face(p, face, place, edges);
+        search(face, place);
       }
     // what passes a vertex within the error of an image may be shorter by as much: see the error analysis
     return {(std::max)(m_lower * (1 - 2 * unit_roundoff), 0.), m_upper};
@@ -54,30 +54,31 @@ private:
     m_upper = (std::min)(m_upper, upper);
   }
 
-  // The place of p is known up to rounding in the face.
-  void search(Index face, Point p)
+  // What it finds belongs to the given place in the face, which is the point asked for up to rounding.
+  void search(Index face, Double_double_2 p)
   {
     const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
     const double moved = 4 * length_error * size;
     m_sources.for_each_in_face(face, [&](const Certified_source& s) {
-      const double d = s.distance_at(p), error = 4 * s.moved + moved;
+      double reach;
+      const double d = length(s.way_from(p, reach)), error = 4 * s.moved + moved;
       take(d - error, d + error);
     });
     for (int k = 0; k < 3; ++k)
     {
       const Index h = 3 * face + Index(k), v = m_mesh.unfolded().source(h);
-      const double way = length(p);
+      const double height = (std::max)(p.y.high, 0.), way = length(Point{p.x.high, height});
       take(m_field.bounds.lower(v) + way - moved, m_field.bounds.upper(v) + way + moved);
-      const double height = (std::max)(p.y, 0.);
+      const auto place = [&](double b) { return b < m_mesh.length(h) ? Double_double(b) : m_mesh[h].length; };
       m_field.for_each_window(h, [&](const Certified_window& w) {
-        if (w.side_of(p.x, height, w.b0) == POSITIVE || w.side_of(p.x, height, w.b1) == NEGATIVE) return;
-        const double d = w.distance_at(p.x, height), error = w.radius + length_error * d + moved;
+        if (w.side_of(p.x, height, place(w.b0)) == POSITIVE || w.side_of(p.x, height, place(w.b1)) == NEGATIVE) return;
+        const double d = w.distance_at(p.x.high, height);
+        const double error = w.radius + length_error * d + moved + 4 * w.error_of_image();
         take(d - error, d + error);
       });
       // on to the frame of the next halfedge
       const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;
-      const double x = p.x - m_mesh.length(h);
-      p = {c.y.high * p.y - c.x.high * x, -c.x.high * p.y - c.y.high * x};
+      p = in_frame({-c.x, c.y}, {p.x - m_mesh[h].length, p.y});
     }
   }
 

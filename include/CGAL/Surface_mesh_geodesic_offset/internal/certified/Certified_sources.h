@@ -31,16 +31,24 @@ struct Certified_source
   int on_edge; // the halfedge that the source lies on, or -1
   double moved;
 
-  Point_in_face<double> nearest_to(const Point_in_face<double>& p) const
+  // The way from p to the nearest point, up to `length_error` (its length and the lengths from p to the ends); for a segment
+  // this is its `reach`.
+  Point_in_face<double> way_from(const Double_double_2& p, double& reach) const
   {
-    const Point_in_face<double> a{first.x.high, first.y.high}, b{second.x.high, second.y.high};
+    const Point_in_face<double> a = difference(p, first);
+    reach = length(a);
     if (!is_segment) return a;
-    const double t = dot(b - a, p - a) / dot(b - a, b - a);
-    return t <= 0 ? a : t >= 1 ? b : a + t * (b - a);
+    const Point_in_face<double> b = difference(p, second), u = difference(first, second);
+    reach += length(b);
+    const double t = -dot(u, a) / dot(u, u);
+    return t <= 0 ? a : t >= 1 ? b : a + t * u;
   }
 
-  // Up to length_error (the size of the face).
-  double distance_at(const Point_in_face<double>& p) const { return length(p - nearest_to(p)); }
+private:
+  static Point_in_face<double> difference(const Double_double_2& p, const Double_double_2& q)
+  {
+    return {(q.x - p.x).high, (q.y - p.y).high};
+  }
 };
 
 class Certified_sources
@@ -63,6 +71,50 @@ public:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     std::stable_sort(in_faces.begin(), in_faces.end(),
                      [](const Certified_source& a, const Certified_source& b) { return a.face < b.face; });
+  }
+
+  // Where a point is in the frame of a face, moved back into the closed face if rounding has left it. False if it is not in
+  // the face. `edges` as in `position_in_face`.
+  bool place_in_face(const Place& p, Index face, Double_double_2& place, unsigned& edges) const
+  {
+    Point position;
+    if (!position_in_face(m_mesh.unfolded(), p, face, position, edges)) return false;
+    const int k = edges ? edge_of_bit(edges) : -1;
+    if (p.kind == Place::VERTEX)
+      for (int i = 0; i < 3; ++i)
+      {
+        if (m_mesh.unfolded().source(3 * face + Index(i)) == p.element) place = corner(face, i);
+      }
+    else if (p.kind == Place::EDGE)
+    {
+      const Double_double t = m_mesh.to_unit(p.x);
+      place = on_edge(face, k, p.element == 3 * face + Index(k) ? t : m_mesh[p.element].length - t);
+    }
+    else
+    {
+      place = {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)};
+      for (int i = 0; i < 3; ++i)
+      {
+        const Double_double_2 c = corner(face, i), v = in_frame(direction(face, i), {place.x - c.x, place.y - c.y});
+        if (v.y.high < 0) place = on_edge(face, i, v.x);
+      }
+    }
+    return true;
+  }
+
+  // The source of halfedge k, in the frame of the face.
+  Double_double_2 corner(Index face, int k) const
+  {
+    if (k == 2) return m_mesh.apex(3 * face);
+    return {k == 0 ? Double_double(0.) : m_mesh[3 * face].length, 0.};
+  }
+
+  // Along halfedge k, in the frame of the face.
+  Double_double_2 direction(Index face, int k) const
+  {
+    if (k == 0) return {1., 0.};
+    const Double_double_2& c = m_mesh[k == 1 ? 3 * face + 1 : 3 * face].corner;
+    return {-c.x, k == 1 ? c.y : -c.y};
   }
 
   std::vector<Index> vertices;            // that are sources
@@ -115,18 +167,6 @@ private:
     return length_error * (m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2));
   }
 
-  // The frame of halfedge k in that of the face.
-  Double_double_2 corner(Index face, int k) const
-  {
-    if (k == 2) return m_mesh.apex(3 * face);
-    return {k == 0 ? Double_double(0.) : m_mesh[3 * face].length, 0.};
-  }
-  Double_double_2 direction(Index face, int k) const
-  {
-    if (k == 0) return {1., 0.};
-    const Double_double_2& c = m_mesh[k == 1 ? 3 * face + 1 : 3 * face].corner;
-    return {-c.x, k == 1 ? c.y : -c.y};
-  }
   Double_double_2 on_edge(Index face, int k, Double_double t) const
   {
     const Double_double& length = m_mesh[3 * face + Index(k)].length;
@@ -134,34 +174,6 @@ private:
     if ((length - t).high < 0) t = length;
     const Double_double_2 c = corner(face, k), d = direction(face, k);
     return {c.x + t * d.x, c.y + t * d.y};
-  }
-
-  // False if p is not in the face. `edges` as in `position_in_face`.
-  bool place_in_face(const Place& p, Index face, Double_double_2& place, unsigned& edges) const
-  {
-    Point position;
-    if (!position_in_face(m_mesh.unfolded(), p, face, position, edges)) return false;
-    const int k = edges ? edge_of_bit(edges) : -1;
-    if (p.kind == Place::VERTEX)
-      for (int i = 0; i < 3; ++i)
-      {
-        if (m_mesh.unfolded().source(3 * face + Index(i)) == p.element) place = corner(face, i);
-      }
-    else if (p.kind == Place::EDGE)
-    {
-      const Double_double t = m_mesh.to_unit(p.x);
-      place = on_edge(face, k, p.element == 3 * face + Index(k) ? t : m_mesh[p.element].length - t);
-    }
-    else
-    {
-      place = {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)};
-      for (int i = 0; i < 3; ++i)
-      { // back into the face
-        const Double_double_2 c = corner(face, i), v = in_frame(direction(face, i), {place.x - c.x, place.y - c.y});
-        if (v.y.high < 0) place = on_edge(face, i, v.x);
-      }
-    }
-    return true;
   }
 
   void add_point(const Place& p)

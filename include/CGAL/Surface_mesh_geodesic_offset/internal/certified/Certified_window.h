@@ -25,7 +25,7 @@ constexpr double length_error = 16 * unit_roundoff;
 constexpr double side_error = 8 * unit_roundoff;
 constexpr double exit_error = 6 * unit_roundoff;
 
-// Error of an image after fewer than 2^28 faces, relative to its distance and the longest edge, which is between 1 and 2.
+// Error of an image after fewer than 2^16 faces, relative to its distance and the longest edge, which is between 1 and 2.
 constexpr double image_error = 0x1p-72;
 
 // As `Window`, with the image in twice the digits. The interval holds all rays that may be shortest, and some beside them
@@ -54,7 +54,7 @@ struct Certified_window
   }
 
   // From a point of the halfedge to the image, also if both are close together; for parallel rays their direction.
-  double to_image(double t) const { return is_parallel() ? x : (x - t) + x_low; }
+  double to_image(const Double_double& t) const { return is_parallel() ? x : (x - t.high) + (x_low - t.low); }
 
   // Up to length_error (D + the size of the face).
   double distance_at(double t) const { return distance_at(t, 0.); }
@@ -77,11 +77,11 @@ struct Certified_window
 
   // On which side of the ray through (b, 0) a point (px, py) of the face lies: POSITIVE if to the left; ZERO if that is not
   // certain.
-  Sign side_of(double px, double py, double b) const
+  Sign side_of(const Double_double& px, double py, const Double_double& b) const
   {
-    const double from_b = to_image(b), value = y * (px - b) - from_b * py;
-    const double error = side_error * (std::abs(from_b) * py + std::abs(y) * (std::abs(px) + b)) +
-                         error_of_image() * (std::abs(px) + b + py);
+    const double from_b = to_image(b), along = (px.high - b.high) + (px.low - b.low), value = y * along - from_b * py;
+    const double error = side_error * (std::abs(from_b) * py + std::abs(y) * (std::abs(px.high) + b.high)) +
+                         error_of_image() * (std::abs(px.high) + b.high + py);
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
   }
 
