@@ -99,8 +99,8 @@ def write_plot(path, title, x_label, y_label, series, lines=True):
         colour, kind = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
         places = [(x_axis(x), y_axis(y)) for x, y in points]
         if lines:
-            path = " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
-            out.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.4"/>')
+            bends = " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
+            out.append(f'<polyline points="{bends}" fill="none" stroke="{colour}" stroke-width="1.4"/>')
         out += [marker(kind, x, y, colour) for x, y in places]
         y = TOP + 14 + 19 * i
         out.append(marker(kind, WIDTH + 6, y - 4, colour))
