@@ -144,7 +144,7 @@ def write_ladder(out, rows, notes):
         return result
 
     n = "vertices n"
-    out.plot("time", "Time of a propagation, and its growth", n, "seconds", series("seconds", "0", "seconds"))
+    out.plot("time", "Time of a build, and its growth", n, "seconds", series("seconds", "0", "seconds"))
     out.plot("windows", "Windows, and their growth", n, "windows propagated", series("windows", "0", "windows"))
     out.plot("time_of_window", "Time a window", n, "nanoseconds", series("ns_a_window", "0"))
     out.plot("memory", "Peak memory a vertex, beyond the mesh", n, "bytes", series("peak_bytes_a_vertex", "0"))
@@ -193,7 +193,7 @@ def write_peers(out, rows):
         ]
         out.plot(
             f"error_{name}",
-            f"Error against time from {title}, a mark a mesh (ours: drawn at 1e-16)",
+            f"Mean error and time from {title}: a mark a mesh, ours at 1e-16",
             "seconds",
             "mean relative error",
             series,

@@ -5,7 +5,8 @@
 import math
 from html import escape
 
-COLOURS = ["#1f6fb4", "#d9541e", "#2a9d4a", "#8d4bb0", "#a3741c", "#c2307e", "#5a6472", "#16a3a8", "#000000"]
+COLOURS = ["#1f6fb4", "#d9541e", "#2a9d4a", "#8d4bb0", "#a3741c", "#c2307e", "#5a6472", "#16a3a8", "#000000", "#8aa800"]
+COLOURS += ["#e8a317", "#5b2a86", "#7fb3e0"]
 MARKERS = "osdt"  # circle, square, diamond, triangle
 WIDTH, HEIGHT = 640, 420
 LEFT, TOP, BOTTOM = 72, 40, 56
