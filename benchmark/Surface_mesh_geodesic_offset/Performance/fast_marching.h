@@ -9,6 +9,7 @@
 #include "initial_distances.h"
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <cmath>
