@@ -17,6 +17,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_core.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_expression.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_node.h>
