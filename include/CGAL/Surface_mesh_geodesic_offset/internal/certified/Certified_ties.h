@@ -179,10 +179,10 @@ private:
   double last_farther(int of, double good, double at_good, double bad, double at_bad) const
   {
     const double enough = unit_roundoff * 16 * (std::abs(good) + std::abs(bad));
-    for (int i = 0; i < 30 && std::abs(good - bad) > enough && at_good > 0.25 * m_margin; ++i)
+    for (int i = 0; i < 30 && std::abs(good - bad) > enough && at_good > 16 * m_margin; ++i)
     {
       // aim beside the root, on the good side
-      const double aim = (i % 3 == 2 ? 0.5 : 0.125) * m_margin;
+      const double aim = 4 * m_margin;
       double t = i % 3 == 2 ? 0.5 * (good + bad) : good + (bad - good) * ((at_good - aim) / (at_good - at_bad));
       if (!((good < t && t < bad) || (bad < t && t < good))) t = 0.5 * (good + bad);
       const double g = of * difference(t) - m_margin;
