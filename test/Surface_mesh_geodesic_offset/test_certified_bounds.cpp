@@ -344,17 +344,5 @@ int main()
                                                       {"near a saddle vertex", near_saddle},
                                                       {"sweeps", sweeps},
                                                       {"random meshes", random_meshes}};
-  for (const auto& test : tests)
-  {
-    Report::instance().set_context(test.first);
-    try
-    {
-      test.second();
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
-  }
-  return Report::instance().finish("test_certified_bounds");
+  return run_tests("test_certified_bounds", tests);
 }

@@ -152,4 +152,27 @@ inline bool check_close(Worst_error& worst, double actual, double expected, cons
                                      __FILE__, __LINE__, what_happened);                           \
   } while (false)
 
+namespace test {
+
+/// Runs all (name, function) pairs, each in its context; an exception is a failure. The result is that of `finish`.
+template <class Tests>
+int run_tests(const char* name, const Tests& tests)
+{
+  for (const auto& test : tests)
+  {
+    Report::instance().set_context(test.first);
+    try
+    {
+      test.second();
+    }
+    catch (const std::exception& e)
+    {
+      CHECK_DETAIL(!"an exception was thrown", e.what());
+    }
+  }
+  return Report::instance().finish(name);
+}
+
+} // namespace test
+
 #endif // GEODESIC_OFFSET_TEST_CHECK_H

@@ -303,17 +303,5 @@ int main()
     {"side tests near zero", side_tests_near_zero},
     {"concept archetype", concept_archetype},
     {"long numbers", long_numbers}};
-  for (const auto& test : tests)
-  {
-    Report::instance().set_context(test.first);
-    try
-    {
-      test.second();
-    }
-    catch (const std::exception& e)
-    {
-      CHECK_DETAIL(!"an exception was thrown", e.what());
-    }
-  }
-  return Report::instance().finish("test_kernels");
+  return run_tests("test_kernels", tests);
 }

@@ -22,13 +22,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Lengths are in units of a power of two near the longest edge. The components of unit vectors have errors of at most
-// `direction_error`, lengths this error times themselves.
+// Lengths are in units of a power of two near the longest edge. The components of unit vectors have errors of at most 2^-98,
+// lengths this error times themselves.
 class Certified_mesh
 {
 public:
   typedef std::array<double, 3> Coordinates;
-  static constexpr double direction_error = 0x1p-98;
 
   struct Halfedge
   {

@@ -23,8 +23,6 @@ struct Double_double
   Double_double() = default;
   Double_double(double high) : high(high) {}
   Double_double(double high, double low) : high(high), low(low) {}
-
-  double value() const { return high; }
 };
 
 // a + b without error.
