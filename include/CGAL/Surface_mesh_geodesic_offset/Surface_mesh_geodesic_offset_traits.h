@@ -13,6 +13,8 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <type_traits>
 
@@ -89,7 +91,7 @@ public:
   class Change_frame_2
   {
   public:
-    void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c, const FT& s) const
+    BOOST_FORCEINLINE void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c, const FT& s) const
     {
       if (is_parallel)
         sigma = sigma - (x * ox + y * oy);
@@ -168,7 +170,7 @@ public:
   {
   public:
     // d: the distance at (b, 0). On success t is at most `length`, and `distance` belongs to t unless said to be rough.
-    bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d, const FT& c,
+    BOOST_FORCEINLINE bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d, const FT& c,
                     const FT& s, const FT& length, FT& t, FT& distance, bool& is_rough) const
     {
       const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
@@ -194,7 +196,7 @@ public:
   class Compute_distance_2
   {
   public:
-    FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px, const FT& py) const
+    BOOST_FORCEINLINE FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px, const FT& py) const
     {
       if (is_parallel) return sigma - (x * px + y * py);
       const FT u = px - x, v = py - y;
@@ -209,7 +211,7 @@ public:
   class Compare_distance_2
   {
   public:
-    Comparison_result operator()(const FT& d, const FT& e, const FT& scale) const
+    BOOST_FORCEINLINE Comparison_result operator()(const FT& d, const FT& e, const FT& scale) const
     {
       const FT difference = d - e, allowance = Geodesic_offset::internal::Number_policy<FT>::rounding(4) * scale;
       return difference > allowance ? LARGER : difference < -allowance ? SMALLER : EQUAL;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All windows of a halfedge, unfolded across its face at once.
+// All windows of a halfedge, unfolded across its face at once. Nothing but the result of the batch itself is written, so that
+// several batches can be worked on at one time.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BATCH_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BATCH_PROPAGATION_H
@@ -12,6 +13,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
 
+#include <boost/config.hpp>
+
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -24,84 +28,87 @@ class Batch_propagation
 public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef typename Wavefront_state<FT>::Output Output;
 
-  Batch_propagation(Wavefront_state<FT>& state, const Traits& traits)
+  Batch_propagation(const Wavefront_state<FT>& state, const Traits& traits)
     : m_state(state), m_mesh(state.mesh), m_traits(traits)
   {
   }
 
-  // Propagates the fresh ones of the windows of a halfedge, which are its lower envelope, across the face.
-  void operator()(Index h, const std::vector<Window>& windows)
+  // What is to be told to the apex.
+  struct Arrival
+  {
+    FT distance;
+    Ray_at_vertex<FT> back;
+    Root root;
+    Index pseudo_source;
+    bool is_bent;
+  };
+
+  // Propagates the fresh ones of the windows of a halfedge, which are its lower envelope, across the face. `split`: the best
+  // distance given to the apex through the halfedge so far, and where its ray enters.
+  void operator()(Index h, const std::vector<Window>& windows, FT& split_distance, FT& split_entry)
   {
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
+    m_arrivals.clear();
+    m_apex = m_mesh.apex(h);
+    m_best = split_distance;
+    m_entry = split_entry;
+    m_known = m_state.field.distance[m_apex];
+    sort_by_exit(h, face, windows);
+    split_distance = m_best;
+    split_entry = m_entry;
+    const FT dp = m_state.field.distance[m_mesh.source(h)], dq = m_state.field.distance[m_mesh.target(h)], dr = m_known;
+    const Estimate across = estimate(face.left_length) + estimate(face.right_length) + estimate(face.length);
+    const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across);
+    const FT maximum = m_state.maximum;
     const std::size_t n = windows.size();
-    FT best, entry;
-    sort_by_exit(h, face, windows, best, entry);
-
-    const Index apex = m_mesh.apex(h), p = m_mesh.source(h), q = m_mesh.target(h);
-    const FT dp = m_state.field.distance[p], dq = m_state.field.distance[q], dr = m_state.field.distance[apex];
-    const Index left = m_mesh.twin(m_mesh.previous(h)), right = m_mesh.twin(m_mesh.next(h));
+    const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
+    Way left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
+             m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
+    Way right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
+              m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
-    const FT qx = face.cl * face.length, qy = -face.sl * face.length;
-    const FT px = face.right_length - face.cr * face.length, py = -face.sr * face.length;
-    const FT left_width = Number_policy<FT>::rounding(8) * face.left_length;
-    const FT right_width = Number_policy<FT>::rounding(8) * face.right_length;
-    typename Wavefront_state<FT>::Output to_left(m_state, left, n), to_right(m_state, right, n);
+    left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
+    right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
+    const Window* const w = windows.data();
+    const Exit* const exit = m_exit.data();
+    std::size_t number = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
-      const Exit exit = m_exit[i];
-      if (exit == NONE) continue;
-      const Window& w = windows[i];
-      ++m_state.counts.windows_propagated;
-      FT split, d_apex, left_end, right_begin;
-      FT d_left = w.d1, d_right = w.d0;
-      bool left_to_apex = false, right_from_apex = false, goes_left = exit != RIGHT, goes_right = exit != LEFT;
-      left_end = w.b1;
-      right_begin = w.b0;
-      if (covers_apex(exit))
-      {
-        // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the
-        // side of the best ray's entry, the rays that enter before it.
-        split = face.entry_of_apex(w);
-        d_apex = m_apex_distance[i];
-        const Estimate at_split = estimate(split), at_entry = estimate(entry);
-        const bool may_be_best = CGAL::possibly(estimate(d_apex) <= estimate(best));
-        left_to_apex = may_be_best || CGAL::possibly(at_split <= at_entry);
-        right_from_apex = may_be_best || CGAL::possibly(at_split >= at_entry);
-        left_end = left_to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
-        right_begin = right_from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
-        goes_left = exit != FROM_APEX && CGAL::possibly(estimate(left_end) > estimate(w.b0));
-        goes_right = exit != UP_TO_APEX && CGAL::possibly(estimate(right_begin) < estimate(w.b1));
-        if (!left_to_apex && goes_left) d_left = w.distance_at(left_end);
-        if (!right_from_apex && goes_right) d_right = w.distance_at(right_begin);
-      }
-      if (goes_left && to_left.is_open())
-      {
-        Window& child = to_left.next();
-        if (face.left_child(w, left_end, d_left, left_to_apex, d_apex, child) &&
-            !filtered_by_far_vertex<FT>(child.b0, child.d0, dq, qx, qy) &&
-            trim_by_ends<FT>(child, face.left_length, dp, dr, left_width))
-          to_left.keep();
-      }
-      if (goes_right && to_right.is_open())
-      {
-        Window& child = to_right.next();
-        if (face.right_child(w, right_begin, d_right, right_from_apex, d_apex, child) &&
-            !filtered_by_far_vertex<FT>(child.b1, child.d1, dp, px, py) &&
-            trim_by_ends<FT>(child, face.right_length, dr, dq, right_width))
-          to_right.keep();
-      }
+      if (exit[i] == NONE) continue;
+      ++number;
+      if (w[i].is_parallel())
+        propagate<true>(face, w[i], exit[i], i, left, right);
+      else
+        propagate<false>(face, w[i], exit[i], i, left, right);
     }
-    to_left.close();
-    to_right.close();
+    m_number = number;
+    m_left.finish(left.output);
+    m_right.finish(right.output);
   }
+
+  // The result: what arrives at the apex, and what goes onto the twins of the two other halfedges.
+  Index apex() const { return m_apex; }
+  const std::vector<Arrival>& arrivals() const { return m_arrivals; }
+  const Output& left() const { return m_left; }
+  const Output& right() const { return m_right; }
+  std::size_t number_of_windows() const { return m_number; }
 
 private:
   typedef typename Estimation<FT>::Estimate Estimate;
 
+  // Out of the face, through one of the two other edges.
+  struct Way
+  {
+    Window_pruning<FT> pruning;
+    typename Output::Cursor output;
+    const FT maximum;
+  };
+
   // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
   // are exact for all rays.
-  enum Exit : char { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
+  enum Exit : int { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
   static constexpr bool is_exact = !Number_policy<FT>::is_inexact;
 
   static bool covers_apex(Exit exit)
@@ -110,73 +117,152 @@ private:
     else return exit == BOTH;
   }
 
+  template <bool is_parallel>
+  BOOST_FORCEINLINE void propagate(const Window_propagation<Traits>& face, const Window& w, Exit exit, std::size_t i,
+                                   Way& left, Way& right)
+  {
+    if (exit == LEFT)
+      leave_left<is_parallel>(face, w, w.b1, w.d1, false, w.d1, left);
+    else if (exit == RIGHT)
+      leave_right<is_parallel>(face, w, w.b0, w.d0, false, w.d0, right);
+    else
+      split<is_parallel>(face, w, exit, m_apex_distance[i], left, right);
+  }
+
+  // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the side of the
+  // best ray's entry, the rays that enter before it.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex, Way& left,
+                            Way& right)
+  {
+    const FT split = face.entry_of_apex(w);
+    const Estimate at_split = estimate(split), at_entry = estimate(m_entry);
+    const bool may_be_best = CGAL::possibly(estimate(d_apex) <= estimate(m_best));
+    const bool to_apex = may_be_best || CGAL::possibly(at_split <= at_entry);
+    const bool from_apex = may_be_best || CGAL::possibly(at_split >= at_entry);
+    const FT end = to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
+    const FT begin = from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
+    if (exit != FROM_APEX && CGAL::possibly(estimate(end) > estimate(w.b0)))
+      leave_left<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex, left);
+    if (exit != UP_TO_APEX && CGAL::possibly(estimate(begin) < estimate(w.b1)))
+      leave_right<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex, right);
+  }
+
+  template <bool is_parallel>
+  static BOOST_FORCEINLINE void leave_left(const Window_propagation<Traits>& face, const Window& w, const FT& end,
+                                           const FT& d_end, bool to_apex, const FT& d_apex, Way& way)
+  {
+    if (!way.output.is_open()) return;
+    Window& child = way.output.next();
+    if (face.template left_child<is_parallel>(w, end, d_end, to_apex, d_apex, child) &&
+        !way.pruning.is_filtered(child.b0, child.d0) && way.pruning.trim(child))
+      Wavefront_state<FT>::keep(way.output, way.maximum);
+  }
+
+  template <bool is_parallel>
+  static BOOST_FORCEINLINE void leave_right(const Window_propagation<Traits>& face, const Window& w, const FT& begin,
+                                            const FT& d_begin, bool from_apex, const FT& d_apex, Way& way)
+  {
+    if (!way.output.is_open()) return;
+    Window& child = way.output.next();
+    if (face.template right_child<is_parallel>(w, begin, d_begin, from_apex, d_apex, child) &&
+        !way.pruning.is_filtered(child.b1, child.d1) && way.pruning.trim(child))
+      Wavefront_state<FT>::keep(way.output, way.maximum);
+  }
+
   // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
   // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
   // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
-  // on either side. Returns the best distance given to the apex through h so far, and where its ray enters.
-  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const std::vector<Window>& windows, FT& best, FT& entry)
+  // on either side. Finds the best distance given to the apex through h so far, and where its ray enters.
+  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const std::vector<Window>& windows)
   {
-    const auto compare = m_traits.compare_entry_with_apex_2_object();
-    auto& list = m_state.field.lists.get(h);
-    best = list.split_distance;
-    entry = list.split_entry;
-    m_exit.resize(windows.size());
-    m_apex_distance.resize(windows.size());
+    const std::size_t n = windows.size();
+    if (m_exit.size() < n)
+    {
+      m_exit.resize(n);
+      m_apex_distance.resize(n);
+    }
     const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
     bool covered = false;
-    for (std::size_t i = 0; i < windows.size(); ++i)
+    Exit* const exits = m_exit.data();
+    const Window* const begin = windows.data();
+    FT farthest(0);
+    for (std::size_t i = 0; i < n; ++i)
     {
-      const Window& w = windows[i];
+      const Window& w = begin[i];
       if (w.is_propagated())
       {
-        m_exit[i] = NONE;
+        exits[i] = NONE;
         continue;
       }
-      Sign at_b0, at_b1 = ZERO;
-      if ((at_b0 = compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y)) == POSITIVE)
-      {
-        m_exit[i] = RIGHT;
-        if (is_exact) continue;
-        if (!first_right) first_right = &w;
-        else if (face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w, w.b0, w.d0);
-      }
-      else if ((at_b1 = compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y)) == NEGATIVE)
-      {
-        m_exit[i] = LEFT;
-        if (is_exact) continue;
+      if constexpr (!is_exact) farthest = (std::max)(farthest, w.d1);
+      const Exit exit = exits[i] = exit_of(h, face, w);
+      if (exit == LEFT)
         last_left = &w;
-        if (face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w, w.b1, w.d1);
+      else if (exit == RIGHT)
+      {
+        if (!first_right) first_right = &w;
       }
       else
       {
-        m_exit[i] = !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
         covered = true;
         const FT& d = m_apex_distance[i] = face.distance_at_apex(w);
-        if (d < best)
+        if (d < m_best)
         {
-          best = d;
+          m_best = d;
           nearest = &w;
         }
       }
     }
+    m_farthest = farthest;
     if (nearest)
     {
       const Window& w = *nearest;
-      entry = face.entry_of_apex(w);
-      list.split_distance = best;
-      list.split_entry = entry;
+      m_entry = face.entry_of_apex(w);
       const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
-      update_apex(h, face, best, bx, by, w);
+      update_apex(h, face, m_best, bx, by, w);
     }
+    if (is_exact) return;
     if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
     if (first_right && (!covered || face.passes_apex_closely(*first_right, first_right->b0)))
       round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
   }
 
+  BOOST_FORCEINLINE Exit exit_of(Index h, const Window_propagation<Traits>& face, const Window& w)
+  {
+    if constexpr (!is_exact)
+    {
+      bool is_clear;
+      const int side = w.is_parallel() ? face.template clear_side<true>(w, is_clear)
+                                       : face.template clear_side<false>(w, is_clear);
+      if (BOOST_LIKELY(is_clear)) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    }
+    return exit_near_apex(h, face, w);
+  }
+
+  // The same by side tests.
+  BOOST_NOINLINE Exit exit_near_apex(Index h, const Window_propagation<Traits>& face, const Window& w)
+  {
+    const auto compare = m_traits.compare_entry_with_apex_2_object();
+    const Sign at_b0 = compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y);
+    if (at_b0 == POSITIVE)
+    {
+      if (!is_exact && face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w, w.b0, w.d0);
+      return RIGHT;
+    }
+    const Sign at_b1 = compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y);
+    if (at_b1 == NEGATIVE)
+    {
+      if (!is_exact && face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w, w.b1, w.d1);
+      return LEFT;
+    }
+    return !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
+  }
+
   // The path that leaves the window at its end b, at distance d.
   void round_the_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
   {
-    if (!(d < m_state.field.distance[m_mesh.apex(h)])) return;
+    if (!(d < m_known)) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
     // if the window misses the apex by rounding only, the way to the image tells the direction better, also in tiny faces
@@ -193,12 +279,18 @@ private:
                    const Window& w, bool is_bent = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_state.update_vertex(m_mesh.apex(h), d, back, w.root, w.pseudo_source(), is_bent);
+    m_arrivals.push_back(Arrival{d, back, w.root, w.pseudo_source(), is_bent});
+    if (d < m_known) m_known = d;
   }
 
-  Wavefront_state<FT>& m_state;
+  const Wavefront_state<FT>& m_state;
   const Unfolded_mesh<FT>& m_mesh;
   const Traits& m_traits;
+  Output m_left, m_right;
+  std::vector<Arrival> m_arrivals;
+  std::size_t m_number = 0;
+  Index m_apex;
+  FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the best through the halfedge, where this enters
   std::vector<Exit> m_exit;
   std::vector<FT> m_apex_distance; // of those that leave through both edges
 };

@@ -12,8 +12,10 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
+#include <boost/config.hpp>
+
+#include <algorithm>
 #include <cstddef>
-#include <deque>
 #include <vector>
 
 namespace CGAL {
@@ -29,12 +31,12 @@ public:
     bool empty() const { return faces.empty() && halfedges.empty() && vertices.empty(); }
   };
 
-  explicit Bucket_queue(double width) : m_width(width) {}
+  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(64) {}
 
   template <class FT>
   std::size_t bucket_of(const FT& distance) const
   {
-    const double b = CGAL::to_double(distance) / m_width;
+    const double b = CGAL::to_double(distance) * m_scale;
     return b < 9e15 ? (b > 0 ? std::size_t(b) : 0) : std::size_t(9e15);
   }
 
@@ -58,12 +60,19 @@ public:
   bool advance()
   {
     if (m_events == 0) return false;
-    while (!m_buckets.empty() && m_buckets.front().empty())
+    while (m_ring[m_begin].empty())
     {
-      m_buckets.pop_front();
+      m_begin = (m_begin + 1) & (m_ring.size() - 1);
       ++m_current;
     }
-    return !m_buckets.empty();
+    return true;
+  }
+
+  // The halfedge that is next, unless others come first; no_index if there is none in this bucket.
+  Index next_halfedge() const
+  {
+    const std::vector<Index>& h = m_ring[m_begin].halfedges;
+    return h.empty() ? no_index : h.back();
   }
 
   bool pop_face(Index& f) { return pop(&Bucket::faces, f); }
@@ -73,8 +82,7 @@ public:
 private:
   bool pop(std::vector<Index> Bucket::*items, Index& item)
   {
-    if (m_buckets.empty()) return false;
-    std::vector<Index>& v = m_buckets.front().*items;
+    std::vector<Index>& v = m_ring[m_begin].*items;
     if (v.empty()) return false;
     item = v.back();
     v.pop_back();
@@ -91,14 +99,24 @@ private:
   Bucket& at(std::size_t bucket)
   {
     const std::size_t i = bucket > m_current ? bucket - m_current : 0;
-    if (i >= m_buckets.size()) m_buckets.resize(i + 1);
-    return m_buckets[i];
+    if (i >= m_ring.size()) grow(i);
+    return m_ring[(m_begin + i) & (m_ring.size() - 1)];
   }
 
-  double m_width;
+  BOOST_NOINLINE void grow(std::size_t i)
+  {
+    std::size_t size = m_ring.size();
+    while (size <= i) size *= 2;
+    std::rotate(m_ring.begin(), m_ring.begin() + std::ptrdiff_t(m_begin), m_ring.end());
+    m_begin = 0;
+    m_ring.resize(size);
+  }
+
+  double m_width, m_scale;
   std::size_t m_current = 0;
-  std::size_t m_events = 0; // halfedges and vertices waiting
-  std::deque<Bucket> m_buckets;
+  std::size_t m_events = 0;   // halfedges and vertices waiting
+  std::vector<Bucket> m_ring; // of a power of two; the current one is at m_begin
+  std::size_t m_begin = 0;
 };
 
 } // namespace internal

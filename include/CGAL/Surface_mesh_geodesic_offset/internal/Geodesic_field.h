@@ -83,8 +83,7 @@ public:
     Window_list<FT>& list = lists.get_or_create(h);
     if (!m_before) return list;
     kept.for_each(h, m_before->distance, m_before->root, [&](const Window& w) {
-      *lists.room(list, 1) = w;
-      lists.extend(list, 1);
+      lists.append(list, &w, 1);
       list.data[list.taken++].set_propagated();
     });
     return list;

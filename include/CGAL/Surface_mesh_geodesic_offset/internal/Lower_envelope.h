@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_shares.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_ties.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <vector>
 
@@ -43,45 +45,72 @@ public:
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     sort(first, taken, last);
-    for (const Key& k : m_order)
+    const std::size_t n = m_order.size();
+    for (std::size_t i = 0; i < n; ++i)
     {
-      while (!m_later.empty() && Estimation<FT>::key(m_later.back().b0) < k.b0) add(pop_later());
-      add(first[k.index]);
+      const Window& w = *m_order[i];
+      while (!m_later.empty() && Estimation<FT>::key(m_later.back().b0) < Estimation<FT>::key(w.b0)) add(pop_later());
+      if constexpr (!Estimation<FT>::leaves_open)
+      {
+        if (!m_envelope.empty() && follows(w, i + 1 < n ? m_order[i + 1]->b0 : m_length)) continue;
+      }
+      add(w);
     }
     while (!m_later.empty()) add(pop_later());
     return m_envelope;
   }
 
 private:
-  struct Key
+  static bool comes_first(const Window* a, const Window* b)
   {
-    typename Estimation<FT>::Key b0;
-    Index index;
-    bool operator<(const Key& o) const { return b0 < o.b0 || (!(o.b0 < b0) && index < o.index); }
-  };
+    const typename Estimation<FT>::Key ka = Estimation<FT>::key(a->b0), kb = Estimation<FT>::key(b->b0);
+    return ka < kb || (!(kb < ka) && a < b);
+  }
 
-  // The fresh windows come in a few sorted runs and most lists are short, so an insertion sort is nearly linear.
+  // Children of a batch come in order, so the list is mostly one run or two; trimming may have moved some of them.
   void sort(const Window* first, const Window* taken, const Window* last)
   {
-    const Index n = Index(last - first), t = Index(taken - first);
-    m_order.resize(n);
-    for (Index i = 0; i < n; ++i) m_order[i] = Key{Estimation<FT>::key(first[i].b0), i};
-    if (n > 48)
+    m_order.resize(std::size_t(last - first));
+    const Window* second = taken == first ? run_end(first, last) : taken;
+    if (Estimation<FT>::leaves_open || (second != last && run_end(second, last) != last))
     {
-      if (Estimation<FT>::leaves_open && !std::is_sorted(m_order.begin(), m_order.begin() + t))
-        std::sort(m_order.begin(), m_order.begin() + t);
-      if (!std::is_sorted(m_order.begin() + t, m_order.end())) std::sort(m_order.begin() + t, m_order.end());
-      if (t != 0) std::inplace_merge(m_order.begin(), m_order.begin() + t, m_order.end());
+      for (std::size_t i = 0; i < m_order.size(); ++i) m_order[i] = first + i;
+      if (Estimation<FT>::leaves_open || m_order.size() > 48)
+        std::sort(m_order.begin(), m_order.end(), comes_first);
+      else
+        insertion_sort(m_order.data(), m_order.data() + m_order.size());
       return;
     }
-    for (Index i = 1; i < n; ++i)
+    const Window **out = m_order.data(), *i = first, *j = second;
+    while (i != second && j != last)
     {
-      if (!(m_order[i] < m_order[i - 1])) continue;
-      const Key k = m_order[i];
-      Index j = i;
-      for (; j > 0 && k < m_order[j - 1]; --j) m_order[j] = m_order[j - 1];
-      m_order[j] = k;
+      const bool takes_second = j->b0 < i->b0; // without a branch, which could not be foreseen
+      *out++ = takes_second ? j : i;
+      j += takes_second;
+      i += !takes_second;
     }
+    while (i != second) *out++ = i++;
+    while (j != last) *out++ = j++;
+  }
+
+  // For a short list of a few sorted runs.
+  static void insertion_sort(const Window** first, const Window** last)
+  {
+    for (const Window** i = first + 1; i < last; ++i)
+    {
+      const Window* const w = *i;
+      const Window** j = i;
+      for (; j != first && w->b0 < j[-1]->b0; --j) *j = j[-1];
+      *j = w;
+    }
+  }
+
+  static const Window* run_end(const Window* first, const Window* last)
+  {
+    if (first == last) return last;
+    while (++first != last)
+      if (first->b0 < first[-1].b0) break;
+    return first;
   }
 
   // What waits for its turn, the first one at the back. Seldom more than two.
@@ -155,6 +184,53 @@ private:
       unite(a, w);
     else
       resolve(a, w);
+  }
+
+  // The usual cases of two windows that follow each other, without all that may happen else. False if it is another one.
+  // `next` is where the next window begins.
+  BOOST_FORCEINLINE bool follows(const Window& w, const FT& next)
+  {
+    Window& a = m_envelope.back();
+    const FT overlap = a.b1 - w.b0;
+    if (overlap < -m_max_gap)
+    {
+      m_envelope.push_back(w);
+      return true;
+    }
+    if (!(a.b1 < w.b1) || same_image(a, w)) return false;
+    // rays that two windows share, as those along the border of a pseudo-source's sector, are found twice
+    if (overlap <= m_min_width)
+    {
+      if (CGAL::is_positive(overlap) && !cut_end(a, w.b0)) return false;
+      m_envelope.push_back(w);
+      return true;
+    }
+    // the last window of the envelope is nearer where w begins, and farther where it ends itself: they tie once
+    const Window_tie<Traits> tie(m_traits, a, w);
+    const FT a_low = tie.at(a, w.b0), w_high = tie.at(w, a.b1);
+    if (tie.compare(a_low, w.d0) != SMALLER || tie.compare(w_high, a.d1) != SMALLER) return false;
+    FT t, d;
+    tie.find(w.b0, a_low - w.d0, a.b1, a.d1 - w_high, t, d);
+    if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
+    a.b1 = t;
+    a.d1 = d;
+    if (t <= next && (m_later.empty() || t <= m_later.back().b0))
+    {
+      m_envelope.push_back(w);
+      m_envelope.back().b0 = t;
+      m_envelope.back().d0 = d;
+    }
+    else
+      push_later(part(w, t, d, w.b1, w.d1));
+    return true;
+  }
+
+  bool cut_end(Window& a, const FT& t) const
+  {
+    if (!(t - a.b0 > m_min_width)) return false;
+    a.b1 = t;
+    a.d1 = a.distance_at(t);
+    return true;
   }
 
   // Two overlapping windows with one image are one window. If just one of them was propagated before, the other
@@ -268,7 +344,7 @@ private:
   const std::vector<Index>* m_source_of;
   const Traits& m_traits;
   std::vector<Window> m_envelope, m_later;
-  std::vector<Key> m_order;
+  std::vector<const Window*> m_order;
   FT m_length, m_min_width, m_max_gap;
 };
 

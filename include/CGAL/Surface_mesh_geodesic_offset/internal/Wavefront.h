@@ -76,7 +76,10 @@ public:
       while (m_state.queue.pop_face(i)) try_to_finish(i);
       hand_over(consumer);
       if (m_state.queue.pop_halfedge(i))
+      {
+        m_state.field.lists.prefetch(m_state.queue.next_halfedge());
         take(i);
+      }
       else if (m_state.queue.pop_vertex(i))
         m_spreading.spread_from_pseudo_source(i);
     }
@@ -114,13 +117,19 @@ private:
     auto& list = m_state.field.lists.get(h);
     if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
     list.bucket = Window_list<FT>::not_queued;
+    // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
+    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =
       m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh[h].length);
     m_state.field.lists.assign(list, envelope);
     list.taken = list.size;
-    for (Window* w = list.data; w != list.data + list.size; ++w) w->set_propagated();
     m_state.schedule(m_mesh.face(h));
-    m_propagate(h, envelope);
+    m_propagate(h, envelope, list.split_distance, list.split_entry);
+    m_state.counts.windows_propagated += m_propagate.number_of_windows();
+    for (const auto& a : m_propagate.arrivals())
+      m_state.update_vertex(m_propagate.apex(), a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
+    m_state.append(m_propagate.left());
+    m_state.append(m_propagate.right());
   }
 
   bool is_reached(Index f) const

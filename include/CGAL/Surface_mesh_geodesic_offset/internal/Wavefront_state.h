@@ -11,7 +11,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfinished_faces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -31,6 +34,7 @@ class Wavefront_state
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef Ray_at_vertex<FT> Ray;
+  typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
   enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
@@ -85,70 +89,46 @@ public:
   // Adds a window to the list of g, trimmed by the distances of the ends of g.
   void add(Index g, Window& w)
   {
-    const FT length = mesh[g].length;
-    if (trim_by_ends<FT>(w, length, field.distance[mesh.source(g)], field.distance[mesh.target(g)],
-                         Number_policy<FT>::rounding(8) * length))
-      append(g, w);
+    typedef typename Estimation<FT>::Estimate Estimate;
+    const FT& length = mesh[g].length;
+    const Estimate allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length));
+    const Window_pruning<FT> pruning(length, field.distance[mesh.source(g)], field.distance[mesh.target(g)], allowance);
+    if (pruning.trim(w)) append(g, w);
   }
 
   void append(Index g, const Window& w)
   {
-    Output output(*this, g, 1);
-    output.next() = w;
-    output.keep();
-    output.close();
+    auto cursor = m_single.start(g, takes_windows(g), 1);
+    if (!cursor.is_open()) return;
+    cursor.next() = w;
+    keep(cursor, maximum);
+    m_single.finish(cursor);
+    append(m_single);
   }
 
-  // Writes windows behind the list of a halfedge, and puts the halfedge into the queue.
-  class Output
+  // A border or a face that the front has passed takes none.
+  bool takes_windows(Index g) const { return g != no_index && !(face_state[mesh.face(g)] & FINISHED); }
+
+  // Takes the next window, unless it is farther than the maximum.
+  static BOOST_FORCEINLINE void keep(typename Output::Cursor& output, const FT& maximum)
   {
-  public:
-    // For up to n windows. A border or a face that the front has passed takes none.
-    Output(Wavefront_state& front, Index g, std::size_t n) : m_front(front), m_halfedge(g)
-    {
-      if (g == no_index || (front.face_state[front.mesh.face(g)] & FINISHED)) return;
-      m_next = m_first = front.field.lists.room(front.field.list(g), n);
-    }
+    const FT nearest = minimum(output.next());
+    if (!certainly_less(maximum, nearest)) output.keep(nearest);
+  }
 
-    bool is_open() const { return m_first != nullptr; }
-
-    // A place for one more window, and taking it.
-    Window& next() { return *m_next; }
-    void keep()
-    {
-      const FT nearest = minimum(*m_next);
-      if (certainly_less(m_front.maximum, nearest)) return;
-      m_nearest = lesser(m_nearest, nearest);
-      ++m_next;
-    }
-
-    void close()
-    {
-      if (!m_first) return;
-      auto& lists = m_front.field.lists;
-      auto& list = lists.get(m_halfedge);
-      const std::size_t n = std::size_t(m_next - m_first);
-      if (n == 0)
-      {
-        if (list.size == 0) lists.release(m_halfedge);
-        return;
-      }
-      lists.extend(list, n);
-      m_front.counts.windows_created += n;
-      const std::size_t bucket = (std::max)(m_front.queue.bucket_of(m_nearest), m_front.queue.current());
-      if (bucket < list.bucket)
-      {
-        list.bucket = bucket;
-        m_front.queue.push_halfedge(bucket, m_halfedge);
-      }
-    }
-
-  private:
-    Wavefront_state& m_front;
-    Index m_halfedge;
-    Window *m_first = nullptr, *m_next = nullptr;
-    FT m_nearest = Number_policy<FT>::infinity();
-  };
+  // Writes windows behind the list of their halfedge, and puts the halfedge into the queue.
+  void append(const Output& output)
+  {
+    const std::size_t n = output.size();
+    if (n == 0) return;
+    auto& list = field.list(output.halfedge());
+    field.lists.append(list, output.begin(), n);
+    counts.windows_created += n;
+    const std::size_t bucket = (std::max)(queue.bucket_of(output.nearest()), queue.current());
+    if (bucket >= list.bucket) return;
+    list.bucket = bucket;
+    queue.push_halfedge(bucket, output.halfedge());
+  }
 
   const Unfolded_mesh<FT>& mesh;
   FT maximum;
@@ -158,6 +138,9 @@ public:
   bool has_bent_paths = false;
   Unfinished_faces unfinished;
   Wavefront_counts counts;
+
+private:
+  Output m_single;
 };
 
 } // namespace internal

@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -115,15 +117,11 @@ public:
     return m_lists[m_list_of[h]];
   }
 
-  // Room for n more windows behind the last one; to be written there, then counted by `extend`.
-  Window* room(List& list, std::size_t n)
+  // Writes n windows behind the last one.
+  void append(List& list, const Window* first, std::size_t n)
   {
     reserve(list, list.size + n);
-    return list.data + list.size;
-  }
-
-  void extend(List& list, std::size_t n)
-  {
+    std::copy(first, first + n, list.data + list.size);
     list.size += Index(n);
     count(std::ptrdiff_t(n));
   }
@@ -131,11 +129,9 @@ public:
   // Replaces all windows of a list.
   void assign(List& list, const std::vector<Window>& windows)
   {
-    count(std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size));
+    count(-std::ptrdiff_t(list.size));
     list.size = 0;
-    reserve(list, windows.size());
-    std::copy(windows.begin(), windows.end(), list.data);
-    list.size = Index(windows.size());
+    append(list, windows.data(), windows.size());
   }
 
   void release(Index h)
@@ -146,6 +142,18 @@ public:
     if (list.data) m_arena.release(list.data, list.size_class);
     m_free_lists.push_back(m_list_of[h]);
     m_list_of[h] = no_index;
+  }
+
+  // Says that a list will be asked for soon.
+  BOOST_FORCEINLINE void prefetch(Index h) const
+  {
+#if defined(__GNUC__)
+    if (h == no_index || m_list_of[h] == no_index) return;
+    const List& list = m_lists[m_list_of[h]];
+    for (Index i = 0; i < (std::min)(list.size, Index(8)); ++i) __builtin_prefetch(list.data + i);
+#else
+    (void)h;
+#endif
   }
 
   std::size_t number_of_windows() const { return m_live; }

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -30,7 +32,7 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
   Window_propagation(const Unfolded_mesh<FT>& mesh, Index h, const Traits& traits)
-    : m_traits(traits), m_exit(traits.construct_exit_2_object())
+    : m_traits(traits), m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object())
   {
     const auto& e = mesh[h];
     length = e.length;
@@ -58,25 +60,41 @@ public:
     return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
   }
 
+  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to the
+  // left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE int clear_side(const Window& w, bool& is_clear) const
+  {
+    const FT slope = is_parallel ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x, r = r0 - r1;
+    const FT margin = closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+    const FT v0 = w.b0 * slope - r, v1 = w.b1 * slope - r;
+    is_clear = true;
+    if (v1 < -margin) return -1;
+    if (v0 > margin) return 1;
+    is_clear = v0 < -margin && v1 > margin;
+    return 0;
+  }
+
   // Does the ray through (b, 0) pass the apex so closely that rounding may have moved it to the other side?
   bool passes_apex_closely(const Window& w, const FT& b) const
   {
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
     return CGAL::abs(FT(b * slope - (r0 - r1))) <=
-           Number_policy<FT>::rounding(1 << 16) * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+           closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
   }
 
   // The child on p -> r of the rays that enter from b0 to `end`; up to the apex, where the distance is apex_distance,
   // if to_apex. False if nothing is left.
-  bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
-                  Window& child) const
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
+                                    Window& child) const
   {
-    child = w;
-    change_frame(m_traits, child, FT(0), FT(0), cl, sl);
+    take_over(w, child);
+    m_change_frame(child.x, child.y, child.sigma, is_parallel, FT(0), FT(0), cl, sl);
     if (!CGAL::is_negative(child.y)) return false;
     bool rough;
-    if (!exit(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, rough)) return false;
-    if (rough) child.d0 = distance_at(child, child.b0, FT(0));
+    if (!exit<is_parallel>(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, rough)) return false;
+    if (BOOST_UNLIKELY(rough)) child.d0 = distance_at(child, child.b0, FT(0));
     if (to_apex)
     {
       child.b1 = left_length;
@@ -84,25 +102,26 @@ public:
     }
     else
     {
-      if (!exit(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, rough)) return false;
-      if (rough) child.d1 = distance_at(child, child.b1, FT(0));
+      if (!exit<is_parallel>(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, rough)) return false;
+      if (BOOST_UNLIKELY(rough)) child.d1 = distance_at(child, child.b1, FT(0));
     }
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
 
   // The child on r -> q of the rays that enter from `begin` to b1.
-  bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex, const FT& apex_distance,
-                   Window& child) const
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex,
+                                     const FT& apex_distance, Window& child) const
   {
-    child = w;
-    change_frame(m_traits, child, apex_x, apex_y, cr, FT(-sr));
+    take_over(w, child);
+    m_change_frame(child.x, child.y, child.sigma, is_parallel, apex_x, apex_y, cr, FT(-sr));
     if (!CGAL::is_negative(child.y)) return false;
-    const FT mirrored = w.is_parallel() ? FT(-w.x) : FT(length - w.x);
+    const FT mirrored = is_parallel ? FT(-w.x) : FT(length - w.x);
     FT t;
     bool rough;
-    if (!exit(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, rough)) return false;
+    if (!exit<is_parallel>(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, rough)) return false;
     child.b1 = right_length - t;
-    if (rough) child.d1 = distance_at(child, child.b1, FT(0));
+    if (BOOST_UNLIKELY(rough)) child.d1 = distance_at(child, child.b1, FT(0));
     if (from_apex)
     {
       child.b0 = FT(0);
@@ -110,12 +129,14 @@ public:
     }
     else
     {
-      if (!exit(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, rough)) return false;
+      if (!exit<is_parallel>(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, rough)) return false;
       child.b0 = right_length - t;
-      if (rough) child.d0 = distance_at(child, child.b0, FT(0));
+      if (BOOST_UNLIKELY(rough)) child.d0 = distance_at(child, child.b0, FT(0));
     }
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
+
+  static FT closeness() { return Number_policy<FT>::rounding(1 << 16); }
 
   FT length, apex_x, apex_y, left_length, right_length;
   FT cl, sl; // direction of p -> r
@@ -127,13 +148,24 @@ private:
     return m_traits.compute_distance_2_object()(w.x, w.y, w.sigma, w.is_parallel(), px, py);
   }
 
-  bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s, const FT& length, FT& t,
-            FT& distance, bool& is_rough) const
+  static void take_over(const Window& w, Window& child)
   {
-    return m_exit(x, w.y, w.sigma, w.is_parallel(), b, d, c, s, length, t, distance, is_rough);
+    child.x = w.x;
+    child.y = w.y;
+    child.sigma = w.sigma;
+    child.root = w.root;
+    child.bits = w.bits;
+  }
+
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s,
+                              const FT& length, FT& t, FT& distance, bool& is_rough) const
+  {
+    return m_exit(x, w.y, w.sigma, is_parallel, b, d, c, s, length, t, distance, is_rough);
   }
 
   const Traits& m_traits;
+  const typename Traits::Change_frame_2 m_change_frame;
   const typename Traits::Construct_exit_2 m_exit;
 };
 

@@ -12,12 +12,15 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
 // A path by way of a vertex takes rays from a window only if it is shorter beyond doubt. In needle faces all paths to points
 // tie up to rounding, and a window that is lost there is not replaced by another one: the vertex may be no pseudo-source.
+// `scale`: no distance, and no coordinate, that is compared is larger.
 template <class FT>
 inline auto pruning_allowance(const typename Estimation<FT>::Estimate& scale)
 {
@@ -38,54 +41,83 @@ inline Estimate tie_with_end(const Window<FT>& w, const Estimate& x, const Estim
   return (x * x + y * y - k * k) / (2 * (k + x));
 }
 
-// The first two cases of the filtering theorem (Xin and Wang; for parallel-source windows Xin, Ying and He, 4.3), with
-// the ends of the halfedge, and the trimming against the same two vertices. False if nothing is left.
+// What the distances of the vertices round a halfedge leave of the windows on it.
 template <class FT>
-inline bool trim_by_ends(Window<FT>& w, const FT& length, const FT& d_source, const FT& d_target, const FT& min_width)
+class Window_pruning
 {
   typedef typename Estimation<FT>::Estimate Estimate;
-  const Estimate l = estimate(length), d0 = estimate(w.d0), d1 = estimate(w.d1);
-  Estimate b0 = estimate(w.b0), b1 = estimate(w.b1);
-  const Estimate allowance = pruning_allowance<FT>(d1 + l), by_source = estimate(d_source) + allowance,
-                 by_target = estimate(d_target) + allowance;
-  if (CGAL::certainly(by_source + b1 <= d1) || CGAL::certainly(by_target + (l - b0) <= d0)) return false;
-  if (CGAL::certainly(by_source + b0 < d0))
-  {
-    const Estimate t = tie_with_end<FT>(w, estimate(w.x), estimate(w.sigma), by_source);
-    if (CGAL::certainly(t >= b1)) return false;
-    if (CGAL::certainly(t > b0))
-    {
-      w.b0 = Estimation<FT>::lower_cut(t);
-      w.d0 = w.distance_at(w.b0);
-      b0 = t;
-    }
-  }
-  if (CGAL::certainly(by_target + (l - b1) < d1))
-  {
-    const Estimate x = estimate(w.x), from_target = w.is_parallel() ? Estimate(-x) : Estimate(l - x);
-    const Estimate at_target = w.is_parallel() ? Estimate(estimate(w.sigma) - x * l) : Estimate(0);
-    const Estimate t = l - tie_with_end<FT>(w, from_target, at_target, by_target);
-    if (CGAL::certainly(t <= b0)) return false;
-    if (CGAL::certainly(t < b1))
-    {
-      w.b1 = Estimation<FT>::upper_cut(t);
-      w.d1 = w.distance_at(w.b1);
-      b1 = t;
-    }
-  }
-  return CGAL::possibly(b1 - b0 > estimate(min_width));
-}
 
-// The third case: the far vertex of the entry edge, at (vx, vy), is at least as near to the end (t, 0) of the window,
-// at distance d, that is next to the vertex shared by entry and exit.
-template <class FT>
-inline bool filtered_by_far_vertex(const FT& t, const FT& d, const FT& dv, const FT& vx, const FT& vy)
-{
-  typedef typename Estimation<FT>::Estimate Estimate;
-  const Estimate x = estimate(vx), y = estimate(vy), e = estimate(d);
-  const Estimate u = estimate(t) - x, r = e - estimate(dv) - pruning_allowance<FT>(e + CGAL::abs(x));
-  return CGAL::certainly(r > 0) && CGAL::certainly(u * u + y * y <= r * r);
-}
+public:
+  // Of the halfedge: its length and the distances of its source and its target.
+  Window_pruning(const FT& length, const FT& d_source, const FT& d_target, const Estimate& allowance)
+    : m_length(estimate(length)), m_min_width(estimate(FT(Number_policy<FT>::rounding(8) * length))),
+      m_by_source(estimate(d_source) + allowance), m_by_target(estimate(d_target) + allowance)
+  {
+  }
+
+  // The far vertex of the edge through which the windows have entered, in the frame of the halfedge.
+  void set_far_vertex(const FT& x, const FT& y, const FT& distance, const Estimate& allowance)
+  {
+    m_far_x = estimate(x);
+    m_far_yy = CGAL::square(estimate(y));
+    m_by_far = estimate(distance) + allowance;
+  }
+
+  // The first two cases of the filtering theorem (Xin and Wang; for parallel-source windows Xin, Ying and He, 4.3), with
+  // the ends of the halfedge, and the trimming against the same two vertices. False if nothing is left.
+  BOOST_FORCEINLINE bool trim(Window<FT>& w) const
+  {
+    const bool at_source = CGAL::certainly(m_by_source + estimate(w.b0) < estimate(w.d0));
+    const bool at_target = CGAL::certainly(m_by_target + (m_length - estimate(w.b1)) < estimate(w.d1));
+    if (Estimation<FT>::leaves_open || at_source || at_target) return cut(w, at_source, at_target);
+    return CGAL::possibly(estimate(w.b1) - estimate(w.b0) > m_min_width);
+  }
+
+  // The third case: the far vertex is at least as near to the end (t, 0) of the window, at distance d, that is next to the
+  // vertex shared by entry and exit.
+  BOOST_FORCEINLINE bool is_filtered(const FT& t, const FT& d) const
+  {
+    const Estimate r = estimate(d) - m_by_far;
+    if (!CGAL::certainly(r > 0)) return false;
+    return CGAL::certainly(CGAL::square(estimate(t) - m_far_x) + m_far_yy <= r * r);
+  }
+
+private:
+  bool cut(Window<FT>& w, bool at_source, bool at_target) const
+  {
+    Estimate b0 = estimate(w.b0), b1 = estimate(w.b1);
+    if (CGAL::certainly(m_by_source + b1 <= estimate(w.d1)) || CGAL::certainly(m_by_target + (m_length - b0) <= estimate(w.d0)))
+      return false;
+    if (at_source)
+    {
+      const Estimate t = tie_with_end<FT>(w, estimate(w.x), estimate(w.sigma), m_by_source);
+      if (CGAL::certainly(t >= b1)) return false;
+      if (CGAL::certainly(t > b0))
+      {
+        w.b0 = Estimation<FT>::lower_cut(t);
+        w.d0 = w.distance_at(w.b0);
+        b0 = t;
+      }
+    }
+    if (at_target)
+    {
+      const Estimate x = estimate(w.x), from_target = w.is_parallel() ? Estimate(-x) : Estimate(m_length - x);
+      const Estimate of_target = w.is_parallel() ? Estimate(estimate(w.sigma) - x * m_length) : Estimate(0);
+      const Estimate t = m_length - tie_with_end<FT>(w, from_target, of_target, m_by_target);
+      if (CGAL::certainly(t <= b0)) return false;
+      if (CGAL::certainly(t < b1))
+      {
+        w.b1 = Estimation<FT>::upper_cut(t);
+        w.d1 = w.distance_at(w.b1);
+        b1 = t;
+      }
+    }
+    return CGAL::possibly(b1 - b0 > m_min_width);
+  }
+
+  Estimate m_length, m_min_width, m_by_source, m_by_target;
+  Estimate m_far_x, m_far_yy, m_by_far;
+};
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -10,101 +10,58 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The ties of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
-//
-// The difference g of the two distances is monotone along the halfedge except at the point collinear with both
-// images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
-// signs at lo, there, and at hi tell which.
+// One tie of two windows a and b.
 template <class Traits>
-class Window_ties
+class Window_tie
 {
 public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_ties(const Traits& traits, const Window& a, const Window& b)
-    : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object())
+  Window_tie(const Traits& traits, const Window& a, const Window& b)
+    : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object()),
+      m_scale(a.d1 + b.d0)
   {
-    const bool a_ends_first = a.b1 < b.b1;
-    m_low = b.b0;
-    m_high = a_ends_first ? a.b1 : b.b1;
-    m_a_low = at(a, m_low);
-    m_b_low = b.d0;
-    m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : at(a, m_high);
-    m_b_high = a_ends_first ? at(b, m_high) : b.d1;
-    m_scale = a.d1 + b.d0;
-    FT from = m_low, g_from = m_a_low - m_b_low, c;
-    int previous = m_compare(m_a_low, m_b_low, m_scale);
-    m_first_sign = previous;
-    if (collinear_point(c) && m_low < c && c < m_high)
-    {
-      const FT a_c = at(a, c), b_c = at(b, c);
-      step(from, g_from, previous, c, a_c - b_c, m_compare(a_c, b_c, m_scale));
-    }
-    step(from, g_from, previous, m_high, m_a_high - m_b_high, m_compare(m_a_high, m_b_high, m_scale));
   }
 
-  const FT& low() const { return m_low; }
-  const FT& high() const { return m_high; }
-  const FT& distance_at_low(bool of_a) const { return of_a ? m_a_low : m_b_low; }
-  const FT& distance_at_high(bool of_a) const { return of_a ? m_a_high : m_b_high; }
+  FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
+  Comparison_result compare(const FT& d, const FT& e) const { return m_compare(d, e, m_scale); }
 
-  bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
-  int number() const { return m_number; }
-  const FT& operator[](int i) const { return m_ties[i]; }
-  const FT& distance(int i) const { return m_distances[i]; } // the same for both
+  // The point t between u and v, where the difference g of the two distances has opposite signs, and the distance there: the
+  // closed form first, then a bracketed iteration where the closed form lost digits.
+  BOOST_FORCEINLINE void find(const FT& u, const FT& gu, const FT& v, const FT& gv, FT& t, FT& d) const
+  {
+    if (closed_form(u, v, t))
+    {
+      d = at(m_a, t);
+      const FT other = at(m_b, t);
+      if (compare(d, other) == EQUAL) return;
+      const FT g = d - other;
+      if ((g > 0) == (gu > 0))
+        iterate(t, g, v, gv, t, d);
+      else
+        iterate(u, gu, t, g, t, d);
+    }
+    else
+      iterate(u, gu, v, gv, t, d);
+  }
 
 private:
-  FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
-
-  // s: the sign of g_to
-  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
+  void iterate(FT u, FT gu, FT v, FT gv, FT& t, FT& d) const
   {
-    if (s != 0)
-    {
-      if (m_first_sign == 0) m_first_sign = s;
-      if (previous * s < 0) find_root(from, g_from, to, g_to);
-      previous = s;
-    }
-    if (s != 0 || previous == 0)
-    {
-      from = to;
-      g_from = g_to;
-    }
-  }
-
-  bool collinear_point(FT& c) const
-  {
-    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
-    if (pa && pb) return false;
-    const FT den = (pa ? FT(0) : m_b.y) - (pb ? FT(0) : m_a.y);
-    if (CGAL::is_zero(den)) return false;
-    c = (m_a.x * m_b.y - m_b.x * m_a.y) / den;
-    return true;
-  }
-
-  // The root of g between u and v, where it has opposite signs: the closed form first, then a
-  // bracketed iteration where the closed form lost digits.
-  void find_root(FT u, FT gu, FT v, FT gv)
-  {
-    FT &t = m_ties[m_number], &d = m_distances[m_number];
-    ++m_number;
-    bool good = closed_form(u, v, t);
     for (int i = 0; i < 80; ++i)
     {
-      if (!good)
-      {
-        t = i % 3 == 2 ? FT(0.5) * (u + v) : FT(u + (v - u) * (gu / (gu - gv)));
-        if (!(t > u && t < v)) t = FT(0.5) * (u + v);
-      }
-      good = false;
+      t = i % 3 == 2 ? FT(0.5) * (u + v) : FT(u + (v - u) * (gu / (gu - gv)));
+      if (!(t > u && t < v)) t = FT(0.5) * (u + v);
       d = at(m_a, t);
       const FT other = at(m_b, t), g = d - other;
-      if (m_compare(d, other, m_scale) == EQUAL || !(t > u && t < v)) return;
+      if (compare(d, other) == EQUAL || !(t > u && t < v)) return;
       if ((g > 0) == (gu > 0))
       {
         u = t;
@@ -186,8 +143,84 @@ private:
   const Window& m_b;
   const typename Traits::Compare_distance_2 m_compare;
   const typename Traits::Compute_distance_2 m_distance;
+  const FT m_scale;
+};
+
+// The ties of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
+//
+// The difference g of the two distances is monotone along the halfedge except at the point collinear with both
+// images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
+// signs at lo, there, and at hi tell which.
+template <class Traits>
+class Window_ties
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window_ties(const Traits& traits, const Window& a, const Window& b) : m_tie(traits, a, b)
+  {
+    const bool a_ends_first = a.b1 < b.b1;
+    m_low = b.b0;
+    m_high = a_ends_first ? a.b1 : b.b1;
+    m_a_low = m_tie.at(a, m_low);
+    m_b_low = b.d0;
+    m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : m_tie.at(a, m_high);
+    m_b_high = a_ends_first ? m_tie.at(b, m_high) : b.d1;
+    FT from = m_low, g_from = m_a_low - m_b_low, c;
+    int previous = m_tie.compare(m_a_low, m_b_low);
+    m_first_sign = previous;
+    if (collinear_point(a, b, c) && m_low < c && c < m_high)
+    {
+      const FT a_c = m_tie.at(a, c), b_c = m_tie.at(b, c);
+      step(from, g_from, previous, c, a_c - b_c, m_tie.compare(a_c, b_c));
+    }
+    step(from, g_from, previous, m_high, m_a_high - m_b_high, m_tie.compare(m_a_high, m_b_high));
+  }
+
+  const FT& low() const { return m_low; }
+  const FT& high() const { return m_high; }
+  const FT& distance_at_low(bool of_a) const { return of_a ? m_a_low : m_b_low; }
+  const FT& distance_at_high(bool of_a) const { return of_a ? m_a_high : m_b_high; }
+
+  bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
+  int number() const { return m_number; }
+  const FT& operator[](int i) const { return m_ties[i]; }
+  const FT& distance(int i) const { return m_distances[i]; } // the same for both
+
+private:
+  // s: the sign of g_to
+  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
+  {
+    if (s != 0)
+    {
+      if (m_first_sign == 0) m_first_sign = s;
+      if (previous * s < 0)
+      {
+        m_tie.find(from, g_from, to, g_to, m_ties[m_number], m_distances[m_number]);
+        ++m_number;
+      }
+      previous = s;
+    }
+    if (s != 0 || previous == 0)
+    {
+      from = to;
+      g_from = g_to;
+    }
+  }
+
+  static bool collinear_point(const Window& a, const Window& b, FT& c)
+  {
+    const bool pa = a.is_parallel(), pb = b.is_parallel();
+    if (pa && pb) return false;
+    const FT den = (pa ? FT(0) : b.y) - (pb ? FT(0) : a.y);
+    if (CGAL::is_zero(den)) return false;
+    c = (a.x * b.y - b.x * a.y) / den;
+    return true;
+  }
+
+  const Window_tie<Traits> m_tie;
   FT m_low, m_high, m_a_low, m_a_high, m_b_low, m_b_high;
-  FT m_scale;
   int m_first_sign = 0;
   int m_number = 0;
   FT m_ties[2], m_distances[2];

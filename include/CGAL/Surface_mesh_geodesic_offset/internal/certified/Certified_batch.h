@@ -38,7 +38,8 @@ public:
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     const double qx = face.cl * face.length, qy = -face.sl * face.length;
     const double px = face.right_length - face.cr * face.length, py = -face.sr * face.length;
-    Certified_state::Output to_left(m_state, left, windows.size()), to_right(m_state, right, windows.size());
+    auto to_left = m_left.start(left, m_state.takes_windows(left), windows.size());
+    auto to_right = m_right.start(right, m_state.takes_windows(right), windows.size());
     for (std::size_t i = 0; i < windows.size(); ++i)
     {
       const Exit exit = m_exit[i].exit;
@@ -66,7 +67,7 @@ public:
         if (face.left_child(w, left_end, left_to_apex, child) &&
             !filtered_by_far_vertex(child, child.b0, child.d0, dq, qx, qy, face.length + face.left_length) &&
             trim_by_ends(child, face.left_length, dp, dr))
-          to_left.keep();
+          to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
@@ -74,11 +75,13 @@ public:
         if (face.right_child(w, right_begin, right_from_apex, child) &&
             !filtered_by_far_vertex(child, child.b1, child.d1, dp, px, py, face.length + face.right_length) &&
             trim_by_ends(child, face.right_length, dr, dq))
-          to_right.keep();
+          to_right.keep(child.minimum());
       }
     }
-    to_left.close();
-    to_right.close();
+    m_left.finish(to_left);
+    m_right.finish(to_right);
+    m_state.append(m_left);
+    m_state.append(m_right);
   }
 
 private:
@@ -121,6 +124,7 @@ private:
   }
 
   Certified_state& m_state;
+  Certified_state::Output m_left, m_right;
   std::vector<Sorted> m_exit;
 };
 

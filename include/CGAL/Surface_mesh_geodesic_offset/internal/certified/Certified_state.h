@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_pruning.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Distance_bounds.h>
@@ -42,6 +43,7 @@ class Certified_state
 public:
   typedef Certified_window Window;
   typedef Window_lists<double, Window> Lists;
+  typedef Window_output<double, Window> Output;
 
   Certified_state(const Certified_mesh& mesh, bool keeps_windows, Certified_field& field)
     : mesh(mesh), unfolded(mesh.unfolded()), field(field), lists(unfolded.number_of_halfedges()),
@@ -73,57 +75,32 @@ public:
   // A window that is kept if the ends of g leave something of it.
   void add(Index g, Window w)
   {
-    Output output(*this, g, 1);
+    auto output = m_single.start(g, takes_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
     if (trim_by_ends(output.next(), mesh.length(g), field.bounds.upper(unfolded.source(g)),
                      field.bounds.upper(unfolded.target(g))))
-      output.keep();
-    output.close();
+      output.keep(output.next().minimum());
+    m_single.finish(output);
+    append(m_single);
   }
 
-  // As Wavefront_state::Output.
-  class Output
+  // A border or a face that the front has passed takes none.
+  bool takes_windows(Index g) const { return g != no_index && m_face_state[g / 3] != FINISHED; }
+
+  // Writes windows behind the list of their halfedge, and puts the halfedge into the queue.
+  void append(const Output& output)
   {
-  public:
-    Output(Certified_state& state, Index g, std::size_t n) : m_state(state), m_halfedge(g)
-    {
-      if (g == no_index || state.m_face_state[g / 3] == FINISHED) return;
-      m_next = m_first = state.lists.room(state.lists.get_or_create(g), n);
-    }
-
-    bool is_open() const { return m_first != nullptr; }
-    Window& next() { return *m_next; }
-    void keep()
-    {
-      m_nearest = (std::min)(m_nearest, m_next->minimum());
-      ++m_next;
-    }
-
-    void close()
-    {
-      if (!m_first) return;
-      auto& list = m_state.lists.get(m_halfedge);
-      const std::size_t n = std::size_t(m_next - m_first);
-      if (n == 0)
-      {
-        if (list.size == 0) m_state.lists.release(m_halfedge);
-        return;
-      }
-      m_state.lists.extend(list, n);
-      m_state.field.windows_created += n;
-      const std::size_t bucket = (std::max)(m_state.queue.bucket_of(m_nearest), m_state.queue.current());
-      if (bucket >= list.bucket) return;
-      list.bucket = bucket;
-      m_state.queue.push_halfedge(bucket, m_halfedge);
-    }
-
-  private:
-    Certified_state& m_state;
-    Index m_halfedge;
-    Window *m_first = nullptr, *m_next = nullptr;
-    double m_nearest = Number_policy<double>::infinity();
-  };
+    const std::size_t n = output.size();
+    if (n == 0) return;
+    auto& list = lists.get_or_create(output.halfedge());
+    lists.append(list, output.begin(), n);
+    field.windows_created += n;
+    const std::size_t bucket = (std::max)(queue.bucket_of(output.nearest()), queue.current());
+    if (bucket >= list.bucket) return;
+    list.bucket = bucket;
+    queue.push_halfedge(bucket, output.halfedge());
+  }
 
   void schedule(Index f)
   {
@@ -180,6 +157,7 @@ private:
   }
 
   const bool m_keeps;
+  Output m_single;
   Arrivals m_arrivals;
   std::vector<char> m_face_state;
 };
