@@ -45,14 +45,15 @@ public:
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     sort(first, taken, last);
-    const std::size_t n = m_order.size();
+    const Window* const* const order = m_order.data();
+    const std::size_t n = std::size_t(last - first);
     for (std::size_t i = 0; i < n; ++i)
     {
-      const Window& w = *m_order[i];
+      const Window& w = *order[i];
       while (!m_later.empty() && Estimation<FT>::key(m_later.back().b0) < Estimation<FT>::key(w.b0)) add(pop_later());
       if constexpr (!Estimation<FT>::leaves_open)
       {
-        if (!m_envelope.empty() && follows(w, i + 1 < n ? m_order[i + 1]->b0 : m_length)) continue;
+        if (!m_envelope.empty() && follows(w, i + 1 < n ? order[i + 1]->b0 : m_length)) continue;
       }
       add(w);
     }
@@ -70,15 +71,17 @@ private:
   // Children of a batch come in order, so the list is mostly one run or two; trimming may have moved some of them.
   void sort(const Window* first, const Window* taken, const Window* last)
   {
-    m_order.resize(std::size_t(last - first));
+    const std::size_t n = std::size_t(last - first);
+    if (m_order.size() < n) m_order.resize(2 * n);
     const Window* second = taken == first ? run_end(first, last) : taken;
     if (Estimation<FT>::leaves_open || (second != last && run_end(second, last) != last))
     {
-      for (std::size_t i = 0; i < m_order.size(); ++i) m_order[i] = first + i;
-      if (Estimation<FT>::leaves_open || m_order.size() > 48)
-        std::sort(m_order.begin(), m_order.end(), comes_first);
+      const Window** const order = m_order.data();
+      for (std::size_t i = 0; i < n; ++i) order[i] = first + i;
+      if (Estimation<FT>::leaves_open || n > 48)
+        std::sort(order, order + n, comes_first);
       else
-        insertion_sort(m_order.data(), m_order.data() + m_order.size());
+        insertion_sort(order, order + n);
       return;
     }
     const Window **out = m_order.data(), *i = first, *j = second;
@@ -197,23 +200,42 @@ private:
       m_envelope.push_back(w);
       return true;
     }
-    if (!(a.b1 < w.b1) || same_image(a, w)) return false;
+    if (same_image(a, w)) return false;
+    const bool a_ends_first = a.b1 < w.b1;
     // rays that two windows share, as those along the border of a pseudo-source's sector, are found twice
-    if (overlap <= m_min_width)
+    if (overlap <= m_min_width && a_ends_first)
     {
       if (CGAL::is_positive(overlap) && !cut_end(a, w.b0)) return false;
       m_envelope.push_back(w);
       return true;
     }
-    // the last window of the envelope is nearer where w begins, and farther where it ends itself: they tie once
+    const FT &low = w.b0, &high = a_ends_first ? a.b1 : w.b1;
     const Window_tie<Traits> tie(m_traits, a, w);
-    const FT a_low = tie.at(a, w.b0), w_high = tie.at(w, a.b1);
-    if (tie.compare(a_low, w.d0) != SMALLER || tie.compare(w_high, a.d1) != SMALLER) return false;
-    FT t, d;
-    tie.find(w.b0, a_low - w.d0, a.b1, a.d1 - w_high, t, d);
-    if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
-    a.b1 = t;
-    a.d1 = d;
+    const FT a_low = tie.at(a, low), a_high = a_ends_first ? a.d1 : tie.at(a, high);
+    const FT w_high = a_ends_first ? tie.at(w, high) : w.d1;
+    const Comparison_result at_low = tie.compare(a_low, w.d0), at_high = tie.compare(w_high, a_high);
+    if (at_low == SMALLER && at_high == SMALLER)
+    { // they tie once
+      if (!a_ends_first) return false;
+      FT t, d;
+      tie.find(low, a_low - w.d0, high, a_high - w_high, t, d);
+      if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
+      a.b1 = t;
+      a.d1 = d;
+      push_rest(w, t, d, next);
+      return true;
+    }
+    if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
+    { // the envelope's is nearer
+      if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next);
+      return true;
+    }
+    return false;
+  }
+
+  // What is left of a window behind the last one of the envelope.
+  void push_rest(const Window& w, const FT& t, const FT& d, const FT& next)
+  {
     if (t <= next && (m_later.empty() || t <= m_later.back().b0))
     {
       m_envelope.push_back(w);
@@ -222,7 +244,6 @@ private:
     }
     else
       push_later(part(w, t, d, w.b1, w.d1));
-    return true;
   }
 
   bool cut_end(Window& a, const FT& t) const

@@ -33,6 +33,24 @@ public:
   FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
   Comparison_result compare(const FT& d, const FT& e) const { return m_compare(d, e, m_scale); }
 
+  // The point of the halfedge's line that is collinear with both images.
+  bool collinear_point(FT& c) const
+  {
+    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
+    if (pa && pb) return false;
+    const FT den = (pa ? FT(0) : m_b.y) - (pb ? FT(0) : m_a.y);
+    if (CGAL::is_zero(den)) return false;
+    c = (m_a.x * m_b.y - m_b.x * m_a.y) / den;
+    return true;
+  }
+
+  // Whether it lies between u and v: only then are there two ties where the signs at u and v are the same.
+  bool may_tie_twice(const FT& u, const FT& v) const
+  {
+    FT c;
+    return collinear_point(c) && u < c && c < v;
+  }
+
   // The point t between u and v, where the difference g of the two distances has opposite signs, and the distance there: the
   // closed form first, then a bracketed iteration where the closed form lost digits.
   BOOST_FORCEINLINE void find(const FT& u, const FT& gu, const FT& v, const FT& gv, FT& t, FT& d) const
@@ -170,7 +188,7 @@ public:
     FT from = m_low, g_from = m_a_low - m_b_low, c;
     int previous = m_tie.compare(m_a_low, m_b_low);
     m_first_sign = previous;
-    if (collinear_point(a, b, c) && m_low < c && c < m_high)
+    if (m_tie.collinear_point(c) && m_low < c && c < m_high)
     {
       const FT a_c = m_tie.at(a, c), b_c = m_tie.at(b, c);
       step(from, g_from, previous, c, a_c - b_c, m_tie.compare(a_c, b_c));
@@ -207,16 +225,6 @@ private:
       from = to;
       g_from = g_to;
     }
-  }
-
-  static bool collinear_point(const Window& a, const Window& b, FT& c)
-  {
-    const bool pa = a.is_parallel(), pb = b.is_parallel();
-    if (pa && pb) return false;
-    const FT den = (pa ? FT(0) : b.y) - (pb ? FT(0) : a.y);
-    if (CGAL::is_zero(den)) return false;
-    c = (a.x * b.y - b.x * a.y) / den;
-    return true;
   }
 
   const Window_tie<Traits> m_tie;
