@@ -145,7 +145,7 @@ public:
     {
       halfedge_descriptor h = halfedge(e, m_surface->tm);
       if (is_border(h, m_surface->tm)) h = opposite(h, m_surface->tm);
-      halfedges.push_back(Geodesic_offset::internal::index_of_halfedge(h, m_surface->tm, m_surface->fim));
+      halfedges.push_back(m_surface->index_of_halfedge(h));
     }
     return m_sources.add_edges(unfolded(), std::move(halfedges));
   }
@@ -183,6 +183,7 @@ protected:
   Located_point classified(const Face_location& l) const
   {
     return Geodesic_offset::internal::classify<Number>(unfolded(), m_surface->index_of(l.first),
+                                                       m_surface->numbers.index_in_mesh(l.first),
                                                        Surface::imported(l.second));
   }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Element_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
@@ -42,12 +43,12 @@ struct Geodesic_surface
 
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                    const VertexPointMap& vpm, const Traits& traits = Traits())
-    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm, Computation<Traits>::computing_traits(traits))
+    : tm(tm), vpm(vpm), numbers(tm, vim, fim, vpm), unfolded(tm, numbers, vpm, Computation<Traits>::computing_traits(traits))
   {
     face_of.resize(unfolded.number_of_faces());
-    for (face_descriptor f : faces(tm)) face_of[get(fim, f)] = f;
+    for (face_descriptor f : faces(tm)) face_of[index_of(f)] = f;
     vertex_of.resize(unfolded.number_of_vertices());
-    for (vertex_descriptor v : vertices(tm)) vertex_of[get(vim, v)] = v;
+    for (vertex_descriptor v : vertices(tm)) vertex_of[index_of(v)] = v;
   }
 
   // Numbers of the unfolded mesh, for the user, and the other way round.
@@ -65,8 +66,10 @@ struct Geodesic_surface
   // As a point of the traits, of whatever kernel the mesh's points are.
   Point_3 position(vertex_descriptor v) const { return converted_point<Point_3, FT>(get(vpm, v)); }
 
-  Index index_of(vertex_descriptor v) const { return Index(get(vim, v)); }
-  Index index_of(face_descriptor f) const { return Index(get(fim, f)); }
+  // The numbers in the unfolded mesh.
+  Index index_of(vertex_descriptor v) const { return numbers.of(v); }
+  Index index_of(face_descriptor f) const { return numbers.of(f); }
+  Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not on the border
 
   Face_location location(Index face, const Point_in_face<Number>& p) const
   {
@@ -156,12 +159,11 @@ struct Geodesic_surface
   }
 
   const Triangle_mesh& tm;
-  VertexIndexMap vim;
-  FaceIndexMap fim;
   VertexPointMap vpm;
+  Element_numbers<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
-  std::vector<face_descriptor> face_of;     // by index
-  std::vector<vertex_descriptor> vertex_of; // by index
+  std::vector<face_descriptor> face_of;     // by number
+  std::vector<vertex_descriptor> vertex_of; // by number
 };
 
 } // namespace internal
