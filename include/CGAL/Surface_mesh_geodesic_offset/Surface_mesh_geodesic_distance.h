@@ -318,8 +318,9 @@ protected:
     visitor(m_surface->halfedge_of(p.halfedge), Surface::exported(p.part));
   }
 
-  template <class Visitor>
-  void visit(const Surface_point& p, Visitor& visitor) const
+  // P: a surface point, or a located one.
+  template <class P, class Visitor>
+  void visit(const P& p, Visitor& visitor) const
   {
     if (p.kind == Surface_point::VERTEX)
       visitor(m_surface->vertex_of[p.element]);
@@ -332,11 +333,11 @@ protected:
     }
   }
 
-  template <class Function>
-  Index trace(const Surface_point& p, const Path_start& start, Function&& out) const
+  template <class P, class Function>
+  Index trace(const P& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
-    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field)(p, start, out);
+    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field, &b.legs)(p, start, out);
   }
 
   template <class Location, class Function>

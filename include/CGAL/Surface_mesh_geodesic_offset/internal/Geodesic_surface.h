@@ -97,6 +97,13 @@ struct Geodesic_surface
     return l;
   }
 
+  // As it was asked for.
+  Face_location location(const Located_point<Number>& p) const
+  {
+    if (p.kind != Surface_point<Number>::FACE) return location(static_cast<const Surface_point<Number>&>(p));
+    return Face_location(face_of[p.element], exported(p.weights));
+  }
+
   Face_location location(const Path_crossing<Number>& p) const
   {
     const FT part = exported(p.part);
@@ -107,6 +114,11 @@ struct Geodesic_surface
   }
 
   Point_3 point(const Path_crossing<Number>& p) const { return between(p.source, p.target, exported(p.part)); }
+
+  Point_3 point(const Located_point<Number>& p) const
+  {
+    return p.kind == Surface_point<Number>::FACE ? point(location(p)) : point(static_cast<const Surface_point<Number>&>(p));
+  }
 
   Point_3 point(const Surface_point<Number>& p) const
   {
@@ -120,7 +132,8 @@ struct Geodesic_surface
   // At the part t of the way from vertex a to vertex b.
   Point_3 between(Index a, Index b, const FT& t) const
   {
-    const Point_3 p = position(vertex_of[a]), q = position(vertex_of[b]);
+    const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // not copied if the map has them
+    const Point_3 &p = converted_point<Point_3, FT>(at_a), &q = converted_point<Point_3, FT>(at_b);
     const FT s = FT(1) - t;
     return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
   }

@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
 
@@ -28,33 +29,54 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Surface_point<FT> Surface_point_;
 
-  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_initial(initial), m_field(field), m_start(mesh, initial, field)
+  // `legs`: of this field, if it is final.
+  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+               Path_legs<FT>* legs = nullptr)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_legs(legs), m_start(mesh, initial, field)
   {
   }
 
-  // Calls out(surface point) for p, where the path starts as told, for each vertex that it passes, and for the source point
+  // Calls out(surface point) for p, with its own type, where the path starts as told, for each vertex that it passes, and for the source point
   // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not
   // reached.
-  template <class Function>
-  Index operator()(const Surface_point_& p, Path_start<FT> start, Function&& out) const
+  template <class Point_, class Function>
+  Index operator()(const Point_& p, Path_start<FT> start, Function&& out) const
   {
     if (!start.is_reached()) return no_index;
     out(p);
+    const auto pass = [&](const Path_crossing<FT>& q) {
+      if (q.halfedge != no_index) out(q);
+      else out(Surface_point_::at_vertex(q.source));
+    };
     const Index limit = Index(m_mesh.number_of_vertices());
     Passed passed;
-    for (Index guard = 0; start.halfedge != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
+    Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
+    for (Index guard = 0; guard <= limit; ++guard)
     {
-      passed.clear();
-      const End end = follow(start, passed);
-      for (const Path_crossing<FT>& q : passed)
-        if (q.halfedge != no_index) out(q);
-        else out(Surface_point_::at_vertex(q.source));
+      End end;
+      const Path_crossing<FT> *q, *last;
+      if (const Path_leg<FT>* const leg = known_leg(v))
+      {
+        q = leg->begin();
+        last = leg->past_end();
+        end = leg->end();
+      }
+      else
+      {
+        if (guard != 0) start = m_start.at_vertex(v);
+        if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+        passed.clear();
+        end = follow(start, passed);
+        keep_leg(v, passed, end);
+        q = passed.data();
+        last = q + passed.size();
+      }
+      for (; q != last; ++q) pass(*q);
       out(end.point);
       if (end.primitive != no_index) return end.primitive;
-      start = m_start.at_vertex(end.point.element);
+      v = end.point.element;
     }
-    return start.root.primitive();
+    return v == no_index ? start.root.primitive() : m_field.root[v].primitive();
   }
 
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
@@ -81,11 +103,7 @@ public:
 private:
   typedef boost::container::small_vector<Path_crossing<FT>, 128> Passed;
 
-  struct End
-  {
-    Surface_point_ point;
-    Index primitive = no_index; // none at a vertex on the way
-  };
+  typedef Leg_end<FT> End;
 
   // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment.
   struct Goal
@@ -105,6 +123,19 @@ private:
   };
 
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
+
+  const Path_leg<FT>* known_leg(Index v) const
+  {
+    if constexpr (Path_legs<FT>::keeps) return v == no_index || !m_legs ? nullptr : m_legs->find(v);
+    else return (void)v, nullptr;
+  }
+
+  void keep_leg(Index v, const Passed& passed, const End& end) const
+  {
+    if constexpr (Path_legs<FT>::keeps)
+      if (v != no_index && m_legs) m_legs->keep(v, passed, end);
+    (void)v, (void)passed, (void)end;
+  }
 
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
@@ -374,6 +405,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
+  Path_legs<FT>* const m_legs;
   const Path_starts<FT> m_start;
 };
 
