@@ -264,7 +264,10 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const auto& p) { *out++ = m_surface->point(p); });
+    trace_from(location, [&](const auto& p) {
+      const Point_3 q = m_surface->point(p); // appending what has a name to a vector is not a call
+      *out++ = q;
+    });
     return out;
   }
 

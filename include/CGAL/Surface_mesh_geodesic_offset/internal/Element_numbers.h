@@ -72,7 +72,7 @@ public:
 private:
   enum
   {
-    worthwhile = 1 << 13, // faces: as many stay in the caches anyway
+    worthwhile = 1 << 14, // faces: fewer stay in the caches anyway
     near = 1 << 10,       // numbers apart: then neighbours are likely to be in the caches together
     sample = 1 << 12,     // faces
     cell = 16             // vertices that are left in any order: sorting them costs more than it gives

@@ -29,29 +29,29 @@ struct Leg_end
   Index primitive = no_index; // of the source that is reached; none at a vertex on the way
 };
 
-// The edges that a way crosses, and the vertices that it passes, up to its end. In one block with the arrays.
+// The edges that a way crosses, and the vertices that it passes, up to its end. In one block with the array.
 template <class FT>
 class Path_leg
 {
 public:
   typedef Path_crossing<FT> Crossing;
 
-  const Leg_end<FT>& end() const { return m_end; }
-
-
-  const Crossing* begin() const { return reinterpret_cast<const Crossing*>(this + 1); }
-  const Crossing* past_end() const { return begin() + m_size; }
   template <class Passed>
   static Path_leg* create(const Passed& passed, const Leg_end<FT>& end)
   {
+    static_assert(alignof(Crossing) <= alignof(Path_leg) && std::is_trivially_destructible<Path_leg>::value, "");
     Path_leg* const leg = new (::operator new(bytes(passed.size()))) Path_leg(end, Index(passed.size()));
-    std::copy(passed.begin(), passed.end(), const_cast<Crossing*>(leg->begin()));
+    std::uninitialized_copy(passed.begin(), passed.end(), reinterpret_cast<Crossing*>(leg + 1));
     return leg;
   }
 
   static void destroy(const Path_leg* leg) { ::operator delete(const_cast<Path_leg*>(leg)); }
 
   static std::size_t bytes(std::size_t size) { return sizeof(Path_leg) + size * sizeof(Crossing); }
+
+  const Leg_end<FT>& end() const { return m_end; }
+  const Crossing* first_passed() const { return reinterpret_cast<const Crossing*>(this + 1); }
+  const Crossing* last_passed() const { return first_passed() + m_size; } // beyond the last one
 
 private:
   Path_leg(const Leg_end<FT>& end, Index size) : m_end(end), m_size(size) {}
@@ -112,7 +112,7 @@ private:
 
   enum
   {
-    bytes_a_vertex = 300, // on average, at most
+    bytes_a_vertex = 256, // on average, at most
     overhead = 16         // of a block
   };
 
