@@ -37,9 +37,9 @@ public:
   {
   }
 
-  // Calls out(surface point) for p, with its own type, where the path starts as told, for each vertex that it passes, and for the source point
-  // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not
-  // reached.
+  // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
+  // it passes, and for the source point where it ends; out(crossing) for each edge that it crosses. Returns the primitive
+  // where it ends. Nothing if p is not reached.
   template <class Point_, class Function>
   Index operator()(const Point_& p, Path_start<FT> start, Function&& out) const
   {

@@ -88,8 +88,8 @@ struct Path_crossing
 inline double snapping_tolerance() { return 1e-13; }
 
 // At a vertex, or on an edge, if it is one; w: coordinates of which the sum is 1.
-template <class FT>
-Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, std::size_t name, bool valid,
+template <class FT, class Name>
+Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, bool valid,
                                        std::array<FT, 3> w, const FT& eps)
 {
   const FT slack = Number_policy<FT>::is_inexact ? FT(1e-9) : FT(0);
@@ -107,7 +107,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
       other = k;
   }
   if (!valid)
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name) +
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
                                 " does not lie in the face, or the face is not of this mesh");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
   const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
@@ -115,9 +115,9 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
 }
 
-// `name`: the number by which the user knows the face, which need not be one of the mesh.
-template <class FT>
-BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::size_t name,
+// name(): the number by which the user knows the face, which need not be one of the mesh.
+template <class FT, class Name>
+BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name,
                                              std::array<FT, 3> w)
 {
   const FT sum = w[0] + w[1] + w[2];
