@@ -21,7 +21,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
