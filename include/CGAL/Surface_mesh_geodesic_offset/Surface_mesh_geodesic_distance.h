@@ -249,7 +249,8 @@ public:
   /// From a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source: the point itself, a point on each
   /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only
   /// the point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of
-  /// points, and the exceptions are those of the queries.
+  /// points, and the exceptions are those of the queries. What many paths have in common, the straight ways from vertex to
+  /// vertex, is remembered, in up to 264 bytes a vertex of the mesh.
   /// @{
 
   /// \param out an output iterator for `Face_location`
@@ -264,7 +265,10 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const auto& p) { *out++ = m_surface->point(p); });
+    trace_from(location, [&](const auto& p) {
+      const Point_3 q = m_surface->point(p); // appending what has a name to a vector is not a call
+      *out++ = q;
+    });
     return out;
   }
 
@@ -318,8 +322,9 @@ protected:
     visitor(m_surface->halfedge_of(p.halfedge), Surface::exported(p.part));
   }
 
-  template <class Visitor>
-  void visit(const Surface_point& p, Visitor& visitor) const
+  // P: a surface point, or a located one.
+  template <class P, class Visitor>
+  void visit(const P& p, Visitor& visitor) const
   {
     if (p.kind == Surface_point::VERTEX)
       visitor(m_surface->vertex_of[p.element]);
@@ -332,11 +337,11 @@ protected:
     }
   }
 
-  template <class Function>
-  Index trace(const Surface_point& p, const Path_start& start, Function&& out) const
+  template <class P, class Function>
+  Index trace(const P& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
-    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field)(p, start, out);
+    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field, &b.legs)(p, start, out);
   }
 
   template <class Location, class Function>

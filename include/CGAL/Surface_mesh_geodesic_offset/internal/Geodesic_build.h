@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
@@ -42,7 +43,7 @@ public:
 
   Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources, const Build_request<FT>& request)
     : sources(sources), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
-      m_mesh(mesh), m_request(request)
+      legs(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
   {
     field.clear(mesh);
   }
@@ -51,7 +52,7 @@ public:
   // distance.
   Geodesic_build(const Geodesic_build& before, const Source_set<FT>& sources, const Build_request<FT>& request)
     : sources(sources), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
-      kept(request.keeps_windows), m_mesh(before.m_mesh), m_request(request),
+      kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
       m_first_new(Index(before.initial.primitives.size()))
   {
     field.start_from(before.field);
@@ -99,6 +100,7 @@ public:
   bool is_cancelled = false, has_all_targets = false;
   Geodesic_field<FT> field;
   Geodesic_offset_statistics statistics;
+  mutable Path_legs<FT> legs; // of the paths that were asked for
 
 private:
   typedef std::chrono::steady_clock Clock;

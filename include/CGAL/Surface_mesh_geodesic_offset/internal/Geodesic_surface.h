@@ -11,6 +11,7 @@
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Element_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
@@ -42,12 +43,12 @@ struct Geodesic_surface
 
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                    const VertexPointMap& vpm, const Traits& traits = Traits())
-    : tm(tm), vim(vim), fim(fim), vpm(vpm), unfolded(tm, vim, fim, vpm, Computation<Traits>::computing_traits(traits))
+    : tm(tm), vpm(vpm), numbers(tm, vim, fim, vpm), unfolded(tm, numbers, vpm, Computation<Traits>::computing_traits(traits))
   {
     face_of.resize(unfolded.number_of_faces());
-    for (face_descriptor f : faces(tm)) face_of[get(fim, f)] = f;
+    for (face_descriptor f : faces(tm)) face_of[index_of(f)] = f;
     vertex_of.resize(unfolded.number_of_vertices());
-    for (vertex_descriptor v : vertices(tm)) vertex_of[get(vim, v)] = v;
+    for (vertex_descriptor v : vertices(tm)) vertex_of[index_of(v)] = v;
   }
 
   // Numbers of the unfolded mesh, for the user, and the other way round.
@@ -65,8 +66,10 @@ struct Geodesic_surface
   // As a point of the traits, of whatever kernel the mesh's points are.
   Point_3 position(vertex_descriptor v) const { return converted_point<Point_3, FT>(get(vpm, v)); }
 
-  Index index_of(vertex_descriptor v) const { return Index(get(vim, v)); }
-  Index index_of(face_descriptor f) const { return Index(get(fim, f)); }
+  // The numbers in the unfolded mesh.
+  Index index_of(vertex_descriptor v) const { return numbers.of(v); }
+  Index index_of(face_descriptor f) const { return numbers.of(f); }
+  Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not on the border
 
   Face_location location(Index face, const Point_in_face<Number>& p) const
   {
@@ -94,6 +97,13 @@ struct Geodesic_surface
     return l;
   }
 
+  // As it was asked for.
+  Face_location location(const Located_point<Number>& p) const
+  {
+    if (p.kind != Surface_point<Number>::FACE) return location(static_cast<const Surface_point<Number>&>(p));
+    return Face_location(face_of[p.element], exported(p.weights));
+  }
+
   Face_location location(const Path_crossing<Number>& p) const
   {
     const FT part = exported(p.part);
@@ -104,6 +114,11 @@ struct Geodesic_surface
   }
 
   Point_3 point(const Path_crossing<Number>& p) const { return between(p.source, p.target, exported(p.part)); }
+
+  Point_3 point(const Located_point<Number>& p) const
+  {
+    return p.kind == Surface_point<Number>::FACE ? point(location(p)) : point(static_cast<const Surface_point<Number>&>(p));
+  }
 
   Point_3 point(const Surface_point<Number>& p) const
   {
@@ -117,7 +132,8 @@ struct Geodesic_surface
   // At the part t of the way from vertex a to vertex b.
   Point_3 between(Index a, Index b, const FT& t) const
   {
-    const Point_3 p = position(vertex_of[a]), q = position(vertex_of[b]);
+    const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // not copied if the map has them
+    const Point_3 &p = converted_point<Point_3, FT>(at_a), &q = converted_point<Point_3, FT>(at_b);
     const FT s = FT(1) - t;
     return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
   }
@@ -156,12 +172,11 @@ struct Geodesic_surface
   }
 
   const Triangle_mesh& tm;
-  VertexIndexMap vim;
-  FaceIndexMap fim;
   VertexPointMap vpm;
+  Element_numbers<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
-  std::vector<face_descriptor> face_of;     // by index
-  std::vector<vertex_descriptor> vertex_of; // by index
+  std::vector<face_descriptor> face_of;     // by number
+  std::vector<vertex_descriptor> vertex_of; // by number
 };
 
 } // namespace internal

@@ -9,7 +9,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_goal.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
 
@@ -28,33 +29,55 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Surface_point<FT> Surface_point_;
 
-  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_initial(initial), m_field(field), m_start(mesh, initial, field)
+  // `legs`: those of this field, if it is final and they are to be remembered.
+  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+               Path_legs<FT>* legs = nullptr)
+    : m_mesh(mesh), m_field(field), m_legs(legs), m_start(mesh, initial, field),
+      m_goals(mesh, initial, field)
   {
   }
 
-  // Calls out(surface point) for p, where the path starts as told, for each vertex that it passes, and for the source point
-  // where it ends; out(crossing) for each edge that it crosses. Returns the primitive where it ends. Nothing if p is not
-  // reached.
-  template <class Function>
-  Index operator()(const Surface_point_& p, Path_start<FT> start, Function&& out) const
+  // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
+  // it passes, and for the source point where it ends; out(crossing) for each edge that it crosses. Returns the primitive
+  // where it ends. Nothing if p is not reached.
+  template <class Point_, class Function>
+  Index operator()(const Point_& p, Path_start<FT> start, Function&& out) const
   {
     if (!start.is_reached()) return no_index;
     out(p);
+    const auto pass = [&](const Path_crossing<FT>& q) {
+      if (q.halfedge != no_index) out(q);
+      else out(Surface_point_::at_vertex(q.source));
+    };
     const Index limit = Index(m_mesh.number_of_vertices());
     Passed passed;
-    for (Index guard = 0; start.halfedge != no_index && CGAL::is_positive(start.distance) && guard <= limit; ++guard)
+    Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
+    for (Index guard = 0; guard <= limit; ++guard)
     {
-      passed.clear();
-      const End end = follow(start, passed);
-      for (const Path_crossing<FT>& q : passed)
-        if (q.halfedge != no_index) out(q);
-        else out(Surface_point_::at_vertex(q.source));
+      End end;
+      const Path_crossing<FT> *q, *last;
+      if (const Path_leg<FT>* const leg = known_leg(v))
+      {
+        q = leg->first_passed();
+        last = leg->last_passed();
+        end = leg->end();
+      }
+      else
+      {
+        if (guard != 0) start = m_start.at_vertex(v);
+        if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+        passed.clear();
+        end = follow(start, passed);
+        keep_leg(v, passed, end);
+        q = passed.data();
+        last = q + passed.size();
+      }
+      for (; q != last; ++q) pass(*q);
       out(end.point);
       if (end.primitive != no_index) return end.primitive;
-      start = m_start.at_vertex(end.point.element);
+      v = end.point.element;
     }
-    return start.root.primitive();
+    return v == no_index ? start.root.primitive() : m_field.root[v].primitive();
   }
 
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
@@ -81,20 +104,7 @@ public:
 private:
   typedef boost::container::small_vector<Path_crossing<FT>, 128> Passed;
 
-  struct End
-  {
-    Surface_point_ point;
-    Index primitive = no_index; // none at a vertex on the way
-  };
-
-  // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment.
-  struct Goal
-  {
-    Index vertex = no_index, face = no_index, other_face = no_index;
-    End end;
-
-    bool is_segment() const { return vertex == no_index && face == no_index; }
-  };
+  typedef Leg_end<FT> End;
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
   struct Detour
@@ -104,18 +114,31 @@ private:
     std::size_t passed = 0;
   };
 
-  static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
+  static constexpr double nearby = Path_goals<FT>::nearby;
+
+  const Path_leg<FT>* known_leg(Index v) const
+  {
+    if constexpr (Path_legs<FT>::keeps) return v == no_index || !m_legs ? nullptr : m_legs->find(v);
+    else return (void)v, nullptr;
+  }
+
+  void keep_leg(Index v, const Passed& passed, const End& end) const
+  {
+    if constexpr (Path_legs<FT>::keeps)
+      if (v != no_index && m_legs) m_legs->keep(v, passed, end);
+    (void)v, (void)passed, (void)end;
+  }
 
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
-    const Goal goal = goal_of(start);
+    const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
     Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
     bool is_under_way = false;
     // not with exact numbers, of which strips make long expressions
-    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_in_face(goal, walk))
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, walk))
     {
       Strip_walk<FT> strip(m_mesh, walk, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
@@ -138,13 +161,13 @@ private:
       const bool is_first = guard == 0 && !is_under_way;
       if (has_missed) look_for_detour(walk, is_first, start, reach, passed.size(), detour);
       FT last;
-      if (is_in_sight(goal, walk, is_first, last))
+      if (m_goals.is_in_sight(goal, walk, is_first, last))
       {
         if constexpr (!Number_policy<FT>::is_inexact) return goal.end;
         const FT left = length(walk.goal() - walk.position());
         const FT rounding =
           Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
-        if (last <= left + rounding || (has_missed && reach - left + last + distance_of(goal) <= detour.length))
+        if (last <= left + rounding || (has_missed && reach - left + last + m_goals.distance_of(goal) <= detour.length))
           return goal.end;
         break;
       }
@@ -153,7 +176,7 @@ private:
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.is_segment() && ends_on_segment(walk, start, end)) return end;
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, end)) return end;
         if (crossing.goal.y < -beside) break;
       }
       const Index beyond = walk.beyond(exit);
@@ -163,10 +186,10 @@ private:
         const int first = exit, last = (exit + 1) % 3;
         const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(last) - walk.corner(first)));
         for (int k : {ahead ? last : first, ahead ? first : last})
-          if (passes(walk, k, crossing, start)) return at_vertex(walk.vertex(k));
+          if (passes(walk, k, crossing, start)) return m_goals.at_vertex(walk.vertex(k));
       }
       else if (passes(walk, 2, crossing, start))
-        return at_vertex(walk.vertex(2));
+        return m_goals.at_vertex(walk.vertex(2));
       if (beyond == no_index) break;
       // vertices in the way that the path passes by, but not as closely as to start from there anew
       const FT rounding = (Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0)) * crossing.length;
@@ -188,75 +211,9 @@ private:
     if (detour.vertex != no_index)
     {
       passed.resize(detour.passed);
-      return at_vertex(detour.vertex);
+      return m_goals.at_vertex(detour.vertex);
     }
     return goal.end;
-  }
-
-  Goal goal_of(const Path_start<FT>& start) const
-  {
-    Goal goal;
-    goal.vertex = start.pseudo_source;
-    const Index primitive = start.root.primitive();
-    const Surface_point_& place = m_initial.places[primitive].first;
-    if (goal.vertex == no_index)
-    {
-      goal.end = {place, primitive};
-      if (m_initial.primitives[primitive].is_segment) return goal;
-      if (place.kind == Surface_point_::VERTEX)
-        goal.vertex = place.element;
-      else if (place.kind == Surface_point_::FACE)
-        goal.face = goal.other_face = place.element;
-      else
-      {
-        goal.face = m_mesh.face(place.element);
-        goal.other_face = m_mesh.twin(place.element) == no_index ? goal.face : m_mesh.face(m_mesh.twin(place.element));
-      }
-    }
-    else
-      goal.end = at_vertex(goal.vertex);
-    return goal;
-  }
-
-  // Whether the goal is a point of the face.
-  bool is_in_face(const Goal& goal, const Straight_walk<FT>& walk) const
-  {
-    if (goal.vertex != no_index)
-      return walk.vertex(0) == goal.vertex || walk.vertex(1) == goal.vertex || walk.vertex(2) == goal.vertex;
-    return goal.face != no_index && (walk.face() == goal.face || walk.face() == goal.other_face);
-  }
-
-  // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how
-  // long it is. Not for segments.
-  bool is_in_sight(const Goal& goal, const Straight_walk<FT>& walk, bool is_first, FT& distance) const
-  {
-    if (goal.vertex != no_index)
-    {
-      for (int k = 2; k >= (is_first ? 0 : 2); --k)
-        if (walk.vertex(k) == goal.vertex)
-        {
-          distance = length(walk.corner(k) - walk.position());
-          return true;
-        }
-      return false;
-    }
-    if (goal.face == no_index || (walk.face() != goal.face && walk.face() != goal.other_face)) return false;
-    Point place;
-    unsigned edges;
-    position_in_face(m_mesh, goal.end.point, walk.face(), place, edges);
-    const Face_frame<FT> frame(m_mesh, walk.face());
-    distance = length(place - frame.from_halfedge(int(walk.halfedge() % 3), walk.position()));
-    return true;
-  }
-
-  FT distance_of(const Goal& goal) const
-  {
-    return goal.end.primitive == no_index ? m_field.distance[goal.vertex] : FT(0);
-  }
-
-  End at_vertex(Index v) const
-  {
-    return {Surface_point_::at_vertex(v), CGAL::is_zero(m_field.distance[v]) ? m_field.root[v].primitive() : no_index};
   }
 
   // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on; if
@@ -292,89 +249,11 @@ private:
     }
   }
 
-  bool is_in_face(const Surface_point_& p, Index face) const
-  {
-    if (p.kind == Surface_point_::FACE) return p.element == face;
-    if (p.kind == Surface_point_::EDGE)
-      return m_mesh.face(p.element) == face ||
-             (m_mesh.twin(p.element) != no_index && m_mesh.face(m_mesh.twin(p.element)) == face);
-    const Index h = 3 * face;
-    return m_mesh.source(h) == p.element || m_mesh.source(h + 1) == p.element || m_mesh.source(h + 2) == p.element;
-  }
-
-  // A path to one segment may end at another one of the source: windows of segments in one line have become one.
-  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, End& end) const
-  {
-    const Index face = walk.face();
-    const Face_frame<FT> frame(m_mesh, face);
-    const Point p = frame.from_halfedge(int(walk.halfedge() % 3), walk.position());
-    const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
-    const FT extent = frame.longest_edge();
-    const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
-    // as near to q as the direction is exact: the next segment, in the next face, may be meant
-    FT nearest = FT(nearby) * length(q - p) + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
-    const auto consider = [&](Index primitive) {
-      const Source_place<FT>& place = m_initial.places[primitive];
-      if (m_initial.source_of[primitive] != m_initial.source_of[start.root.primitive()] ||
-          !is_in_face(place.first, face) || !is_in_face(place.second, face))
-        return;
-      Surface_point_ point = place.first;
-      const Point foot = foot_in(face, frame, p, primitive, point);
-      if constexpr (Estimation<FT>::leaves_open)
-      {
-        const auto way = foot - p, straight = q - p, miss = foot - q;
-        const auto missed = estimate(dot(miss, miss));
-        if (CGAL::certainly(estimate(dot(way, way)) > estimate(dot(straight, straight))) ||
-            !CGAL::possibly(missed < CGAL::square(estimate(nearest))))
-          return;
-        nearest = Estimation<FT>::upper_cut(CGAL::sqrt(missed));
-      }
-      else
-      {
-        const FT miss = length(foot - q);
-        if (length(foot - p) > longest || !(miss < nearest)) return;
-        nearest = miss;
-      }
-      end = {point, primitive};
-    };
-    consider(start.root.primitive());
-    const auto local = local_windows(m_initial, face);
-    for (auto i = local.first; i != local.second; ++i) consider(i->window.root.primitive());
-    for (Index h = 3 * face; h < 3 * face + 3; ++h)
-      m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root.primitive()); });
-    return end.primitive != no_index;
-  }
-
-  // The nearest point of a point or segment that lies in the face; p lies there, too.
-  Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest) const
-  {
-    const Source_place<FT>& place = m_initial.places[primitive];
-    Point a, b;
-    unsigned edges_of_a, edges_of_b;
-    position_in_face(m_mesh, place.first, face, a, edges_of_a);
-    nearest = place.first;
-    if (!m_initial.primitives[primitive].is_segment) return a;
-    position_in_face(m_mesh, place.second, face, b, edges_of_b);
-    const Point u = b - a;
-    const FT t = dot(p - a, u) / dot(u, u);
-    if (!CGAL::is_positive(t)) return a;
-    nearest = place.second;
-    if (!(t < FT(1))) return b;
-    const Point foot = a + t * u;
-    if (const unsigned edge = edges_of_a & edges_of_b)
-    {
-      const int k = edge_of_bit(edge);
-      nearest = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot));
-    }
-    else
-      nearest = Surface_point_::in_face(face, foot);
-    return foot;
-  }
-
   const Unfolded_mesh<FT>& m_mesh;
-  const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
+  Path_legs<FT>* const m_legs;
   const Path_starts<FT> m_start;
+  const Path_goals<FT> m_goals;
 };
 
 } // namespace internal

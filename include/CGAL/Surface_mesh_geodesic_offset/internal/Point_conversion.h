@@ -16,12 +16,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// P: any type with x(), y() and z().
+// P: any type with x(), y() and z(). The result is p itself if it need not be converted.
 template <class Point_3, class FT, class P>
-Point_3 converted_point(const P& p)
+decltype(auto) converted_point(const P& p)
 {
   if constexpr (std::is_same<P, Point_3>::value)
-    return p;
+    return (p);
   else
   {
     typedef std::decay_t<decltype(p.x())> From;

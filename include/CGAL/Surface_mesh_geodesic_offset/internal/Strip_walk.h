@@ -57,47 +57,50 @@ public:
     if (h == no_index || !((std::min)(m_end[0].y, FT(-m_end[1].y)) > beside) || !(height_of_goal(m_end[0], e) > ahead))
       return false;
     Index left = m_vertex[0], right = m_vertex[1];
-    Point l = m_end[0], r = m_end[1];
+    Point l = m_end[0], r = m_end[1], apex;
     const Unfolded_halfedge<FT>* const mesh = &m_mesh[0];
     Path_crossing<FT>*out = nullptr, *last = nullptr;
+    // Through an edge of the face with the direction d: whether there is nothing in the way.
+    const auto goes_on = [&](Index beyond, const Point& d) {
+      return beyond != no_index && CGAL::abs(apex.y) > beside && height_of_goal(apex, d) > ahead;
+    };
     for (;;)
     {
       if (out == last && !make_room(passed, out, last)) return false;
       *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
-      const auto &a = mesh[h], &b = mesh[m_mesh.next(h)], &c = mesh[m_mesh.previous(h)];
-      const Point apex{l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
-      const Point l_before = l, r_before = r, e_before = e;
-      Index beyond;
+      const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)];
+      apex = {l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
       // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
       // foresee the turns half of the time is better than to wait for each.
       if (CGAL::is_positive(apex.y))
       {
+        const auto& b = mesh[m_mesh.next(h)];
         const FT unit = FT(1) / a.length;
-        e = turned(e, {unit * b.apex_x, -unit * b.apex_y});
-        beyond = b.twin;
+        const Point d = turned(e, {unit * b.apex_x, -unit * b.apex_y});
+        if (!goes_on(b.twin, d)) break;
+        e = d;
         left = c.origin;
         l = apex;
+        h = b.twin;
       }
       else
       {
         const FT unit = FT(1) / c.length;
-        e = turned(e, {unit * a.apex_x, unit * a.apex_y});
-        beyond = c.twin;
+        const Point d = turned(e, {unit * a.apex_x, unit * a.apex_y});
+        if (!goes_on(c.twin, d)) break;
+        e = d;
         right = c.origin;
         r = apex;
+        h = c.twin;
       }
-      if (int(beyond == no_index) | int(!(CGAL::abs(apex.y) > beside)) | int(!(height_of_goal(apex, e) > ahead)))
-      {
-        m_halfedge = h;
-        m_end[0] = l_before;
-        m_end[1] = r_before;
-        m_direction = e_before;
-        m_apex = apex;
-        passed.resize(std::size_t(out - passed.data()));
-        return true;
-      }
-      h = beyond;
     }
+    m_halfedge = h;
+    m_end[0] = l;
+    m_end[1] = r;
+    m_direction = e;
+    m_apex = apex;
+    passed.resize(std::size_t(out - passed.data()));
+    return true;
   }
 
   Index halfedge() const { return m_halfedge; }

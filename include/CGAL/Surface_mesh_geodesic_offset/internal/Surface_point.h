@@ -88,9 +88,9 @@ struct Path_crossing
 inline double snapping_tolerance() { return 1e-13; }
 
 // At a vertex, or on an edge, if it is one; w: coordinates of which the sum is 1.
-template <class FT>
-Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, bool valid, std::array<FT, 3> w,
-                                       const FT& eps)
+template <class FT, class Name>
+Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, bool valid,
+                                       std::array<FT, 3> w, const FT& eps)
 {
   const FT slack = Number_policy<FT>::is_inexact ? FT(1e-9) : FT(0);
   int zeros = 0, zero = -1, other = -1;
@@ -107,7 +107,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
       other = k;
   }
   if (!valid)
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(face) +
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
                                 " does not lie in the face, or the face is not of this mesh");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
   const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
@@ -115,8 +115,10 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
 }
 
-template <class FT>
-BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, std::array<FT, 3> w)
+// name(): the number by which the user knows the face, which need not be one of the mesh.
+template <class FT, class Name>
+BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name,
+                                             std::array<FT, 3> w)
 {
   const FT sum = w[0] + w[1] + w[2];
   const FT eps = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
@@ -124,7 +126,7 @@ BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Inde
   if (valid)
     for (FT& x : w) x /= sum;
   if (!(valid && w[0] > eps && w[1] > eps && w[2] > eps)) // if so, none is above 1
-    return classify_on_boundary(mesh, face, valid && Number_policy<FT>::is_finite(sum), w, eps);
+    return classify_on_boundary(mesh, face, name, valid && Number_policy<FT>::is_finite(sum), w, eps);
   return {Surface_point<FT>::in_face(face, position_in_frame(mesh, 3 * face, w[1], w[2])), w};
 }
 

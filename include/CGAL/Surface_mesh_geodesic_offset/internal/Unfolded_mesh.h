@@ -3,7 +3,7 @@
 //
 // Step 1 of the pipeline: the mesh as flat arrays, each face laid out in the plane.
 //
-// Halfedge 3f+k is the k-th halfedge of face f, starting at halfedge(f). Its frame has its origin at the
+// Halfedge 3f+k is the k-th halfedge of the face with the number f, starting at halfedge(f). Its frame has its origin at the
 // source of the halfedge, its x axis along the halfedge and the face above. Border halfedges have no index.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_UNFOLDED_MESH_H
@@ -45,49 +45,31 @@ struct Ray_at_vertex
   FT x = FT(0), y = FT(0);
 };
 
-// The position of a halfedge in the flat arrays.
-template <class TriangleMesh, class FIM>
-Index index_of_halfedge(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& tm,
-                        const FIM& fim)
+// Fills origins and twins. Numbers: Element_numbers of the mesh.
+template <class FT, class TriangleMesh, class Numbers>
+void read_topology(const TriangleMesh& tm, const Numbers& numbers, std::vector<Unfolded_halfedge<FT>>& halfedges)
 {
-  const auto f = face(h, tm);
-  const auto h0 = halfedge(f, tm);
-  const Index k = h == h0 ? 0 : next(h0, tm) == h ? 1 : 2;
-  return 3 * Index(get(fim, f)) + k;
-}
-
-// Fills origins and twins; returns the number of vertices.
-template <class FT, class TriangleMesh, class VIM, class FIM>
-std::size_t read_topology(const TriangleMesh& tm, const VIM& vim, const FIM& fim,
-                          std::vector<Unfolded_halfedge<FT>>& halfedges)
-{
-  std::size_t nv = 0, nf = 0;
-  for (auto v : vertices(tm)) nv = (std::max)(nv, std::size_t(get(vim, v)) + 1);
-  for (auto f : faces(tm)) nf = (std::max)(nf, std::size_t(get(fim, f)) + 1);
-  if (nv >= (std::size_t(1) << 29) || 3 * nf >= std::size_t(no_index))
-    throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices");
-
-  halfedges.assign(3 * nf, Unfolded_halfedge<FT>{FT(0), FT(0), FT(0), no_index, no_index});
+  halfedges.assign(3 * numbers.faces_end(), Unfolded_halfedge<FT>{FT(0), FT(0), FT(0), no_index, no_index});
   for (auto f : faces(tm))
   {
-    const Index fi = Index(get(fim, f));
+    const Index fi = numbers.of(f);
     auto h = halfedge(f, tm);
     if (next(h, tm) == h || next(next(next(h, tm), tm), tm) != h)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(fi) + " is not a triangle");
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
+                                  " is not a triangle");
     for (Index k = 0; k < 3; ++k, h = next(h, tm))
     {
       Unfolded_halfedge<FT>& u = halfedges[3 * fi + k];
-      u.origin = Index(get(vim, source(h, tm)));
+      u.origin = numbers.of(source(h, tm));
       const auto o = opposite(h, tm);
-      u.twin = is_border(o, tm) ? no_index : index_of_halfedge(o, tm, fim);
+      u.twin = is_border(o, tm) ? no_index : numbers.of_halfedge(o);
     }
   }
-  return nv;
 }
 
 // Fills lengths and apices.
-template <class Traits, class TriangleMesh, class FIM, class VPM>
-void lay_out_faces(const TriangleMesh& tm, const FIM& fim, const VPM& vpm, const Traits& traits,
+template <class Traits, class TriangleMesh, class Numbers, class VPM>
+void lay_out_faces(const TriangleMesh& tm, const Numbers& numbers, const VPM& vpm, const Traits& traits,
                    std::vector<Unfolded_halfedge<typename Traits::FT>>& halfedges)
 {
   typedef typename Traits::FT FT;
@@ -95,7 +77,7 @@ void lay_out_faces(const TriangleMesh& tm, const FIM& fim, const VPM& vpm, const
   const auto construct_apex = traits.construct_apex_2_object();
   for (auto f : faces(tm))
   {
-    const Index fi = Index(get(fim, f));
+    const Index fi = numbers.of(f);
     std::array<Point_3, 3> p;
     auto h = halfedge(f, tm);
     for (int k = 0; k < 3; ++k, h = next(h, tm)) p[k] = converted_point<Point_3, FT>(get(vpm, source(h, tm)));
@@ -104,7 +86,7 @@ void lay_out_faces(const TriangleMesh& tm, const FIM& fim, const VPM& vpm, const
       Unfolded_halfedge<FT>& e = halfedges[3 * fi + k];
       construct_apex(p[k], p[(k + 1) % 3], p[(k + 2) % 3], e.length, e.apex_x, e.apex_y);
       if (!(e.length > FT(0)) || !Number_policy<FT>::is_finite(e.length) || !(e.apex_y > FT(0)))
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(fi) +
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
                                     " is degenerate or has a coordinate that is not finite");
     }
   }
@@ -122,13 +104,13 @@ public:
 
   Unfolded_mesh() = default;
 
-  template <class TriangleMesh, class VIM, class FIM, class VPM, class Traits>
-  Unfolded_mesh(const TriangleMesh& tm, const VIM& vim, const FIM& fim, const VPM& vpm, const Traits& traits)
+  template <class TriangleMesh, class Numbers, class VPM, class Traits>
+  Unfolded_mesh(const TriangleMesh& tm, const Numbers& numbers, const VPM& vpm, const Traits& traits)
   {
-    const std::size_t nv = read_topology<FT>(tm, vim, fim, m_halfedges);
-    lay_out_faces(tm, fim, vpm, traits, m_halfedges);
-    m_corner.assign(nv, no_index);
-    m_can_bend.assign(nv, 0);
+    read_topology(tm, numbers, m_halfedges);
+    lay_out_faces(tm, numbers, vpm, traits, m_halfedges);
+    m_corner.assign(numbers.vertices_end(), no_index);
+    m_can_bend.assign(numbers.vertices_end(), 0);
     find_corners();
     for (const Halfedge& h : m_halfedges) m_longest_edge = (std::max)(m_longest_edge, h.length);
   }
