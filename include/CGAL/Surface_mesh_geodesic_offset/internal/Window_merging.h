@@ -73,13 +73,8 @@ public:
   const std::vector<Window>& operator()(const std::vector<Window>& windows)
   {
     if constexpr (Number_policy<FT>::is_inexact)
-    {
-      if (!m_is_on) return windows;
-      m_windows.clear();
-      for (std::size_t i = 0; i < windows.size();) i = add_longest_run(windows, i);
-      return m_windows;
-    }
-    else return windows;
+      if (m_is_on) return merged(windows);
+    return windows;
   }
 
   // The error of the distance of a vertex, or of a window with that origin. If the distance of a pseudo-source on the way has
@@ -91,11 +86,20 @@ public:
   }
 
 private:
-  // Adds the window i, merged with as many of those behind it as can be. Returns the first one that was not.
-  std::size_t add_longest_run(const std::vector<Window>& windows, std::size_t i)
+  const std::vector<Window>& merged(const std::vector<Window>& windows)
   {
-    std::size_t end = i + 1;
-    while (end < windows.size() && may_merge(windows[end - 1], windows[end])) ++end;
+    m_windows.clear();
+    for (std::size_t i = 0, end = 0; i < windows.size(); i = add_longest_run(windows, i, end))
+    {
+      if (end <= i) end = i + 1;
+      while (end < windows.size() && may_merge(windows[end - 1], windows[end])) ++end;
+    }
+    return m_windows;
+  }
+
+  // Adds the window i, merged with as many of those behind it and before `end` as can be. Returns the first that was not.
+  std::size_t add_longest_run(const std::vector<Window>& windows, std::size_t i, std::size_t end)
+  {
     // twice as many more each time as long as that goes well, then by halves
     Window run = windows[i], longer;
     std::size_t good = i + 1;
@@ -126,8 +130,13 @@ private:
 
   bool may_merge(const Window& a, const Window& b) const
   {
-    return !a.is_propagated() && !b.is_propagated() && a.root.side() == b.root.side() &&
+    return b.b0 - a.b1 <= allowed_at((std::min)(a.d1, b.d0)) && !a.is_propagated() && !b.is_propagated() && a.root.side() == b.root.side() &&
            m_source_of[a.root.primitive()] == m_source_of[b.root.primitive()];
+  }
+
+  FT allowed_at(const FT& distance) const
+  {
+    return (std::min)(FT(m_tolerance.absolute + m_tolerance.relative * distance), FT(distance / 2));
   }
 
   // One window m for all of [first, end), if the tolerance allows it.
@@ -137,10 +146,12 @@ private:
     m = *first;
     m.b1 = last.b1;
     m.d1 = last.d1;
-    const FT unit = Number_policy<FT>::rounding(16) * (m.d0 + m.d1);
+    const FT unit = Number_policy<FT>::rounding(16) * (m.d0 + m.d1), at_ends = allowed_at((std::min)(m.d0, m.d1));
     if (!place_image(first, end, unit, m)) return false;
-    const FT smallest = minimum(m);
-    const FT allowed = (std::min)(FT(m_tolerance.absolute + m_tolerance.relative * smallest), FT(smallest / 2));
+    // first where most runs fail: between the windows
+    for (const Window* w = first; w != &last; ++w)
+      if (!(w->d1 - m.distance_at(w->b1) + FT(error_of_origin(w->pseudo_source())) <= at_ends)) return false;
+    const FT smallest = minimum(m), allowed = allowed_at(smallest);
     const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
     FT largest(0), previous(0);
     for (const Window* w = first; w != end; ++w)
