@@ -40,15 +40,20 @@ struct Merging_counts
 //
 //   (1)  f = F at both ends of the run,   (2)  f <= F between them,   (3)  F - f <= what the tolerance leaves.
 //
-// f is 1-Lipschitz, and so it is the distance from an additional source on the edge that sends rays ahead. By (2) the
-// windows of the run are dominated by it, and by (1) its outermost rays are not inside of those of F, and distances do not
-// jump from neighbour to neighbour: no gap opens between the rays of neighbours, and all that is true of the lower envelope,
-// of pruning and of pseudo-sources is true with the additional source. So distances become smaller, not larger, and no point
-// is lost.
+// Distances become smaller, and by no more than the error that is carried along: a window whose error is e gives to every
+// point that its rays reach a distance that is at most e less than the length of some path on the mesh. On the edge that is
+// so by e = (largest error of the run) + (largest F - f), and behind it, as both grow by the length of the ray. A vertex has
+// the error of its window, and passes it on as a pseudo-source. Comparisons with other windows and with ways by vertices
+// take rays away; that changes no error, so they need not know of it.
 //
-// They become smaller by no more than the error that is carried along: a window whose error is e gives to every point that
-// a ray of it reaches a distance that is at most e less than the length of some path on the mesh. That is so on the edge by
-// e = (largest error of the run) + (largest F - f), and behind it, as both grow by the length of the ray.
+// Distances become no larger, and no point is lost. Follow any path over the halfedges that it crosses, each in the
+// direction in which it is crossed: if the windows of one give no more than the length of the path so far, so do those of
+// the next. For a window gives to a point that its rays reach the shortest of all ways through its interval. If a path
+// leaves the rays of its window, say to the left, it comes into those of a neighbour: by (1) and (2) the rays at the ends of
+// f are not inside of those of F, so no gap opens between neighbours that met. The way through the window is then shortest
+// round its left end, and there the neighbour has the same distance, by (1). That is what (1) is for: if distances jumped
+// from neighbour to neighbour, a path that crosses from window to window would add up jumps without a bound. A window that
+// is cut or dropped for another one, or for a way by a vertex, is no smaller than that there, as in an exact build.
 //
 // The windows with (1) are a family of one parameter, the distance r0 of the image from the first end: of two of them the
 // nearer image gives the smaller distances everywhere between the ends. So each condition of (2) is a bound for r0 in
@@ -77,8 +82,8 @@ public:
     return windows;
   }
 
-  // The error of the distance of a vertex, or of a window with that origin. If the distance of a pseudo-source on the way has
-  // become smaller since, its new error is right for the old distance, too.
+  // The error of the distance of a vertex, or of a window, with that origin. If a pseudo-source on the way has come nearer
+  // since, its new error is right for the old distance, too.
   double error_of_origin(Index origin) const
   {
     while (origin != no_index && !Merged_origin::is_merged(origin)) origin = m_field.back[origin].pseudo_source;
@@ -130,8 +135,8 @@ private:
 
   bool may_merge(const Window& a, const Window& b) const
   {
-    return b.b0 - a.b1 <= allowed_at((std::min)(a.d1, b.d0)) && !a.is_propagated() && !b.is_propagated() && a.root.side() == b.root.side() &&
-           m_source_of[a.root.primitive()] == m_source_of[b.root.primitive()];
+    return !a.is_propagated() && !b.is_propagated() && b.b0 - a.b1 <= allowed_at((std::min)(a.d1, b.d0)) &&
+           a.root.side() == b.root.side() && m_source_of[a.root.primitive()] == m_source_of[b.root.primitive()];
   }
 
   FT allowed_at(const FT& distance) const
@@ -176,18 +181,24 @@ private:
   //
   //   x - b0 = n / 2l - c r0    as  r0^2 - (x - b0)^2 = r1^2 - (l - (x - b0))^2  and  r1 = r0 + c l
   //
-  // The derivative of f at b0 is -(x - b0) / r0; it must not be larger than that of F, and likewise at b1. At a point q behind
-  // b0 where F is above the chord of the two distances by k, f <= F is r0 <= ((1 - c^2) q (l - q) + 2 q c k + k^2) / -2k; if
-  // k >= 0, nothing.
+  // The derivative of f at b0 is -(x - b0) / r0; it must not be larger than that of F, and likewise at b1. At a point at q
+  // behind b0 where F is above the chord of the two distances by k, f <= F is
+  //
+  //   r0 <= ((1 - c^2) q (l - q) + 2 q c k + k^2) / -2k
+  //
+  // if k < 0, and nothing otherwise. Without any bound f is linear: rays are parallel.
   bool place_image(const Window* first, const Window* end, const FT& unit, Window& m) const
   {
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0;
     if (!(CGAL::abs(rise) < l)) return false;
     const FT n = (l - rise) * (l + rise), c = rise / l;
-    const FT farthest = FT(1 << 14) * (m.d0 + m.d1 + l);
+    const FT farthest = FT(1 << 14) * (m.d0 + m.d1 + l); // beyond, rounding is more than what is gained
     const FT unlimited = 2 * farthest;
     FT r0 = unlimited;
-    const auto limit = [&r0](const FT& r) { if (r < r0) r0 = r; };
+    const auto limit = [&r0](const FT& r)
+    {
+      if (r < r0) r0 = r;
+    };
     const Window& last = *(end - 1);
     const FT at_b0 = slope(*first, first->b0, first->d0), at_b1 = slope(last, last.b1, last.d1);
     if (const FT k = rise - l * at_b0; k > FT(0)) limit(n / (2 * k));
