@@ -52,6 +52,7 @@ class Surface_mesh_geodesic_offset
   typedef Offset_levels<Number> Levels_inside;
 
   using Base::built;
+  using Base::built_exactly;
   using Base::m_built;
   using Base::m_sources;
   using Base::m_surface;
@@ -82,8 +83,8 @@ public:
   /// \param out an output iterator for `Offset_curve`
   /// \param selection the side of polylines, and the form at their ends
   /// \throws std::invalid_argument if a distance is not a positive finite number, or if a selection by inside and outside is
-  ///         asked for and there is an open polyline, or a closed one that does not divide the surface. Then the last
-  ///         build is still there.
+  ///         asked for and there is an open polyline, or a closed one that does not divide the surface, or if there is a
+  ///         tolerance. Then the last build is still there.
   template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values(),
@@ -103,6 +104,8 @@ public:
   {
     const Levels_inside wanted(as_levels(levels));
     const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
+    if (fresh->is_approximate())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
     propagate_and_cut(*fresh, wanted, selection, f);
     m_built = fresh;
   }
@@ -117,6 +120,7 @@ public:
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param selection the side of polylines, and the form at their ends
   /// \throws std::invalid_argument as `build_with_offset_curves()`
+  /// \throws std::logic_error if the build had a tolerance
   template <class Levels, class OutputIterator>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
                                const Offset_selection& selection = Offset_selection()) const
@@ -131,7 +135,7 @@ public:
                                  const Offset_selection& selection = Offset_selection()) const
   {
     const Levels_inside wanted(as_levels(levels));
-    const Build& b = built();
+    const Build& b = built_exactly();
     if (b.kept)
     {
       const auto output = curve_output(b, wanted, selection, f);
@@ -141,7 +145,7 @@ public:
     }
     Number maximum = b.maximum;
     if (!wanted.is_unlimited() && wanted.size() > 0) maximum = (std::min)(maximum, wanted[wanted.size() - 1]);
-    Build again(unfolded(), b.sources, {maximum, false, {}, {}});
+    Build again(unfolded(), b.sources, {maximum, false, {}, {}, {}});
     propagate_and_cut(again, wanted, selection, f);
   }
 

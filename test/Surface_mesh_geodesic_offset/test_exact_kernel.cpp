@@ -397,6 +397,19 @@ void test_offsets()
   CHECK(joints == 4); // of each of the two joints, the end of one piece and the start of the next
 }
 
+// Exact numbers have no use for a tolerance.
+void test_tolerance()
+{
+  const Shape box("tetrahedron", {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1)},
+                  {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}});
+  Geodesic geodesic(box.mesh);
+  geodesic.add_source_point(box.vertices[0]);
+  CHECK_THROWS(geodesic.build(CGAL::parameters::relative_tolerance(1e-3)), std::invalid_argument);
+  CHECK_THROWS(geodesic.build(CGAL::parameters::merging_tolerance(FT(1))), std::invalid_argument);
+  geodesic.build(CGAL::parameters::relative_tolerance(0.).merging_tolerance(FT(0)));
+  CHECK(geodesic.distance_to_sources(box.vertices[1]) == FT(1) && geodesic.error_bound(box.vertices[1]) == FT(0));
+}
+
 } // namespace
 
 int main()
@@ -416,6 +429,7 @@ int main()
     test_l();
     test_segments_in_plane();
     test_offsets();
+    test_tolerance();
   }
   catch (const std::exception& e)
   {

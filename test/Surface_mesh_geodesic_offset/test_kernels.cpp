@@ -290,6 +290,22 @@ void long_numbers()
     const CGAL::Gmpfr straight = CGAL::sqrt(CGAL::Gmpfr(x * x + y * y));
     CHECK(CGAL::abs(CGAL::Gmpfr(distances[i] - straight)) <= CGAL::Gmpfr(1e-55));
   }
+
+  // with a tolerance, too
+  const Data round(icosphere(2));
+  Geodesic exact(round.mesh);
+  Geodesic_with<Long_kernel, test::Surface_mesh> bounded(round.mesh);
+  exact.add_source_point(round.vertices[0]);
+  bounded.add_source_point(round.vertices[0]);
+  exact.build();
+  bounded.build(CGAL::parameters::relative_tolerance(1e-3));
+  CHECK(bounded.statistics().windows_propagated < exact.statistics().windows_propagated);
+  for (Vertex_index v : round.vertices)
+  {
+    const double d = CGAL::to_double(bounded.distance_to_sources(v)), expected = exact.distance_to_sources(v);
+    CHECK_DETAIL(d <= expected + 1e-12 && d >= expected - CGAL::to_double(bounded.error_bound(v)) - 1e-12,
+                 values(d, expected));
+  }
 }
 
 } // namespace

@@ -90,9 +90,17 @@ public:
   /// In the worst case O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Memory is that of the
   /// front, and some 40 bytes a window if windows are kept.
   ///
+  /// With a tolerance distances may be smaller than the exact ones, within bounds that `statistics()` tells, but not larger,
+  /// and a few windows a vertex are propagated on smooth fine meshes, however fine; see \ref
+  /// SurfaceMeshGeodesicOffsetTolerance. Then a point has a distance also if the exact one is beyond the maximum distance
+  /// by no more than the bound; paths, nearest points, the farthest point and offset curves need an exact build, and throw
+  /// `std::logic_error`.
+  ///
   /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `maximum_distance(d)`, `keep_windows(b)`,
-  ///        `targets(range)`, `visitor(f)`
-  /// \throws std::invalid_argument if the maximum distance is negative or not a number, or a target is not a valid location.
+  ///        `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
+  /// \throws std::invalid_argument if the maximum distance is negative or not a number, or a target is not a valid location,
+  ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
+  ///         number, or one of them is not 0 and the number type is exact.
   ///         Then, and after an exception of the visitor, the last build is still there.
   template <class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
@@ -104,8 +112,8 @@ public:
 
   /// brings the last build up to date with the sources: only what the sources that were added since then improve is
   /// propagated. The result is that of `build()` with the parameters `maximum_distance` and `keep_windows` of the last
-  /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, all is computed anew.
-  /// While it runs there are two fields in memory.
+  /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, or had a tolerance, all is
+  /// computed anew, with that tolerance. While it runs there are two fields in memory.
   /// \param np an optional named parameter, `visitor(f)`
   /// \throws std::logic_error if `!is_built()`
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -116,7 +124,8 @@ public:
     r.targets.clear();
     r.maximum = b.request().maximum;
     r.keeps_windows = b.kept;
-    const bool grows = b.is_whole() && m_sources.extends(b.sources);
+    r.tolerance = b.request().tolerance;
+    const bool grows = b.is_whole() && !b.is_approximate() && m_sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
     fresh->propagate(m_traits);
     m_built = fresh;
@@ -154,6 +163,15 @@ public:
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
+  /// by how much the distance of a vertex may be smaller than the exact one: 0 if the build had no tolerance. For all other
+  /// points, `statistics()` has the largest such bound. Rounding is not contained.
+  FT error_bound(vertex_descriptor v) const
+  {
+    const Build& b = built();
+    if (!b.is_approximate()) return FT(0);
+    return Surface::exported(Number(b.field.error[m_surface->index_of(v)]));
+  }
+
   /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
   /// their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a number where the nearest
   /// source has no sides: points, sets of edges, and beyond the ends of open polylines.
@@ -176,6 +194,7 @@ public:
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
   {
+    built_exactly();
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
@@ -230,6 +249,7 @@ public:
   /// \throws std::logic_error if the windows were not kept, or no point has a distance, or `covered_distance()` is finite
   std::pair<Face_location, FT> farthest_point() const
   {
+    built_exactly();
     const Build& b = built_with_windows();
     Index face;
     std::array<Number, 3> weights;
@@ -286,6 +306,13 @@ protected:
   const Build& built() const
   {
     if (!m_built) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
+    return *m_built;
+  }
+
+  const Build& built_exactly() const
+  {
+    if (built().is_approximate())
+      throw std::logic_error("Surface_mesh_geodesic_offset: this query needs a build without a tolerance");
     return *m_built;
   }
 
@@ -347,6 +374,7 @@ protected:
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const
   {
+    built_exactly();
     const Located_point p = classified(location);
     trace(p, start_at(p), out);
   }
@@ -365,6 +393,14 @@ protected:
     static const std::array<vertex_descriptor, 0> none{};
     const auto targets = choose_parameter(get_parameter(np, internal_np::geodesic_targets), std::cref(none));
     for (const auto& t : targets.get()) r.targets.push_back(classified(t));
+    r.tolerance.relative = choose_parameter(get_parameter(np, internal_np::geodesic_relative_tolerance), Number(0));
+    r.tolerance.absolute = choose_parameter(get_parameter(np, internal_np::geodesic_merging_tolerance), Number(0));
+    if (!(r.tolerance.relative >= Number(0) && r.tolerance.relative <= Number(0.5)))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the relative tolerance is not a number from 0 to 0.5");
+    if (!(r.tolerance.absolute >= Number(0) && Policy::is_finite(r.tolerance.absolute)))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the merging tolerance is negative or not a finite number");
+    if (!Policy::is_inexact && !r.tolerance.is_zero())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a tolerance needs a floating point number type");
     return r;
   }
 

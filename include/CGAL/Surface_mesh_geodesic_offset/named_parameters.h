@@ -16,6 +16,8 @@ namespace internal_np {
 enum geodesic_maximum_distance_t { geodesic_maximum_distance };
 enum geodesic_keep_windows_t { geodesic_keep_windows };
 enum geodesic_targets_t { geodesic_targets };
+enum geodesic_relative_tolerance_t { geodesic_relative_tolerance };
+enum geodesic_merging_tolerance_t { geodesic_merging_tolerance };
 
 } // namespace internal_np
 
@@ -62,6 +64,29 @@ struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
     return and_also<internal_np::visitor_t>(v);
   }
 
+  /// the part of the distance by which every distance may be smaller than the exact one: a number from 0 to 0.5, in practice
+  /// from 1e-9 to 1e-3. On smooth fine meshes this takes much less time and memory: neighbouring windows are merged where
+  /// that keeps all distances within the tolerance, so that a few windows a vertex are propagated. `statistics()` tells
+  /// the error bound that was reached. %Default: 0, exact distances.
+  ///
+  /// Distances, gradients, sides and labels can be had then; there are no paths, offset curves, nearest points, and no
+  /// farthest point. Needs a floating point number type.
+  template <class FT>
+  auto relative_tolerance(const FT& t) const
+  {
+    return and_also<internal_np::geodesic_relative_tolerance_t>(t);
+  }
+
+  /// a length by which every distance may be smaller than the exact one, in the units of the mesh's points: finite, and not
+  /// negative. With a length far below the size of the faces, windows that only noise in the coordinates keeps apart are
+  /// merged, for instance in the planes of a CAD model. Otherwise as `relative_tolerance()`; if both are given, a distance
+  /// may be smaller by the sum, but never by more than a half of itself. %Default: 0.
+  template <class FT>
+  auto merging_tolerance(const FT& t) const
+  {
+    return and_also<internal_np::geodesic_merging_tolerance_t>(t);
+  }
+
 private:
   template <class New_tag, class U>
   auto and_also(const U& value) const
@@ -91,6 +116,22 @@ template <class Range>
 auto targets(const Range& range)
 {
   return Geodesic_parameters<std::reference_wrapper<const Range>, internal_np::geodesic_targets_t>(std::cref(range));
+}
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
+/// see `Geodesic_parameters::relative_tolerance()`.
+template <class FT>
+auto relative_tolerance(const FT& t)
+{
+  return Geodesic_parameters<FT, internal_np::geodesic_relative_tolerance_t>(t);
+}
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
+/// see `Geodesic_parameters::merging_tolerance()`.
+template <class FT>
+auto merging_tolerance(const FT& t)
+{
+  return Geodesic_parameters<FT, internal_np::geodesic_merging_tolerance_t>(t);
 }
 
 } // namespace parameters

@@ -33,6 +33,7 @@ struct Build_request
   bool keeps_windows = false;
   std::vector<Surface_point<FT>> targets;   // stop when all are final; none: don't
   std::function<bool(double)> goes_on = {}; // told the part of the work that is done
+  Merging_tolerance<FT> tolerance = {};
 };
 
 template <class Traits>
@@ -90,6 +91,8 @@ public:
 
   const Build_request<FT>& request() const { return m_request; }
 
+  bool is_approximate() const { return !m_request.tolerance.is_zero(); }
+
   // Whether it went on until nothing within the wanted distance was left.
   bool is_whole() const { return !is_cancelled && !has_all_targets; }
 
@@ -141,7 +144,7 @@ private:
   {
     const Clock::time_point start = Clock::now();
     const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
-    Wavefront<Traits> front(m_mesh, initial, traits, maximum, kept, field);
+    Wavefront<Traits> front(m_mesh, initial, traits, maximum, kept, field, m_request.tolerance);
     std::size_t next_target = 0;
     const auto goes_on = [&](const FT& distance, std::size_t passed) {
       const auto& targets = m_request.targets;
@@ -153,7 +156,8 @@ private:
     };
     front.run(consumer, goes_on, m_first_new);
     maximum = front.maximum();
-    if (front.has_bent_paths()) follow_ways_back();
+    if (front.merging().is_on()) take_errors(front.merging());
+    else if (front.has_bent_paths()) follow_ways_back();
     statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
     statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
     statistics.windows_created = front.counts().windows_created;
@@ -170,6 +174,19 @@ private:
   {
     const Path_tracing<FT> paths(m_mesh, initial, field);
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v) paths.find_way_back(v, field.back[v], field.root[v]);
+  }
+
+  // The ways back from vertices end at an image then, and lead on from there to nowhere.
+  void take_errors(const Window_merging<FT>& merging)
+  {
+    statistics.windows_merged = merging.counts().windows_merged;
+    statistics.error_bound = merging.counts().error_bound;
+    statistics.relative_error_bound = merging.counts().relative_error_bound;
+    field.error.resize(field.back.size());
+    for (std::size_t v = 0; v < field.error.size(); ++v)
+      field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
+    for (Way_back<FT>& back : field.back)
+      if (Merged_origin::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
   }
 
   // Whether the distance of a point is known, once the front is at a distance.

@@ -46,6 +46,7 @@ public:
   std::vector<FT> distance;       // per vertex
   std::vector<Way_back<FT>> back; // per vertex
   std::vector<Root> root;         // per vertex
+  std::vector<double> error;      // per vertex, if windows were merged within a tolerance: how much too small it may be
   Window_lists<FT> lists;         // of the halfedges where the front is
   Kept_windows<FT> kept;          // of the faces that it has passed, if they are kept
 

@@ -172,14 +172,18 @@ public:
 
 private:
   // An interval window starts at a vertex whose distance and root are known, or at a source at no distance. A
-  // parallel-source window has its sigma elsewhere.
+  // parallel-source window, and one that was merged within a tolerance, has its sigma elsewhere.
   struct Packed
   {
     FT x, y, b0, b1;
     Root root;
-    Index bits; // bit 0: parallel; above: the place of sigma, or 1 + pseudo-source vertex, 0 if none
+    Index bits; // bit 0: parallel; bit 31: merged; the others: the place of sigma, or 1 + pseudo-source vertex, 0 if none
+
+    bool is_merged() const { return bits & merged_flag; }
+    Index value() const { return (bits & ~merged_flag) >> 1; }
   };
   enum { page_size = 4096 };
+  static constexpr Index merged_flag = 1u << 31; // sigma is followed by the bound of the error
 
   template <class Function>
   void for_each_packed(Index h, const Function& f) const
@@ -196,8 +200,9 @@ private:
 
   FT sigma(const Packed& p, const std::vector<FT>& distance) const
   {
-    const Index value = p.bits >> 1;
-    return p.bits & 1u ? m_sigma[value] : value == 0 ? FT(0) : distance[value - 1];
+    const Index value = p.value();
+    if (p.bits & 1u || p.is_merged()) return m_sigma[value];
+    return value == 0 ? FT(0) : distance[value - 1];
   }
 
   FT path_length(const Packed& p, const std::vector<FT>& distance, const Point_in_face<FT>& q, bool& is_straight) const
@@ -211,17 +216,22 @@ private:
 
   static bool is_outdated(const Window& w, const std::vector<FT>& distance)
   {
-    const Index v = w.is_parallel() ? no_index : w.pseudo_source();
+    const Index v = w.is_parallel() || w.is_merged() ? no_index : w.pseudo_source();
     return v != no_index && w.sigma > distance[v] + Number_policy<FT>::rounding(256) * distance[v];
   }
 
   Packed pack(const Window& w)
   {
     Packed p{w.x, w.y, w.b0, w.b1, w.root, w.bits >> 2 << 1};
-    if (w.is_parallel())
+    if (w.is_parallel() || w.is_merged())
     {
-      p.bits = Index(m_sigma.size()) << 1 | 1u;
+      p.bits = Index(m_sigma.size()) << 1 | Index(w.is_parallel());
       m_sigma.push_back(w.sigma);
+    }
+    if (w.is_merged())
+    {
+      p.bits |= merged_flag;
+      m_sigma.push_back(FT(Merged_origin::error(w.pseudo_source())));
     }
     return p;
   }
@@ -229,11 +239,11 @@ private:
   Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
   {
     Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root, 0};
-    const Index value = p.bits >> 1;
-    if (p.bits & 1u)
+    const Index value = p.value();
+    if (p.bits & 1u || p.is_merged())
     {
       w.sigma = m_sigma[value];
-      w.bits = Window::make_bits(true, no_index);
+      w.bits = Window::make_bits(p.bits & 1u, p.is_merged() ? merged_origin(value) : no_index);
     }
     else if (value != 0)
     {
@@ -246,9 +256,11 @@ private:
     return w;
   }
 
+  Index merged_origin(Index place) const { return Merged_origin::with_error(CGAL::to_double(m_sigma[place + 1])); }
+
   void push(const Packed& p)
   {
-    if (m_size >= std::size_t(no_index) || m_sigma.size() >= std::size_t(no_index >> 1))
+    if (m_size >= std::size_t(no_index) || m_sigma.size() >= std::size_t(no_index >> 2))
       throw std::length_error("Surface_mesh_geodesic_offset: too many windows to be kept");
     if (m_size == m_pages.size() * page_size)
     {

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Lower_envelope.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_merging.h>
 
 #include <algorithm>
 #include <vector>
@@ -32,9 +33,10 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
   Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
-            const FT& maximum_distance, bool keep_lists, Geodesic_field<FT>& field)
+            const FT& maximum_distance, bool keep_lists, Geodesic_field<FT>& field,
+            const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
     : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field), m_spreading(m_state, initial, traits),
-      m_envelope(initial.source_of, traits), m_propagate(m_state, traits)
+      m_envelope(initial.source_of, traits), m_merging(field, initial.source_of, tolerance), m_propagate(m_state, traits)
   {
   }
 
@@ -91,6 +93,7 @@ public:
   }
 
   const Wavefront_counts& counts() const { return m_state.counts; }
+  const Window_merging<FT>& merging() const { return m_merging; }
 
   const FT& maximum() const { return m_state.maximum; }
 
@@ -120,7 +123,7 @@ private:
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =
-      m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh[h].length);
+      m_merging(m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh[h].length));
     m_state.field.lists.assign(list, envelope);
     list.taken = list.size;
     m_state.schedule(m_mesh.face(h));
@@ -179,6 +182,7 @@ private:
   State m_state;
   Ray_spreading<Traits> m_spreading;
   Lower_envelope<Traits> m_envelope;
+  Window_merging<FT> m_merging;
   Batch_propagation<Traits> m_propagate;
   std::vector<Index> m_passed; // faces that the consumer has not taken yet
   std::size_t m_number_of_passed = 0;

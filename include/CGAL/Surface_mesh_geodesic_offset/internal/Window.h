@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Merged_origin.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
 #include <utility>
@@ -44,13 +45,14 @@ struct Window
   FT x, y, sigma;
   FT b0, b1, d0, d1;
   Root root;
-  Index bits; // bit 0: parallel; bit 1: already propagated; above: 1 + pseudo-source vertex, 0 if none
+  Index bits; // bit 0: parallel; bit 1: already propagated; above: 1 + pseudo-source vertex, 0 if none; see Merged_origin
 
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
   void set_fresh() { bits &= ~2u; }
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
+  bool is_merged() const { return Merged_origin::is_merged(pseudo_source()); }
   static Index make_bits(bool parallel, Index pseudo_source)
   {
     return Index(parallel) | (pseudo_source == no_index ? 0u : (pseudo_source + 1) << 2);
