@@ -91,7 +91,8 @@ public:
   class Change_frame_2
   {
   public:
-    BOOST_FORCEINLINE void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c, const FT& s) const
+    BOOST_FORCEINLINE void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c,
+                                      const FT& s) const
     {
       if (is_parallel)
         sigma = sigma - (x * ox + y * oy);
@@ -170,8 +171,9 @@ public:
   {
   public:
     // d: the distance at (b, 0). On success t is at most `length`, and `distance` belongs to t unless said to be rough.
-    BOOST_FORCEINLINE bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d, const FT& c,
-                    const FT& s, const FT& length, FT& t, FT& distance, bool& is_rough) const
+    BOOST_FORCEINLINE bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d,
+                                      const FT& c, const FT& s, const FT& length, FT& t, FT& distance,
+                                      bool& is_rough) const
     {
       const FT den = is_parallel ? FT(s * x - c * y) : FT(s * (x - b) - c * y);
       if (!CGAL::is_positive(den)) return false;
@@ -196,7 +198,8 @@ public:
   class Compute_distance_2
   {
   public:
-    BOOST_FORCEINLINE FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px, const FT& py) const
+    BOOST_FORCEINLINE FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px,
+                                    const FT& py) const
     {
       if (is_parallel) return sigma - (x * px + y * py);
       const FT u = px - x, v = py - y;

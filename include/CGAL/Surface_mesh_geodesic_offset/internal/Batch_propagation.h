@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All windows of a halfedge, unfolded across its face at once. Nothing but the result of the batch itself is written, so that
-// several batches can be worked on at one time.
+// All windows of a halfedge, unfolded across its face at once. Nothing but the result of the batch itself is written, so
+// that several batches can be worked on at one time.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BATCH_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BATCH_PROPAGATION_H
@@ -52,6 +52,7 @@ public:
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
     m_arrivals.clear();
     m_apex = m_mesh.apex(h);
+    m_previous = m_mesh.previous(h);
     m_best = split_distance;
     m_entry = split_entry;
     m_known = m_state.field.distance[m_apex];
@@ -132,8 +133,8 @@ private:
   // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the side of the
   // best ray's entry, the rays that enter before it.
   template <bool is_parallel>
-  BOOST_FORCEINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex, Way& left,
-                            Way& right)
+  BOOST_FORCEINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
+                               Way& left, Way& right)
   {
     const FT split = face.entry_of_apex(w);
     const Estimate at_split = estimate(split), at_entry = estimate(m_entry);
@@ -226,6 +227,20 @@ private:
     if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
     if (first_right && (!covered || face.passes_apex_closely(*first_right, first_right->b0)))
       round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
+    go_along_edge(m_mesh.source(h), face.left_length, FT(1), FT(0));
+    go_along_edge(m_mesh.target(h), face.right_length, m_mesh[m_mesh.previous(h)].apex_x, m_mesh[m_mesh.previous(h)].apex_y);
+  }
+
+  // The path to the apex along an edge from another corner of the face, in the direction (x, y) from the apex. It is shorter
+  // only in needle faces, where windows have the round-off of much longer edges.
+  void go_along_edge(Index corner, const FT& length, const FT& x, const FT& y)
+  {
+    const FT& before = m_state.field.distance[corner];
+    const FT d = before + length;
+    if (!(d < m_known - m_known * Number_policy<FT>::rounding(64)) || !Number_policy<FT>::is_finite(m_known)) return;
+    const Index pseudo_source = m_state.field.back[corner].corner == no_index ? no_index : corner;
+    m_arrivals.push_back(Arrival{d, {m_previous, x, y}, m_state.field.root[corner], pseudo_source, false});
+    m_known = d;
   }
 
   BOOST_FORCEINLINE Exit exit_of(Index h, const Window_propagation<Traits>& face, const Window& w)
@@ -289,7 +304,7 @@ private:
   Output m_left, m_right;
   std::vector<Arrival> m_arrivals;
   std::size_t m_number = 0;
-  Index m_apex;
+  Index m_apex, m_previous; // and the halfedge that leaves it
   FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the best through the halfedge, where this enters
   std::vector<Exit> m_exit;
   std::vector<FT> m_apex_distance; // of those that leave through both edges

@@ -60,8 +60,8 @@ public:
     return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
   }
 
-  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to the
-  // left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
+  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to
+  // the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
   template <bool is_parallel>
   BOOST_FORCEINLINE int clear_side(const Window& w, bool& is_clear) const
   {

@@ -86,8 +86,8 @@ private:
   bool cut(Window<FT>& w, bool at_source, bool at_target) const
   {
     Estimate b0 = estimate(w.b0), b1 = estimate(w.b1);
-    if (CGAL::certainly(m_by_source + b1 <= estimate(w.d1)) || CGAL::certainly(m_by_target + (m_length - b0) <= estimate(w.d0)))
-      return false;
+    if (CGAL::certainly(m_by_source + b1 <= estimate(w.d1))) return false;
+    if (CGAL::certainly(m_by_target + (m_length - b0) <= estimate(w.d0))) return false;
     if (at_source)
     {
       const Estimate t = tie_with_end<FT>(w, estimate(w.x), estimate(w.sigma), m_by_source);
