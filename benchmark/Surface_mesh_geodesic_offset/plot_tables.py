@@ -5,7 +5,7 @@
 
     plot_tables.py TABLES_DIRECTORY [OUTPUT_DIRECTORY [PICTURES_DIRECTORY]]
 
-reads size_ladder.tsv, peers.tsv, hard_meshes.tsv, flat_meshes.md, bounded_error.md and certified_bounds.md, those that are
+reads size_ladder.tsv, peers.tsv, hard_meshes.tsv and the tables in Markdown of the other programs, those that are
 there, and writes benchmarks.md and pictures in SVG, by default beside them. Nothing but Python 3 is needed.
 """
 
@@ -242,6 +242,8 @@ def main(arguments):
     if hard:
         write_hard_meshes(out, hard)
     write_markdown_of(out, os.path.join(tables, "flat_meshes.md"), "Flat meshes, against closed forms")
+    write_markdown_of(out, os.path.join(tables, "window_counts.md"), "Windows and memory, against the lower envelope")
+    write_markdown_of(out, os.path.join(tables, "point_source_against_smsp.md"), "One point, against SMSP")
     write_markdown_of(out, os.path.join(tables, "bounded_error.md"), "Windows within a tolerance")
     write_markdown_of(out, os.path.join(tables, "certified_bounds.md"), "Certified bounds")
     out.close()

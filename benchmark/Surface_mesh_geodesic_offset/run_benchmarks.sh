@@ -36,7 +36,8 @@ done
 data=${GEODESIC_OFFSET_DATA_DIR:-$root/build/data/meshes}
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DGEODESIC_OFFSET_BUILD_TESTING=OFF -DGEODESIC_OFFSET_BUILD_EXAMPLES=OFF -DGEODESIC_OFFSET_BUILD_BENCHMARK=ON
-cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error certified_bounds
+cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error certified_bounds \
+  window_counts point_source_against_smsp
 
 bin=$build/bin
 results=$build/benchmarks
@@ -61,8 +62,12 @@ for name in elephant fandisk armadillo bunny00; do
 done
 run flat_meshes.md "$bin/flat_meshes"
 run bounded_error.md "$bin/bounded_error" --limit "$limit"
-rm -f "$results/certified_bounds.md"
-[ ${#meshes[@]} -eq 0 ] || run certified_bounds.md "$bin/certified_bounds" --repeat 3 "${meshes[@]}"
+rm -f "$results"/{certified_bounds,window_counts,point_source_against_smsp}.md
+if [ ${#meshes[@]} -gt 0 ]; then
+  run certified_bounds.md "$bin/certified_bounds" --repeat 3 "${meshes[@]}"
+  run window_counts.md "$bin/window_counts" "${meshes[@]}"
+  run point_source_against_smsp.md "$bin/point_source_against_smsp" "${meshes[@]}"
+fi
 run peers.tsv "$bin/peers" --torus 4000 --torus 16000 --torus 64000 ${meshes[@]+"${meshes[@]}"}
 if [ -d "$data" ]; then
   run hard_meshes.tsv "$bin/hard_meshes" "$data"
