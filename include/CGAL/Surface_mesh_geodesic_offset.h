@@ -84,26 +84,28 @@ public:
   /// \throws std::invalid_argument if a distance is not a positive finite number, or if a selection by inside and outside is
   ///         asked for and there is an open polyline, or a closed one that does not divide the surface. Then the last
   ///         build is still there.
-  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
+            class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values(),
                                           const Offset_selection& selection = Offset_selection())
   {
-    build_with_offset_curves_by_distance(levels, writer_to(out), np, selection);
+    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), np, selection);
     return out;
   }
 
   /// the same with a callback: `f(distance, curves)` is called once for each distance, in increasing order, with a
   /// `const FT&` and a `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited,
   /// it is called up to the largest one that has curves.
-  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
+            class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, const Function& f,
                                             const NamedParameters& np = parameters::default_values(),
                                             const Offset_selection& selection = Offset_selection())
   {
     const Levels_inside wanted(as_levels(levels));
     const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
-    propagate_and_cut(*fresh, wanted, selection, f);
+    propagate_and_cut<ConcurrencyTag>(*fresh, wanted, selection, f);
     m_built = fresh;
   }
 
@@ -117,16 +119,16 @@ public:
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param selection the side of polylines, and the form at their ends
   /// \throws std::invalid_argument as `build_with_offset_curves()`
-  template <class Levels, class OutputIterator>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
                                const Offset_selection& selection = Offset_selection()) const
   {
-    offset_curves_by_distance(levels, writer_to(out), selection);
+    offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), selection);
     return out;
   }
 
   /// the same with a callback as that of `build_with_offset_curves_by_distance()`.
-  template <class Levels, class Function>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function>
   void offset_curves_by_distance(const Levels& levels, const Function& f,
                                  const Offset_selection& selection = Offset_selection()) const
   {
@@ -142,7 +144,7 @@ public:
     Number maximum = b.maximum;
     if (!wanted.is_unlimited() && wanted.size() > 0) maximum = (std::min)(maximum, wanted[wanted.size() - 1]);
     Build again(unfolded(), b.sources, {maximum, false, {}, {}});
-    propagate_and_cut(again, wanted, selection, f);
+    propagate_and_cut<ConcurrencyTag>(again, wanted, selection, f);
   }
 
   /// @}
@@ -167,12 +169,12 @@ private:
     };
   }
 
-  template <class Function>
+  template <class ConcurrencyTag, class Function>
   void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
                          const Function& f) const
   {
     const auto output = curve_output(b, levels, selection, f);
-    b.propagate_and_cut(m_traits, levels, output);
+    b.template propagate_and_cut<ConcurrencyTag>(m_traits, levels, output);
     output.finish();
   }
 

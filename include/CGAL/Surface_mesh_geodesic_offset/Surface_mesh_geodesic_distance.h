@@ -94,11 +94,11 @@ public:
   ///        `targets(range)`, `visitor(f)`
   /// \throws std::invalid_argument if the maximum distance is negative or not a number, or a target is not a valid location.
   ///         Then, and after an exception of the visitor, the last build is still there.
-  template <class NamedParameters = parameters::Default_named_parameters>
+  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
   {
     const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
-    fresh->propagate(m_traits);
+    fresh->template propagate<ConcurrencyTag>(m_traits);
     m_built = fresh;
   }
 
@@ -108,7 +108,7 @@ public:
   /// While it runs there are two fields in memory.
   /// \param np an optional named parameter, `visitor(f)`
   /// \throws std::logic_error if `!is_built()`
-  template <class NamedParameters = parameters::Default_named_parameters>
+  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   void update(const NamedParameters& np = parameters::default_values())
   {
     const Build& b = built();
@@ -118,7 +118,7 @@ public:
     r.keeps_windows = b.kept;
     const bool grows = b.is_whole() && m_sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
-    fresh->propagate(m_traits);
+    fresh->template propagate<ConcurrencyTag>(m_traits);
     m_built = fresh;
   }
 

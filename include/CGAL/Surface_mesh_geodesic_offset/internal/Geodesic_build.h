@@ -58,18 +58,19 @@ public:
   }
 
   // Without offsets.
+  template <class Concurrency_tag = Sequential_tag>
   void propagate(const Traits& traits)
   {
     Nothing nothing;
-    run(traits, nothing);
+    run<Concurrency_tag>(traits, nothing);
   }
 
   // Calls out(level index, Level_curves) for each level that has curves, as soon as it is finished.
-  template <class Function>
+  template <class Concurrency_tag, class Function>
   void propagate_and_cut(const Traits& traits, const Offset_levels<FT>& levels, const Function& out)
   {
     Cutter<Function> cutter{Offset_extraction<FT>(m_mesh, initial, field, levels, maximum), out};
-    run(traits, cutter);
+    run<Concurrency_tag>(traits, cutter);
     cutter.extraction.release_all(maximum, out);
     statistics.propagation_seconds -= cutter.seconds_within_propagation;
     statistics.offset_seconds = cutter.seconds;
@@ -134,12 +135,12 @@ private:
     }
   };
 
-  template <class Consumer>
+  template <class Concurrency_tag, class Consumer>
   void run(const Traits& traits, Consumer& consumer)
   {
     const Clock::time_point start = Clock::now();
     const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
-    Wavefront<Traits> front(m_mesh, initial, traits, maximum, kept, field);
+    Wavefront<Traits, typename Concurrency<Concurrency_tag, FT>::Tag> front(m_mesh, initial, traits, maximum, kept, field);
     std::size_t next_target = 0;
     const auto goes_on = [&](const FT& distance, std::size_t passed) {
       const auto& targets = m_request.targets;
@@ -171,7 +172,8 @@ private:
   }
 
   // Whether the distance of a point is known, once the front is at a distance.
-  bool is_final(const Wavefront<Traits>& front, const Surface_point<FT>& p, const FT& distance) const
+  template <class Front>
+  bool is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const
   {
     if (p.kind == Surface_point<FT>::VERTEX) return field.distance[p.element] <= distance;
     return front.largest_distance(p.kind == Surface_point<FT>::EDGE ? m_mesh.face(p.element) : p.element) <= distance;
