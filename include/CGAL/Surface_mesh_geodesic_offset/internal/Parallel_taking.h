@@ -49,20 +49,17 @@ public:
     {
       collect();
       propagate();
-      for (const Result& r : m_results) apply(r);
+      apply();
       return;
     }
     Index v;
     while (m_state.queue.pop_vertex(v)) spreading.spread_from_pseudo_source(v);
   }
 
-  // Gives the list of a halfedge up.
+  // Gives the list of a halfedge up. Its memory is released in the next round.
   void release(Index h)
   {
-    Window_lists<FT>& lists = m_state.field.lists;
-    if (!lists.has(h)) return;
-    m_waiting.release(lists, lists.place(h));
-    lists.release(h);
+    if (m_state.field.lists.has(h)) m_given_up.push_back(m_state.field.lists.detach(h));
   }
 
 private:
@@ -111,12 +108,7 @@ private:
       const std::vector<Window>& envelope =
         batch(r.halfedge, first, first + list.taken, first + n, list.split_distance, list.split_entry);
       replace(list, envelope);
-      if (r.waiting)
-      {
-        for (Index i = 0; i < r.waiting->number; ++i)
-          arena.release(r.waiting->block[i].data, r.waiting->block[i].size_class);
-        r.waiting->number = 0;
-      }
+      if (r.waiting) r.waiting->release(arena);
       const auto& propagated = batch.propagated();
       r.more_windows = std::ptrdiff_t(envelope.size()) - std::ptrdiff_t(n);
       r.number_of_windows = propagated.number_of_windows();
@@ -141,6 +133,15 @@ private:
       list.size = list.taken = Index(n);
     }
 
+    void release(Window_list<FT>& list, Blocks* waiting)
+    {
+      if (list.data) arena.release(list.data, list.size_class);
+      released_windows += list.size;
+      if (!waiting) return;
+      released_windows += waiting->number_of_windows();
+      waiting->release(arena);
+    }
+
     void write(const Output& output, Way& way)
     {
       way.block = Block();
@@ -155,6 +156,7 @@ private:
     Window_arena<Window>& arena;
     std::vector<Window> gathered;
     std::vector<Arrival> arrivals;
+    std::size_t released_windows = 0;
   };
 
   // The halfedges of the round, each once.
@@ -180,15 +182,51 @@ private:
     m_is_worth_help = number_of_windows >= least_for_help;
   }
 
+  // The first phase: halfedges, and lists that were given up.
   void propagate()
   {
+    Window_lists<FT>& lists = m_state.field.lists;
     for (auto& w : m_workers) w->arrivals.clear();
-    const auto take = [this](unsigned worker, Index i) {
-      Result& r = m_results[i];
-      r.worker = worker;
-      m_workers[worker]->take(r);
+    const Index n = Index(m_results.size()), n_given_up = Index(m_given_up.size());
+    const auto work = [this, &lists, n, n_given_up](unsigned worker, Index i) {
+      if (i < n)
+      {
+        m_results[i].worker = worker;
+        m_workers[worker]->take(m_results[i]);
+      }
+      else
+        for (Index k = (i - n) * at_one_time; k < (std::min)(n_given_up, (i - n + 1) * at_one_time); ++k)
+          m_workers[worker]->release(lists.at(m_given_up[k]), m_waiting.find(m_given_up[k]));
     };
-    m_team.for_each(Index(m_results.size()), m_is_worth_help, take);
+    m_team.for_each(n + (n_given_up + at_one_time - 1) / at_one_time, m_is_worth_help, work);
+    lists.release_places(m_given_up);
+    m_given_up.clear();
+    for (auto& w : m_workers)
+    {
+      lists.count(-std::ptrdiff_t(w->released_windows));
+      w->released_windows = 0;
+    }
+  }
+
+  // The second phase.
+  void apply()
+  {
+    const Window_lists<FT>& lists = m_state.field.lists;
+    const std::size_t n = m_results.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (i + 8 < n)
+        for (const Way* way : {&m_results[i + 8].left, &m_results[i + 8].right})
+          if (way->block.size > 0) lists.prefetch_place(way->halfedge);
+      if (i + 4 < n)
+        for (const Way* way : {&m_results[i + 4].left, &m_results[i + 4].right})
+          if (way->block.size > 0)
+          {
+            lists.prefetch_head(way->halfedge);
+            m_waiting.prefetch(lists.place(way->halfedge));
+          }
+      apply(m_results[i]);
+    }
   }
 
   void apply(const Result& r)
@@ -218,12 +256,14 @@ private:
 
   // Rounds of less windows take less time than other threads need to notice them.
   static constexpr std::size_t least_for_help = 64;
+  static constexpr Index at_one_time = 32; // lists that are given up
 
   Wavefront_state<FT>& m_state;
   Worker_team m_team;
   Waiting_blocks<FT> m_waiting;
   std::vector<std::unique_ptr<Worker>> m_workers;
   std::vector<Index> m_queued;
+  std::vector<Index> m_given_up; // places of lists
   std::vector<Result> m_results; // in the order of the round
   bool m_is_worth_help = false;
 };

@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -38,6 +40,11 @@ public:
       for (Index i = 0; i < number; ++i) n += block[i].size;
       return n;
     }
+    void release(Window_arena<Window>& arena)
+    {
+      for (Index i = 0; i < number; ++i) arena.release(block[i].data, block[i].size_class);
+      number = 0;
+    }
     Window* copy_to(Window* out) const
     {
       for (Index i = 0; i < number; ++i) out = std::copy(block[i].data, block[i].data + block[i].size, out);
@@ -63,14 +70,14 @@ public:
     lists.release(block);
   }
 
-  // Gives all of a list up.
-  void release(Window_lists<FT>& lists, Index place)
+  // Says that those of a list will be asked for soon.
+  BOOST_FORCEINLINE void prefetch(Index place) const
   {
-    if (place >= m_blocks.size()) return;
-    Blocks& waiting = m_blocks[place];
-    lists.count(-std::ptrdiff_t(waiting.number_of_windows()));
-    for (Index i = 0; i < waiting.number; ++i) lists.release(waiting.block[i]);
-    waiting.number = 0;
+#if defined(__GNUC__)
+    if (place < m_blocks.size()) __builtin_prefetch(&m_blocks[place]);
+#else
+    (void)place;
+#endif
   }
 
 private:

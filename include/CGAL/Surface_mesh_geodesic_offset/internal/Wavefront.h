@@ -118,14 +118,21 @@ private:
 
   void try_to_finish(Index f)
   {
-    if (m_state.face_state[f] & State::FINISHED) return;
-    const FT bound = largest_distance(f);
-    const bool is_bounded = Number_policy<FT>::is_finite(bound);
-    const std::size_t done = is_bounded ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
-    if (done <= m_state.queue.current())
-      finish(f);
-    else
-      m_state.queue.push_face(done, f);
+    char& state = m_state.face_state[f];
+    if (state & State::FINISHED) return;
+    if (!(state & State::BOUNDED)) // the bound never grows
+    {
+      const FT bound = largest_distance(f);
+      const bool is_bounded = Number_policy<FT>::is_finite(bound);
+      const std::size_t done = is_bounded ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
+      if (done > m_state.queue.current())
+      {
+        if (is_bounded) state |= State::BOUNDED;
+        m_state.queue.push_face(done, f);
+        return;
+      }
+    }
+    finish(f);
   }
 
   void finish(Index f)

@@ -37,7 +37,7 @@ public:
   typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
-  enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
+  enum Face_state : char { SCHEDULED = 1, FINISHED = 2, BOUNDED = 4 };
 
   // The field says what is known already.
   Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)

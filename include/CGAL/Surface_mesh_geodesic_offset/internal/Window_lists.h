@@ -182,6 +182,19 @@ public:
     m_list_of[h] = no_index;
   }
 
+  // The same in two steps, of which the second one needs no halfedge.
+  Index detach(Index h)
+  {
+    const Index place = m_list_of[h];
+    m_list_of[h] = no_index;
+    return place;
+  }
+  void release_places(const std::vector<Index>& places)
+  {
+    m_free_lists.insert(m_free_lists.end(), places.begin(), places.end());
+  }
+  List& at(Index place) { return m_lists[place]; }
+
   // Gives a block to the arena that has the fewest free ones of its size.
   void release(const Window_block<Window>& block)
   {
@@ -210,6 +223,24 @@ public:
     if (h == no_index || m_list_of[h] == no_index) return;
     const List& list = m_lists[m_list_of[h]];
     for (Index i = 0; i < (std::min)(list.size, Index(8)); ++i) __builtin_prefetch(list.data + i);
+#else
+    (void)h;
+#endif
+  }
+
+  // The same for what says where the lists are, and for what is said of them.
+  BOOST_FORCEINLINE void prefetch_place(Index h) const
+  {
+#if defined(__GNUC__)
+    __builtin_prefetch(&m_list_of[h]);
+#else
+    (void)h;
+#endif
+  }
+  BOOST_FORCEINLINE void prefetch_head(Index h) const
+  {
+#if defined(__GNUC__)
+    if (m_list_of[h] != no_index) __builtin_prefetch(&m_lists[m_list_of[h]]);
 #else
     (void)h;
 #endif
