@@ -5,8 +5,8 @@
 
     plot_tables.py TABLES_DIRECTORY [OUTPUT_DIRECTORY [PICTURES_DIRECTORY]]
 
-reads size_ladder.tsv, peers.tsv, hard_meshes.tsv, flat_meshes.md and certified_bounds.md, those that are there, and writes
-benchmarks.md and pictures in SVG, by default beside them. Nothing but Python 3 is needed.
+reads size_ladder.tsv, peers.tsv, hard_meshes.tsv, flat_meshes.md, certified_bounds.md and parallel.md, those that are there,
+and writes benchmarks.md and pictures in SVG, by default beside them. Nothing but Python 3 is needed.
 """
 
 import csv
@@ -243,6 +243,7 @@ def main(arguments):
         write_hard_meshes(out, hard)
     write_markdown_of(out, os.path.join(tables, "flat_meshes.md"), "Flat meshes, against closed forms")
     write_markdown_of(out, os.path.join(tables, "certified_bounds.md"), "Certified bounds")
+    write_markdown_of(out, os.path.join(tables, "parallel.md"), "Several threads")
     out.close()
     return 0
 

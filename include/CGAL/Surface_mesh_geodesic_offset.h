@@ -38,6 +38,8 @@ Adding or removing sources leaves the result of the last `build()` as it is unti
 The mesh is not copied and not modified; it must outlive the object and must not change meanwhile. Lengths and distances
 are in the units of the mesh's points.
 
+Functions that propagate take a concurrency tag, as those of `Surface_mesh_geodesic_distance` do.
+
 The template parameters are those of `Surface_mesh_geodesic_sources`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
@@ -78,6 +80,7 @@ public:
   /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
   /// curves it crosses. Without `maximum_distance`, distances beyond the largest level are computed, too. Levels beyond
   /// the maximum distance give no curves.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`
   /// \param selection the side of polylines, and the form at their ends
@@ -115,6 +118,7 @@ public:
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below
   /// itself. Levels beyond the largest distance of the surface, or beyond the maximum distance of the build, give no curves.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param selection the side of polylines, and the form at their ends

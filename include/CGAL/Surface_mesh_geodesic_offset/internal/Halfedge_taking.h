@@ -48,7 +48,7 @@ public:
   {
   }
 
-  // Works on what comes next in the bucket, if there is something.
+  // Works on what comes next in the bucket, if anything does.
   void step(Ray_spreading<Traits>& spreading)
   {
     Index i;
