@@ -96,18 +96,19 @@ private:
     void take(Result& r)
     {
       Window_list<FT>& list = *r.list;
-      Window* first = list.data;
       std::size_t n = list.size;
       if (r.waiting && r.waiting->number > 0)
       {
         n += r.waiting->number_of_windows();
-        if (gathered.size() < n) gathered.resize(n);
-        first = gathered.data();
-        r.waiting->copy_to(std::copy(list.data, list.data + list.size, first));
+        reserve(list, n);
+        r.waiting->copy_to(list.data + list.size);
       }
       const std::vector<Window>& envelope =
-        batch(r.halfedge, first, first + list.taken, first + n, list.split_distance, list.split_entry);
-      replace(list, envelope);
+        batch(r.halfedge, list.data, list.data + list.taken, list.data + n, list.split_distance, list.split_entry);
+      list.size = 0;
+      reserve(list, envelope.size());
+      std::copy(envelope.begin(), envelope.end(), list.data);
+      list.size = list.taken = Index(envelope.size());
       if (r.waiting) r.waiting->release(arena);
       const auto& propagated = batch.propagated();
       r.more_windows = std::ptrdiff_t(envelope.size()) - std::ptrdiff_t(n);
@@ -120,17 +121,15 @@ private:
       write(propagated.right(), r.right);
     }
 
-    void replace(Window_list<FT>& list, const std::vector<Window>& envelope)
+    void reserve(Window_list<FT>& list, std::size_t n)
     {
-      const std::size_t n = envelope.size();
-      if (n > Window_arena<Window>::capacity(list.size_class) || !list.data)
-      {
-        if (list.data) arena.release(list.data, list.size_class);
-        list.size_class = Window_arena<Window>::size_class(n);
-        list.data = arena.allocate(list.size_class);
-      }
-      std::copy(envelope.begin(), envelope.end(), list.data);
-      list.size = list.taken = Index(n);
+      if (list.data && n <= Window_arena<Window>::capacity(list.size_class)) return;
+      const Block old{list.data, list.size, list.size_class};
+      list.size_class = Window_arena<Window>::size_class(n, list.size_class);
+      list.data = arena.allocate(list.size_class);
+      if (!old.data) return;
+      std::copy(old.data, old.data + old.size, list.data);
+      arena.release(old.data, old.size_class);
     }
 
     void release(Window_list<FT>& list, Blocks* waiting)
@@ -154,7 +153,6 @@ private:
     const Bucket_queue& queue;
     Halfedge_batch<Traits> batch;
     Window_arena<Window>& arena;
-    std::vector<Window> gathered;
     std::vector<Arrival> arrivals;
     std::size_t released_windows = 0;
   };
@@ -188,15 +186,17 @@ private:
     Window_lists<FT>& lists = m_state.field.lists;
     for (auto& w : m_workers) w->arrivals.clear();
     const Index n = Index(m_results.size()), n_given_up = Index(m_given_up.size());
-    const auto work = [this, &lists, n, n_given_up](unsigned worker, Index i) {
-      if (i < n)
+    const auto work = [this, &lists, n, n_given_up](unsigned worker, Index first, Index last) {
+      Worker& w = *m_workers[worker];
+      for (Index i = first; i < last && i < n; ++i)
       {
+        if (i + 1 < last && i + 1 < n) prefetch(m_results[i + 1]);
         m_results[i].worker = worker;
-        m_workers[worker]->take(m_results[i]);
+        w.take(m_results[i]);
       }
-      else
-        for (Index k = (i - n) * at_one_time; k < (std::min)(n_given_up, (i - n + 1) * at_one_time); ++k)
-          m_workers[worker]->release(lists.at(m_given_up[k]), m_waiting.find(m_given_up[k]));
+      const Index end = last > n ? (std::min)(n_given_up, (last - n) * at_one_time) : 0;
+      for (Index k = first > n ? (first - n) * at_one_time : 0; k < end; ++k)
+        w.release(lists.at(m_given_up[k]), m_waiting.find(m_given_up[k]));
     };
     m_team.for_each(n + (n_given_up + at_one_time - 1) / at_one_time, m_is_worth_help, work);
     lists.release_places(m_given_up);
@@ -206,6 +206,14 @@ private:
       lists.count(-std::ptrdiff_t(w->released_windows));
       w->released_windows = 0;
     }
+  }
+
+  static void prefetch(const Result& r)
+  {
+    Window_lists<FT>::prefetch(r.list->data, r.list->size);
+    if (!r.waiting) return;
+    for (Index i = 0; i < r.waiting->number; ++i)
+      Window_lists<FT>::prefetch(r.waiting->block[i].data, r.waiting->block[i].size);
   }
 
   // The second phase.

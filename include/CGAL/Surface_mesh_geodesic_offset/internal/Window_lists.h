@@ -219,12 +219,17 @@ public:
   // Says that a list will be asked for soon.
   BOOST_FORCEINLINE void prefetch(Index h) const
   {
-#if defined(__GNUC__)
     if (h == no_index || m_list_of[h] == no_index) return;
     const List& list = m_lists[m_list_of[h]];
-    for (Index i = 0; i < (std::min)(list.size, Index(8)); ++i) __builtin_prefetch(list.data + i);
+    prefetch(list.data, list.size);
+  }
+  BOOST_FORCEINLINE static void prefetch(const Window* data, Index size)
+  {
+#if defined(__GNUC__)
+    for (Index i = 0; i < (std::min)(size, Index(8)); ++i) __builtin_prefetch(data + i);
 #else
-    (void)h;
+    (void)data;
+    (void)size;
 #endif
   }
 

@@ -87,21 +87,22 @@ public:
 
   unsigned size() const { return m_size; }
 
-  // Calls f(worker, item) for all items from 0 to n - 1, from several threads at once; worker < size(). What was written
-  // before is seen by all of them, and what they write afterwards by the caller. An exception is thrown on once all have ended.
+  // Calls f(worker, first, last) for ranges [first, last) that make up [0, n), from several threads at once; worker < size().
+  // What was written before is seen by all of them, and what they write afterwards by the caller. An exception is thrown on
+  // once all have ended.
   template <class Function>
   void for_each(Index n, bool is_worth_help, const Function& f)
   {
     if (!m_shared || !is_worth_help)
     {
-      for (Index i = 0; i < n; ++i) f(0u, i);
+      f(0u, Index(0), n);
       return;
     }
     Shared& s = *m_shared;
     s.done.store(0, std::memory_order_relaxed);
     s.function = &f;
     s.call = [](const void* function, unsigned worker, Index first, Index last) {
-      for (Index i = first; i < last; ++i) (*static_cast<const Function*>(function))(worker, i);
+      (*static_cast<const Function*>(function))(worker, first, last);
     };
     m_round = (m_round + 1) & 0x7fffffffu; // not that of no_more
     std::uint64_t work = m_round << 32 | n;
@@ -150,14 +151,13 @@ private:
     // Takes some of the items that are left, in the state `w` of the work; false if there are none.
     bool take_part(unsigned worker, unsigned size, std::uint64_t& w)
     {
-      Index left = Index(w & 0xffffffffu), n;
+      Index left, n;
       do
       {
         left = Index(w & 0xffffffffu);
-        if (left == 0) return false;
+        if (left == 0 || w == no_more) return false;
         n = (std::max)(Index(1), Index(left / (4 * size)));
-      } while (!work.compare_exchange_weak(w, w - n, std::memory_order_acquire, std::memory_order_acquire) && w != no_more);
-      if (w == no_more) return false;
+      } while (!work.compare_exchange_weak(w, w - n, std::memory_order_acquire, std::memory_order_acquire));
       try
       {
         call(function, worker, left - n, left);
