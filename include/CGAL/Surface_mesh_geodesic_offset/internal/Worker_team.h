@@ -87,9 +87,9 @@ public:
 
   unsigned size() const { return m_size; }
 
-  // Calls f(worker, first, last) for ranges [first, last) that make up [0, n), from several threads at once; worker < size().
-  // What was written before is seen by all of them, and what they write afterwards by the caller. An exception is thrown on
-  // once all have ended.
+  // Calls f(worker, first, last) for ranges [first, last) that make up [0, n), from several threads at once, where
+  // worker < size(). What was written before is seen by all of them, and what they write afterwards by the caller. An
+  // exception is thrown on once all have ended.
   template <class Function>
   void for_each(Index n, bool is_worth_help, const Function& f)
   {
