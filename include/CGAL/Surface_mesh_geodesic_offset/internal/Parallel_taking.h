@@ -200,6 +200,7 @@ private:
     };
     m_team.for_each(n + (n_given_up + at_one_time - 1) / at_one_time, m_is_worth_help, work);
     lists.release_places(m_given_up);
+    lists.balance_arenas();
     m_given_up.clear();
     for (auto& w : m_workers)
     {

@@ -52,6 +52,16 @@ public:
   void release(Window* block, Index size_class) { m_free[size_class].push_back(block); }
   std::size_t number_of_free_blocks(Index size_class) const { return m_free[size_class].size(); }
 
+  // Gives n free blocks to another arena.
+  void give(Window_arena& other, Index size_class, std::size_t n)
+  {
+    std::vector<Window*>& from = m_free[size_class];
+    const auto first = from.end() - std::ptrdiff_t(n);
+    other.m_free[size_class].insert(other.m_free[size_class].end(), first, from.end());
+    from.erase(first, from.end());
+  }
+
+  static constexpr Index number_of_size_classes = 28;
   static std::size_t capacity(Index size_class) { return std::size_t(4) << size_class; }
   static Index size_class(std::size_t n, Index least = 0)
   {
@@ -64,7 +74,7 @@ private:
   std::vector<std::unique_ptr<Window[]>> m_pages;
   Window* m_top = nullptr;
   std::size_t m_left = 0;
-  std::array<std::vector<Window*>, 28> m_free;
+  std::array<std::vector<Window*>, number_of_size_classes> m_free;
 };
 
 // Windows in a block of their own.
@@ -208,6 +218,26 @@ public:
   // of this class. Blocks may go from one to another.
   void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
   Window_arena<Window>& arena(std::size_t i) { return m_arenas[i]; }
+
+  // Threads that free more blocks than they need would leave the others without: the free ones are shared out again.
+  void balance_arenas()
+  {
+    if (m_arenas.size() < 2) return;
+    typedef Window_arena<Window> Arena;
+    for (Index c = 0; c < Arena::number_of_size_classes; ++c)
+    {
+      const auto has_less = [c](const Arena& a, const Arena& b) {
+        return a.number_of_free_blocks(c) < b.number_of_free_blocks(c);
+      };
+      for (std::size_t i = 1; i < m_arenas.size(); ++i)
+      {
+        const auto ends = std::minmax_element(m_arenas.begin(), m_arenas.end(), has_less);
+        const std::size_t more = ends.second->number_of_free_blocks(c) - ends.first->number_of_free_blocks(c);
+        if (more < 16) break;
+        ends.second->give(*ends.first, c, more / 2);
+      }
+    }
+  }
 
   // Says that there are more windows, or less.
   void count(std::ptrdiff_t change)
