@@ -246,6 +246,7 @@ def main(arguments):
     write_markdown_of(out, os.path.join(tables, "point_source_against_smsp.md"), "One point, against SMSP")
     write_markdown_of(out, os.path.join(tables, "bounded_error.md"), "Windows within a tolerance")
     write_markdown_of(out, os.path.join(tables, "certified_bounds.md"), "Certified bounds")
+    write_markdown_of(out, os.path.join(tables, "parallel.md"), "Several threads")
     out.close()
     return 0
 

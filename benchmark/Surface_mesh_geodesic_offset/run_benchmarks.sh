@@ -37,7 +37,7 @@ data=${GEODESIC_OFFSET_DATA_DIR:-$root/build/data/meshes}
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DGEODESIC_OFFSET_BUILD_TESTING=OFF -DGEODESIC_OFFSET_BUILD_EXAMPLES=OFF -DGEODESIC_OFFSET_BUILD_BENCHMARK=ON
 cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error certified_bounds \
-  window_counts point_source_against_smsp
+  window_counts point_source_against_smsp parallel
 
 bin=$build/bin
 results=$build/benchmarks
@@ -74,6 +74,7 @@ if [ -d "$data" ]; then
 else
   run hard_meshes.tsv "$bin/hard_meshes"
 fi
+run parallel.md "$bin/parallel" ${meshes[@]+"${meshes[@]}"}
 run size_ladder.tsv "$bin/size_ladder" --limit "$limit"
 
 export PYTHONDONTWRITEBYTECODE=1

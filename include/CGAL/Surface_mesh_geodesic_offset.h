@@ -38,6 +38,8 @@ Adding or removing sources leaves the result of the last `build()` as it is unti
 The mesh is not copied and not modified; it must outlive the object and must not change meanwhile. Lengths and distances
 are in the units of the mesh's points.
 
+Functions that propagate take a concurrency tag, as those of `Surface_mesh_geodesic_distance` do.
+
 The template parameters are those of `Surface_mesh_geodesic_sources`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
@@ -79,25 +81,28 @@ public:
   /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
   /// curves it crosses. Without `maximum_distance`, distances beyond the largest level are computed, too. Levels beyond
   /// the maximum distance give no curves.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`
   /// \param selection the side of polylines, and the form at their ends
   /// \throws std::invalid_argument if a distance is not a positive finite number, or if a selection by inside and outside is
   ///         asked for and there is an open polyline, or a closed one that does not divide the surface, or if there is a
   ///         tolerance. Then the last build is still there.
-  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
+            class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values(),
                                           const Offset_selection& selection = Offset_selection())
   {
-    build_with_offset_curves_by_distance(levels, writer_to(out), np, selection);
+    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), np, selection);
     return out;
   }
 
   /// the same with a callback: `f(distance, curves)` is called once for each distance, in increasing order, with a
   /// `const FT&` and a `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited,
   /// it is called up to the largest one that has curves.
-  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
+            class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, const Function& f,
                                             const NamedParameters& np = parameters::default_values(),
                                             const Offset_selection& selection = Offset_selection())
@@ -106,7 +111,7 @@ public:
     const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
     if (fresh->is_approximate())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
-    propagate_and_cut(*fresh, wanted, selection, f);
+    propagate_and_cut<ConcurrencyTag>(*fresh, wanted, selection, f);
     m_built = fresh;
   }
 
@@ -116,21 +121,22 @@ public:
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below
   /// itself. Levels beyond the largest distance of the surface, or beyond the maximum distance of the build, give no curves.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param selection the side of polylines, and the form at their ends
   /// \throws std::invalid_argument as `build_with_offset_curves()`
   /// \throws std::logic_error if the build had a tolerance
-  template <class Levels, class OutputIterator>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
                                const Offset_selection& selection = Offset_selection()) const
   {
-    offset_curves_by_distance(levels, writer_to(out), selection);
+    offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), selection);
     return out;
   }
 
   /// the same with a callback as that of `build_with_offset_curves_by_distance()`.
-  template <class Levels, class Function>
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function>
   void offset_curves_by_distance(const Levels& levels, const Function& f,
                                  const Offset_selection& selection = Offset_selection()) const
   {
@@ -146,7 +152,7 @@ public:
     Number maximum = b.maximum;
     if (!wanted.is_unlimited() && wanted.size() > 0) maximum = (std::min)(maximum, wanted[wanted.size() - 1]);
     Build again(unfolded(), b.sources, {maximum, false, {}, {}, {}});
-    propagate_and_cut(again, wanted, selection, f);
+    propagate_and_cut<ConcurrencyTag>(again, wanted, selection, f);
   }
 
   /// @}
@@ -171,12 +177,12 @@ private:
     };
   }
 
-  template <class Function>
+  template <class ConcurrencyTag, class Function>
   void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
                          const Function& f) const
   {
     const auto output = curve_output(b, levels, selection, f);
-    b.propagate_and_cut(m_traits, levels, output);
+    b.template propagate_and_cut<ConcurrencyTag>(m_traits, levels, output);
     output.finish();
   }
 

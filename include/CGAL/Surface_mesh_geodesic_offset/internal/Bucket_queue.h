@@ -75,6 +75,15 @@ public:
     return h.empty() ? no_index : h.back();
   }
 
+  // All halfedges of this bucket, in the order in which they came; false if there are none.
+  bool pop_halfedges(std::vector<Index>& halfedges)
+  {
+    halfedges.clear();
+    halfedges.swap(m_ring[m_begin].halfedges);
+    m_events -= halfedges.size();
+    return !halfedges.empty();
+  }
+
   bool pop_face(Index& f) { return pop(&Bucket::faces, f); }
   bool pop_halfedge(Index& h) { return pop_event(&Bucket::halfedges, h); }
   bool pop_vertex(Index& v) { return pop_event(&Bucket::vertices, v); }

@@ -60,18 +60,19 @@ public:
   }
 
   // Without offsets.
+  template <class Concurrency_tag = Sequential_tag>
   void propagate(const Traits& traits)
   {
     Nothing nothing;
-    run(traits, nothing);
+    run<Concurrency_tag>(traits, nothing);
   }
 
   // Calls out(level index, Level_curves) for each level that has curves, as soon as it is finished.
-  template <class Function>
+  template <class Concurrency_tag, class Function>
   void propagate_and_cut(const Traits& traits, const Offset_levels<FT>& levels, const Function& out)
   {
     Cutter<Function> cutter{Offset_extraction<FT>(m_mesh, initial, field, levels, maximum), out};
-    run(traits, cutter);
+    run<Concurrency_tag>(traits, cutter);
     cutter.extraction.release_all(maximum, out);
     statistics.propagation_seconds -= cutter.seconds_within_propagation;
     statistics.offset_seconds = cutter.seconds;
@@ -139,12 +140,13 @@ private:
     }
   };
 
-  template <class Consumer>
+  template <class Concurrency_tag, class Consumer>
   void run(const Traits& traits, Consumer& consumer)
   {
     const Clock::time_point start = Clock::now();
     const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
-    Wavefront<Traits> front(m_mesh, initial, traits, maximum, kept, field, m_request.tolerance);
+    typedef typename Concurrency<Concurrency_tag, FT>::Tag Tag;
+    Wavefront<Traits, Tag> front(m_mesh, initial, traits, maximum, kept, field, m_request.tolerance);
     std::size_t next_target = 0;
     const auto goes_on = [&](const FT& distance, std::size_t passed) {
       const auto& targets = m_request.targets;
@@ -156,7 +158,7 @@ private:
     };
     front.run(consumer, goes_on, m_first_new);
     maximum = front.maximum();
-    if (front.merging().is_on()) take_errors(front.merging());
+    if (front.merging().is_on()) take_errors(front.merging(), front.merging_counts());
     else if (front.has_bent_paths()) follow_ways_back();
     statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
     statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
@@ -177,11 +179,11 @@ private:
   }
 
   // The ways back from vertices end at an image then, and lead on from there to nowhere.
-  void take_errors(const Window_merging<FT>& merging)
+  void take_errors(const Window_merging<FT>& merging, const Merging_counts& counts)
   {
-    statistics.windows_merged = merging.counts().windows_merged;
-    statistics.error_bound = merging.counts().error_bound;
-    statistics.relative_error_bound = merging.counts().relative_error_bound;
+    statistics.windows_merged = counts.windows_merged;
+    statistics.error_bound = counts.error_bound;
+    statistics.relative_error_bound = counts.relative_error_bound;
     field.error.resize(field.back.size());
     for (std::size_t v = 0; v < field.error.size(); ++v)
       field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
@@ -190,7 +192,8 @@ private:
   }
 
   // Whether the distance of a point is known, once the front is at a distance.
-  bool is_final(const Wavefront<Traits>& front, const Surface_point<FT>& p, const FT& distance) const
+  template <class Front>
+  bool is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const
   {
     if (p.kind == Surface_point<FT>::VERTEX) return field.distance[p.element] <= distance;
     return front.largest_distance(p.kind == Surface_point<FT>::EDGE ? m_mesh.face(p.element) : p.element) <= distance;

@@ -10,8 +10,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Batch_propagation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Lower_envelope.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Halfedge_taking.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Parallel_taking.h>
+#endif
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_merging.h>
@@ -23,7 +25,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class Traits>
+// `Concurrency_tag`: Sequential_tag, or Parallel_tag with floating point numbers.
+template <class Traits, class Concurrency_tag = Sequential_tag>
 class Wavefront
 {
   typedef Wavefront_state<typename Traits::FT> State;
@@ -36,7 +39,7 @@ public:
             const FT& maximum_distance, bool keep_lists, Geodesic_field<FT>& field,
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
     : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field), m_spreading(m_state, initial, traits),
-      m_envelope(initial.source_of, traits), m_merging(field, initial.source_of, tolerance), m_propagate(m_state, traits)
+      m_taking(m_state, initial.source_of, traits, tolerance)
   {
   }
 
@@ -77,13 +80,7 @@ public:
       Index i;
       while (m_state.queue.pop_face(i)) try_to_finish(i);
       hand_over(consumer);
-      if (m_state.queue.pop_halfedge(i))
-      {
-        m_state.field.lists.prefetch(m_state.queue.next_halfedge());
-        take(i);
-      }
-      else if (m_state.queue.pop_vertex(i))
-        m_spreading.spread_from_pseudo_source(i);
+      m_taking.step(m_spreading);
     }
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
       if (!(m_state.face_state[f] & State::FINISHED) && (is_update ? m_state.face_state[f] != 0 : is_reached(f))) finish(f);
@@ -93,7 +90,8 @@ public:
   }
 
   const Wavefront_counts& counts() const { return m_state.counts; }
-  const Window_merging<FT>& merging() const { return m_merging; }
+  const Window_merging<FT>& merging() const { return m_taking.merging(); }
+  Merging_counts merging_counts() const { return m_taking.merging_counts(); }
 
   const FT& maximum() const { return m_state.maximum; }
 
@@ -113,28 +111,6 @@ public:
   }
 
 private:
-  // Takes the list of a halfedge: reduces it to its lower envelope and propagates what is new.
-  void take(Index h)
-  {
-    if (!m_state.field.lists.has(h)) return;
-    auto& list = m_state.field.lists.get(h);
-    if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
-    list.bucket = Window_list<FT>::not_queued;
-    // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
-    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
-    const std::vector<Window>& envelope =
-      m_merging(m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh[h].length));
-    m_state.field.lists.assign(list, envelope);
-    list.taken = list.size;
-    m_state.schedule(m_mesh.face(h));
-    m_propagate(h, envelope, list.split_distance, list.split_entry);
-    m_state.counts.windows_propagated += m_propagate.number_of_windows();
-    for (const auto& a : m_propagate.arrivals())
-      m_state.update_vertex(m_propagate.apex(), a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
-    m_state.append(m_propagate.left());
-    m_state.append(m_propagate.right());
-  }
-
   bool is_reached(Index f) const
   {
     if (m_mesh.source(3 * f) == no_index) return false;
@@ -146,14 +122,21 @@ private:
 
   void try_to_finish(Index f)
   {
-    if (m_state.face_state[f] & State::FINISHED) return;
-    const FT bound = largest_distance(f);
-    const bool is_bounded = Number_policy<FT>::is_finite(bound);
-    const std::size_t done = is_bounded ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
-    if (done <= m_state.queue.current())
-      finish(f);
-    else
-      m_state.queue.push_face(done, f);
+    char& state = m_state.face_state[f];
+    if (state & State::FINISHED) return;
+    if (!(state & State::BOUNDED)) // the bound never grows
+    {
+      const FT bound = largest_distance(f);
+      const bool is_bounded = Number_policy<FT>::is_finite(bound);
+      const std::size_t done = is_bounded ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
+      if (done > m_state.queue.current())
+      {
+        if (is_bounded) state |= State::BOUNDED;
+        m_state.queue.push_face(done, f);
+        return;
+      }
+    }
+    finish(f);
   }
 
   void finish(Index f)
@@ -171,7 +154,7 @@ private:
     for (Index f : m_passed)
     {
       if (m_keep) m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_taking.release(h);
     }
     m_number_of_passed += m_passed.size();
     m_passed.clear();
@@ -181,9 +164,7 @@ private:
   const bool m_keep;
   State m_state;
   Ray_spreading<Traits> m_spreading;
-  Lower_envelope<Traits> m_envelope;
-  Window_merging<FT> m_merging;
-  Batch_propagation<Traits> m_propagate;
+  Halfedge_taking<Traits, Concurrency_tag> m_taking;
   std::vector<Index> m_passed; // faces that the consumer has not taken yet
   std::size_t m_number_of_passed = 0;
 };

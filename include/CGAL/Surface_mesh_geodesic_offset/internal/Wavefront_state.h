@@ -37,7 +37,7 @@ public:
   typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
-  enum Face_state : char { SCHEDULED = 1, FINISHED = 2 };
+  enum Face_state : char { SCHEDULED = 1, FINISHED = 2, BOUNDED = 4 };
 
   // The field says what is known already.
   Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)
@@ -124,10 +124,16 @@ public:
     auto& list = field.list(output.halfedge());
     field.lists.append(list, output.begin(), n);
     counts.windows_created += n;
-    const std::size_t bucket = (std::max)(queue.bucket_of(output.nearest()), queue.current());
+    enqueue(output.halfedge(), list, queue.bucket_of(output.nearest()));
+  }
+
+  // Puts a halfedge into a bucket, or into the current one if that is later, unless it waits in an earlier one.
+  void enqueue(Index h, Window_list<FT>& list, std::size_t bucket)
+  {
+    bucket = (std::max)(bucket, queue.current());
     if (bucket >= list.bucket) return;
     list.bucket = bucket;
-    queue.push_halfedge(bucket, output.halfedge());
+    queue.push_halfedge(bucket, h);
   }
 
   const Unfolded_mesh<FT>& mesh;

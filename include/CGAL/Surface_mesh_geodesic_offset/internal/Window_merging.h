@@ -34,6 +34,13 @@ struct Merging_counts
 {
   std::size_t windows_merged = 0; // those that have gone
   double error_bound = 0, relative_error_bound = 0;
+
+  void add(const Merging_counts& other)
+  {
+    windows_merged += other.windows_merged;
+    error_bound = (std::max)(error_bound, other.error_bound);
+    relative_error_bound = (std::max)(relative_error_bound, other.relative_error_bound);
+  }
 };
 
 // Replaces runs of neighbours F on a halfedge by one window f with

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Builds with Parallel_tag on one thread, two and all cores, against Sequential_tag, as a Markdown table: the wavy torus at
+// three sizes, from one vertex and from 64, and meshes that are given, refined by Loop's subdivision until they have 100,000
+// vertices.
+//
+//   parallel [--runs N] [mesh files]          default: 7
+//
+// Times are those of `build()`. The ways take turns, N times, and the fastest run of each counts: other work on the machine
+// can only slow a run down, and two threads more than one. The exit code is 1 if a distance differs by more than 1e-13
+// of itself from the sequential one, or at all between numbers of threads.
+
+#include "measured_run.h"
+#include "wavy_torus.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/subdivision_method_3.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+typedef std::vector<Mesh::Vertex_index> Vertices;
+
+// `threads`: 0 for Sequential_tag. The last two figures are the time of the build and the largest number of windows.
+benchmark::Measured_run run(const Mesh& mesh, const Vertices& sources, int threads)
+{
+  return benchmark::measured_run(
+    [&](std::vector<double>& figures, std::uint64_t& windows)
+    {
+      Geodesic geodesic(mesh);
+      for (Mesh::Vertex_index v : sources) geodesic.add_source_point(v);
+      const auto start = std::chrono::steady_clock::now();
+      if (threads == 0) geodesic.build();
+      else
+      {
+        const auto size = static_cast<std::size_t>(threads);
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, size);
+        tbb::task_arena arena(threads);
+        arena.execute([&] { geodesic.build<CGAL::Parallel_tag>(); });
+      }
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      for (Mesh::Vertex_index v : mesh.vertices()) figures.push_back(geodesic.distance_to_sources(v));
+      figures.push_back(seconds);
+      windows = geodesic.statistics().windows_propagated;
+    });
+}
+
+struct Way
+{
+  int threads;
+  double seconds = std::numeric_limits<double>::infinity();
+  std::uint64_t windows = 0;
+  double peak_bytes = 0;
+  std::vector<double> distances;
+
+  void add(benchmark::Measured_run result)
+  {
+    seconds = (std::min)(seconds, result.distances.back());
+    result.distances.pop_back();
+    distances = std::move(result.distances);
+    windows = result.windows;
+    peak_bytes = static_cast<double>(result.peak_bytes);
+  }
+};
+
+bool compare(const std::string& name, const Mesh& mesh, const Vertices& sources, int runs)
+{
+  std::vector<Way> ways;
+  for (const int threads : {0, 1, 2}) ways.push_back({threads, std::numeric_limits<double>::infinity(), 0, 0, {}});
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  if (cores > 2) ways.push_back({cores, std::numeric_limits<double>::infinity(), 0, 0, {}});
+  bool same = true;
+  for (int i = 0; i < runs; ++i)
+    for (Way& way : ways)
+    {
+      way.add(run(mesh, sources, way.threads));
+      if (way.threads > 1) same = same && way.distances == ways[1].distances;
+    }
+  double worst = 0;
+  for (std::size_t i = 0; i < ways[0].distances.size(); ++i)
+  {
+    const double expected = ways[0].distances[i], d = ways[1].distances[i];
+    if (d != expected) worst = (std::max)(worst, std::abs(d - expected) / expected);
+  }
+  for (std::size_t i = 1; i < ways.size(); ++i)
+  {
+    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %.4f | %.1f | %.1f | %.1e |\n", name.c_str(),
+                static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds, ways[i].threads,
+                ways[i].seconds, ways[0].seconds / ways[i].seconds,
+                static_cast<double>(ways[i].windows) / static_cast<double>(ways[0].windows), ways[0].peak_bytes / 1e6,
+                ways[i].peak_bytes / 1e6, worst);
+    std::fflush(stdout);
+  }
+  if (!same) std::cerr << name << ": distances depend on the number of threads" << std::endl;
+  return same && worst <= 1e-13;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    int runs = 7;
+    std::vector<std::string> files;
+    for (int i = 1; i < argc; ++i)
+      if (std::string(argv[i]) == "--runs" && i + 1 < argc) runs = (std::max)(1, std::stoi(argv[++i]));
+      else files.push_back(argv[i]);
+    std::printf("| mesh | vertices | sources | sequential s | threads | s | times faster | windows, ratio | sequential MB | "
+                "MB | worst relative difference |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    bool ok = true;
+    for (const std::size_t n : {100000, 200000, 400000})
+    {
+      const benchmark::Wavy_torus<Mesh> torus(n);
+      for (const std::size_t sources : {1, 64})
+        ok = compare("wavy torus", torus.mesh, torus.spread_vertices(sources), runs) && ok;
+    }
+    for (const std::string& file : files)
+    {
+      Mesh mesh;
+      if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
+      {
+        std::cerr << file << " is not a triangle mesh" << std::endl;
+        return 1;
+      }
+      while (mesh.number_of_vertices() < 100000)
+        CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+      ok = compare(file.substr(file.find_last_of('/') + 1), mesh, {Mesh::Vertex_index(0)}, runs) && ok;
+    }
+    return ok ? 0 : 1;
+  }
+  catch (const std::exception& e)
+  {
+    std::cerr << e.what() << std::endl;
+    return 1;
+  }
+}
+
+#else
+
+int main()
+{
+  std::cout << "TBB was not found." << std::endl;
+}
+
+#endif

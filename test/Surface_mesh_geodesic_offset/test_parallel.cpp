@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Builds with Parallel_tag: distances, nearest sources, paths and offsets are those of Sequential_tag but for rounding, and
+// the same to the last bit for any number of threads and from run to run. Built with and without ThreadSanitizer.
+//
+//   test_parallel [--small]      --small: without the larger meshes
+
+#include "query_cases.h"
+
+#ifndef CGAL_LINKED_WITH_TBB
+
+int main()
+{
+  std::cout << "test_parallel: skipped, TBB was not found" << std::endl;
+  return 77;
+}
+
+#else
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <thread>
+#include <type_traits>
+
+namespace {
+
+using namespace test;
+
+static_assert(std::is_same<CGAL::Geodesic_offset::internal::Concurrency<CGAL::Parallel_tag, CGAL::Interval_nt<>>::Tag,
+                           CGAL::Sequential_tag>::value,
+              "numbers that are not floating point numbers are computed with by one thread");
+
+// The stated bound on relative differences of distances between the two tags.
+constexpr double bound = 1e-13;
+
+template <class Function>
+void with_threads(int n, const Function& f)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, std::size_t(n));
+  tbb::task_arena arena(n);
+  arena.execute(f);
+}
+
+// What comes of all kinds of builds on one mesh, in the same order each time.
+struct Outcome
+{
+  std::vector<double> distances; // of vertices and points
+  std::vector<double> lengths;   // of the curves of a level, and how many there are, and how many are closed
+  std::vector<double> rest;      // what depends on the order of the front: counts, and where it stopped
+};
+
+template <class Tag>
+class Builds
+{
+public:
+  Builds(Query_case& c, unsigned seed, bool checks_paths, Outcome& outcome)
+    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome), m_geodesic(c.mesh)
+  {
+  }
+
+  void run(std::size_t points)
+  {
+    m_points = m_case.random_points(m_random, points);
+    add(1);
+    m_geodesic.template build<Tag>();
+    take_down(false);
+    add(2); // polylines among them
+    m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true));
+    take_down(true);
+    const double largest = largest_vertex_distance(m_geodesic, m_case.mesh);
+    const std::vector<double> levels = {0.07 * largest, 0.31 * largest, 0.66 * largest};
+    take_curves([&](auto out) { m_geodesic.template offset_curves<Tag>(levels, out); });
+    add(3);
+    m_geodesic.template update<Tag>();
+    take_down(true);
+    add(1);
+    m_geodesic.template build<Tag>(CGAL::parameters::maximum_distance(0.37 * largest));
+    take_down(false);
+    m_geodesic.template update<Tag>();
+    take_down(false);
+    take_curves([&](auto out) { m_geodesic.template offset_curves<Tag>(0.2 * largest, out); });
+    take_curves([&](auto out) { m_geodesic.template build_with_offset_curves<Tag>(levels, out); });
+    take_down(false);
+    const auto equal = CGAL::Offset_levels<double>::equally_spaced(0.05 * largest, 12);
+    take_curves(
+      [&](auto out)
+      {
+        m_geodesic.template build_with_offset_curves_by_distance<Tag>(
+          equal,
+          [&](double d, Offset_curves&& curves)
+          {
+            m_out.distances.push_back(d);
+            std::move(curves.begin(), curves.end(), out);
+          },
+          CGAL::parameters::keep_windows(true));
+      });
+    take_down(true);
+    targets_and_visitors();
+  }
+
+private:
+  void add(std::size_t n)
+  {
+    for (std::size_t i = 0; i < n; ++i) m_case.random_source(m_random).add_to(m_geodesic);
+  }
+
+  // What stops early depends on the order of the front.
+  void targets_and_visitors()
+  {
+    const std::vector<Vertex_index> targets = {used_vertices(m_case.mesh).front()};
+    m_geodesic.template build<Tag>(CGAL::parameters::targets(targets));
+    m_out.distances.push_back(m_geodesic.distance_to_sources(targets.front()));
+    m_out.rest.push_back(m_geodesic.covered_distance());
+    m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true).visitor([](double f) { return f < 0.3; }));
+    m_out.rest.push_back(m_geodesic.covered_distance());
+    for (Vertex_index v : vertices(m_case.mesh)) m_out.rest.push_back(m_geodesic.distance_to_sources(v));
+    m_geodesic.template update<Tag>();
+    take_down(true);
+    const std::size_t windows = m_geodesic.statistics().windows_propagated;
+    const auto gives_up = [](double f) -> bool
+    {
+      if (f > 0.2) throw std::runtime_error("the visitor gives up");
+      return true;
+    };
+    CHECK_THROWS(m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true).visitor(gives_up)), std::runtime_error);
+    CHECK(m_geodesic.statistics().windows_propagated == windows);
+  }
+
+  void take_down(bool has_windows)
+  {
+    const Geodesic& g = m_geodesic;
+    for (Vertex_index v : vertices(m_case.mesh)) m_out.distances.push_back(g.distance_to_sources(v));
+    m_out.distances.push_back(g.covered_distance());
+    for (const Face_location& l : m_points)
+      if (has_windows || is_at_vertex(l))
+      {
+        m_out.distances.push_back(g.distance_to_sources(l));
+        if (m_checks_paths) m_case.checker(g, l, has_windows); // and the nearest source
+      }
+    const auto& s = g.statistics();
+    for (const std::size_t n : {s.windows_created, s.windows_propagated, s.windows_peak}) m_out.rest.push_back(double(n));
+  }
+
+  template <class Function>
+  void take_curves(const Function& cut)
+  {
+    Offset_curves curves;
+    cut(std::back_inserter(curves));
+    std::map<double, Offset_curves> levels;
+    for (const Offset_curve& curve : curves) levels[curve.distance()].push_back(curve);
+    for (const auto& level : levels)
+    {
+      m_out.lengths.push_back(total_length(level.second));
+      m_out.lengths.push_back(double(level.second.size()));
+      m_out.lengths.push_back(double(number_of_closed(level.second)));
+    }
+    if (CGAL::is_closed(m_case.mesh)) CHECK(number_of_closed(curves) == curves.size());
+  }
+
+  Query_case& m_case;
+  Random m_random;
+  const bool m_checks_paths;
+  Outcome& m_out;
+  Geodesic m_geodesic;
+  Path_locations m_points;
+};
+
+void compare(const Query_case& c, unsigned seed, const Outcome& parallel, const Outcome& sequential)
+{
+  Worst_error worst(bound, c.checker.scale);
+  CHECK(parallel.distances.size() == sequential.distances.size());
+  if (parallel.distances.size() != sequential.distances.size()) return;
+  for (std::size_t i = 0; i < sequential.distances.size(); ++i)
+    CHECK_CLOSE(worst, parallel.distances[i], sequential.distances[i]);
+  double curves = 0;
+  CHECK(parallel.lengths.size() == sequential.lengths.size());
+  if (parallel.lengths.size() != sequential.lengths.size()) return;
+  for (std::size_t i = 0; i < sequential.lengths.size(); ++i)
+  {
+    const double m = parallel.lengths[i], n = sequential.lengths[i];
+    CHECK_DETAIL(std::abs(m - n) <= (i % 3 == 0 ? 1e-12 * (n + c.checker.scale) : 0), values(m, n));
+    curves = (std::max)(curves, std::abs(m - n) / (n + c.checker.scale));
+  }
+  std::cout << c.name << ", seed " << seed << ": " << worst.count() << " distances, worst " << worst.error() << ", "
+            << sequential.lengths.size() / 3 << " levels, worst " << curves << std::endl;
+}
+
+bool same_bits(const Outcome& a, const Outcome& b)
+{
+  return a.distances == b.distances && a.lengths == b.lengths && a.rest == b.rest;
+}
+
+void compare_tags(Query_case& c, unsigned seed, std::size_t points)
+{
+  Report::instance().set_context(c.name + ", seed " + std::to_string(seed));
+  Outcome sequential;
+  Builds<CGAL::Sequential_tag>(c, seed, false, sequential).run(points);
+  std::vector<Outcome> parallel;
+  for (const int threads : {2, 1, 3, 4, 2})
+  {
+    parallel.emplace_back();
+    with_threads(threads, [&] {
+      Builds<CGAL::Parallel_tag>(c, seed, parallel.size() == 1, parallel.back()).run(points);
+    });
+    CHECK_DETAIL(same_bits(parallel.back(), parallel.front()), std::to_string(threads) + " threads");
+  }
+  compare(c, seed, parallel.front(), sequential);
+}
+
+// Builds of several objects at one time, each with threads of its own, as TBB has them.
+void several_at_once(Query_case& c)
+{
+  Report::instance().set_context(c.name + ", several at once");
+  const auto build = [&](unsigned seed, auto tag)
+  {
+    Random random(seed);
+    Geodesic geodesic(c.mesh);
+    for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
+    geodesic.template build<decltype(tag)>();
+    std::vector<double> result;
+    for (Vertex_index v : vertices(c.mesh)) result.push_back(geodesic.distance_to_sources(v));
+    return result;
+  };
+  const unsigned n = 6;
+  std::vector<std::vector<double>> together(n);
+  std::vector<std::thread> threads; // not of TBB, each of which may ask it for more
+  for (unsigned i = 0; i < n; i += 2)
+    threads.emplace_back(
+      [&, i]
+      {
+        for (unsigned k = i; k < i + 2; ++k) together[k] = build(k, CGAL::Parallel_tag());
+      });
+  for (std::thread& t : threads) t.join();
+  for (unsigned i = 0; i < n; ++i) CHECK(together[i] == build(i, CGAL::Parallel_tag()));
+}
+
+#if !defined(__SANITIZE_THREAD__)
+// The same by tasks of TBB, which ThreadSanitizer does not understand.
+void within_tasks(Query_case& c)
+{
+  Report::instance().set_context(c.name + ", within tasks");
+  const auto build = [&](unsigned seed)
+  {
+    Random random(seed);
+    Geodesic geodesic(c.mesh);
+    for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
+    geodesic.build<CGAL::Parallel_if_available_tag>();
+    std::vector<double> result;
+    for (Vertex_index v : vertices(c.mesh)) result.push_back(geodesic.distance_to_sources(v));
+    return result;
+  };
+  std::vector<std::vector<double>> together(8);
+  tbb::parallel_for(0u, 8u, [&](unsigned i) { together[i] = build(i); });
+  for (unsigned i = 0; i < 8; ++i) CHECK(together[i] == build(i));
+}
+#endif
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const bool is_small = argc > 1 && std::string(argv[1]) == "--small";
+  std::vector<std::pair<std::string, std::function<void()>>> tests;
+  const Query_cases cases = query_cases();
+  for (const auto& c : cases)
+    for (unsigned seed = 1; seed <= (is_small ? 1u : 6u); ++seed)
+      tests.emplace_back(c->name, [&c, seed] { compare_tags(*c, seed, 30); });
+  Query_case large("large torus", rotated(torus(is_small ? 60 : 260, is_small ? 40 : 150), 4));
+  tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30); });
+  tests.emplace_back("several at once", [&] { several_at_once(*cases.back()); });
+#if !defined(__SANITIZE_THREAD__)
+  tests.emplace_back("within tasks", [&] { within_tasks(large); });
+#endif
+  std::vector<std::unique_ptr<Query_case>> data;
+  for (const char* name : {"elephant.off", "bunny00.off"})
+  {
+    test::Surface_mesh mesh;
+    if (is_small || !read_data_mesh(std::filesystem::path(data_directory()) / name, 100000, mesh).empty()) continue;
+    data.push_back(std::make_unique<Query_case>(name, mesh));
+    tests.emplace_back(name, [c = data.back().get()] { compare_tags(*c, 1, 30); });
+  }
+  return run_tests("test_parallel", tests);
+}
+
+#endif
