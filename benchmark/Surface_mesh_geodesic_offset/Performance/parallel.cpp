@@ -9,7 +9,7 @@
 //
 // Times are those of `build()`. The ways take turns, N times, and the fastest run of each counts: other work on the machine
 // can only slow a run down, and two threads more than one. The exit code is 1 if a distance differs by more than 1e-13
-// of itself from the sequential one, or at all between numbers of threads.
+// of itself from the sequential one, or at all between numbers of threads, or if memory grows by half.
 
 #include "measured_run.h"
 #include "wavy_torus.h"
@@ -116,7 +116,10 @@ bool compare(const std::string& name, const Mesh& mesh, const Vertices& sources,
     std::fflush(stdout);
   }
   if (!same) std::cerr << name << ": distances depend on the number of threads" << std::endl;
-  return same && worst <= 1e-13;
+  bool fits = true;
+  for (const Way& way : ways) fits = fits && way.peak_bytes <= 1.5 * ways[0].peak_bytes;
+  if (!fits) std::cerr << name << ": several threads take more memory than one" << std::endl;
+  return same && worst <= 1e-13 && fits;
 }
 
 } // namespace
