@@ -13,6 +13,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -185,7 +186,7 @@ void one_propagation(const test::Surface_mesh& mesh,
   }
 }
 
-// Counts the side tests of the front, so that a callback can tell how far it has come.
+// Counts where the rays of the front leave faces, so that a callback can tell how far it has come.
 struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Base;
@@ -194,19 +195,16 @@ struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test:
     static std::size_t value = 0;
     return value;
   }
-  struct Compare_entry_with_apex_2 : Base::Compare_entry_with_apex_2
+  struct Construct_exit_2 : Base::Construct_exit_2
   {
     template <class... Arguments>
-    CGAL::Sign operator()(const Arguments&... arguments) const
+    bool operator()(Arguments&&... arguments) const
     {
       ++count();
-      return Base::Compare_entry_with_apex_2::operator()(arguments...);
+      return Base::Construct_exit_2::operator()(std::forward<Arguments>(arguments)...);
     }
   };
-  Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const
-  {
-    return Compare_entry_with_apex_2();
-  }
+  Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
 };
 
 struct Enough : std::exception

@@ -80,6 +80,8 @@ public:
   window through the wrong edge.
 
   \pre \f$a_y > 0\f$ and \f$Y \le 0\f$, with \f$Y < 0\f$ unless the source lies on the halfedge itself
+
+  With numbers that are not exact it is asked only where the sign is not clear by \f$2^{-36}\f$ of the products in it.
   */
   typedef unspecified_type Compare_entry_with_apex_2;
 

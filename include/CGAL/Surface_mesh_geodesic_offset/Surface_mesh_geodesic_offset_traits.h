@@ -37,7 +37,7 @@ The points of the mesh may belong to another kernel, as an exact one: their coor
 `CGAL::to_double()` if `FT` is `double`.
 
 If `CGAL_PROFILE` is defined, the number of side tests, and of those that the filter left undecided, is printed when the
-program ends.
+program ends. Rays that pass the apex of a face at a distance beyond all rounding need no side test.
 
 \tparam K a \cgal kernel. Its `FT` is a floating point type, or a model of `FieldWithSqrt`.
 \tparam TriangleMesh a model of `FaceListGraph`
