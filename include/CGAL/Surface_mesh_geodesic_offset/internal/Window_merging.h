@@ -58,6 +58,12 @@ struct Merging_counts
 // The windows with (1) are a family of one parameter, the distance r0 of the image from the first end: of two of them the
 // nearer image gives the smaller distances everywhere between the ends. So each condition of (2) is a bound for r0 in
 // closed form, and the largest r0 is best.
+//
+// All this is up to rounding, which is not counted as error: there are thousands of merges on the way along a strip. An
+// image that the run has already is kept if it satisfies (1), so that rounding does not move images again and again: those
+// that are equal stay equal. A new image is as good as the distances from which it comes. Where rays graze the edge, as in
+// needles, or the run is narrow, they do not tell directions; there is none then. And whether the rays at the ends are
+// inside of others is never left to the distances.
 template <class FT>
 class Window_merging
 {
@@ -128,7 +134,7 @@ private:
   void count(const Window& run, std::size_t merged)
   {
     m_counts.windows_merged += merged;
-    const double e = Merged_origin::error(run.pseudo_source());
+    const double e = error_of_origin(run.pseudo_source());
     m_counts.error_bound = (std::max)(m_counts.error_bound, e);
     m_counts.relative_error_bound = (std::max)(m_counts.relative_error_bound, e / CGAL::to_double(minimum(run)));
   }
@@ -168,6 +174,7 @@ private:
     for (const Window* w = first; w != &last; ++w)
       if (!(w->d1 - m.distance_at(w->b1) + FT(error_of_origin(w->pseudo_source())) <= at_ends)) return false;
     const FT allowed = allowed_at(minimum(m));
+    const auto is_rounding = [&](const FT& error) { return 4 * error <= rounding; };
     FT largest(0), previous(0);
     bool is_same = !is_new;
     for (const Window* w = first; w != end; ++w)
@@ -175,11 +182,14 @@ private:
       FT added;
       if (!deviation(*w, m, rounding, added)) return false;
       const FT before(error_of_origin(w->pseudo_source()));
-      if (w != first) added = (std::max)(added, deviation_in_gap(*(w - 1), *w, m));
-      if (4 * added <= rounding) added = FT(0);
-      else is_same = false;
-      is_same = is_same && w->pseudo_source() == first->pseudo_source();
-      largest = (std::max)(largest, FT((std::max)(before, previous) + added));
+      is_same = is_same && w->pseudo_source() == first->pseudo_source() && is_rounding(added);
+      largest = (std::max)(largest, FT(is_rounding(added) ? before : before + added));
+      if (w != first)
+      {
+        const FT in_gap = deviation_in_gap(*(w - 1), *w, m), at_gap = (std::max)(before, previous);
+        is_same = is_same && is_rounding(in_gap);
+        largest = (std::max)(largest, FT(is_rounding(in_gap) ? at_gap : at_gap + in_gap));
+      }
       if (!(largest <= allowed)) return false;
       previous = before;
     }
@@ -216,8 +226,8 @@ private:
     return !turns_right(first, m, m.b0) && !turns_right(m, last, m.b1);
   }
 
-  // Whether the ray of v through (b, 0) is to the right of that of u, by more than rounding: less is allowed where they graze
-  // the edge, as it moves their exits by more.
+  // Whether the ray of v through (b, 0) is to the right of that of u by more than rounding. The less they rise from the
+  // edge, the less is allowed.
   static bool turns_right(const Window& u, const Window& v, const FT& b)
   {
     const FT ux = u.is_parallel() ? FT(-u.x) : FT(b - u.x), vx = v.is_parallel() ? FT(-v.x) : FT(b - v.x);
