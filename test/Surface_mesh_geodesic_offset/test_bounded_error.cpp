@@ -236,6 +236,118 @@ void noise()
   run("box with noise", with_noise(cube_grid(30), 1e-8, 1, 1e-8), 17, 4.5, 20, 1e-8);
 }
 
+// Ten tolerances, from one below rounding to a large one. Never many more windows than exactly.
+void check_degenerate(const Query_case& c, const std::vector<Any_source>& sources, Random& random)
+{
+  Geodesic exact(c.mesh), g(c.mesh);
+  for (const Any_source& s : sources)
+  {
+    s.add_to(exact);
+    s.add_to(g);
+  }
+  exact.build(parameters::keep_windows(true));
+  const double most = 20 + 1.1 * double(exact.statistics().windows_propagated);
+  const Path_locations points = c.random_points(random, 50);
+  const std::string context = Report::instance().context();
+  for (const double t : {1e-12, 1e-10, 1e-9, 1e-6, 1e-3})
+  {
+    Report::instance().set_context(context + ", tolerance " + text_of(t));
+    g.build(parameters::relative_tolerance(t).keep_windows(true));
+    CHECK(g.statistics().relative_error_bound <= t);
+    CHECK_DETAIL(double(g.statistics().windows_propagated) <= most, std::to_string(g.statistics().windows_propagated));
+    check_distances(c, exact, g, points, [t](double d) { return t * d; });
+    Report::instance().set_context(context + ", merging tolerance " + text_of(t));
+    const double length = t * c.checker.scale;
+    g.build(parameters::merging_tolerance(length).keep_windows(true));
+    CHECK(g.statistics().error_bound <= length);
+    CHECK_DETAIL(double(g.statistics().windows_propagated) <= most, std::to_string(g.statistics().windows_propagated));
+    check_distances(c, exact, g, points, [length](double d) { return (std::min)(length, d / 2); });
+  }
+  Report::instance().set_context(context);
+}
+
+// Of bending needles; up to `noise` of the height in z.
+Soup bent(Soup soup, double height, double noise, unsigned seed)
+{
+  Random random(seed);
+  for (Point_3& p : soup.points)
+    p = Point_3(p.x(), p.y(), height * (0.1 * std::sin(9 * p.x()) + uniform(random, -noise, noise)));
+  return soup;
+}
+
+// Needles thinner than the square root of rounding, where distances do not tell directions; slits. Rotated, their
+// coordinates have the rounding of the longest edges.
+void degenerate_meshes()
+{
+  const auto run = [](const std::string& name, const Soup& soup, unsigned seed)
+  {
+    const Query_case c(name, soup);
+    Random random(seed);
+    for (std::size_t kind = 0; kind < 3; ++kind) // vertex, edge, face
+    {
+      Report::instance().set_context(name + ", point " + std::to_string(kind));
+      check_degenerate(c, {{{random_location(c.checker.locations, c.mesh, random, kind)}, false}}, random);
+    }
+    Report::instance().set_context(name + ", sources");
+    check_degenerate(c, {c.random_source(random), c.random_source(random)}, random);
+    Report::instance().set_context(name + ", curve");
+    std::vector<Any_source> curves;
+    for (const auto& s : random_plane_section(c.mesh, seed)) curves.push_back({s.locations, s.closed});
+    if (!curves.empty()) check_degenerate(c, curves, random);
+  };
+  unsigned seed = 0;
+  for (const double height : {1e-2, 1e-4, 1e-6, 4e-8, 1e-8, 5e-9, 3e-10, 1e-10})
+    for (const bool is_rotated : {false, true})
+    {
+      ++seed;
+      const std::string name = (is_rotated ? "rotated, 1 : " : "1 : ") + text_of(height);
+      const auto placed = [&](const Soup& soup) { return is_rotated ? rotated(soup, seed) : soup; };
+      run("needles, " + name, placed(random_rectangle(1, height, 250, 20, seed)), seed);
+      run("bent needles, " + name, placed(bent(random_rectangle(1, height, 350, 25, seed), height, 1e-3, seed)), seed);
+      Soup grid = planar_grid(14, 14, Diagonals::random, 1. / 14, 0.2, seed);
+      for (Point_3& p : grid.points) p = Point_3(p.x(), height * p.y(), 0);
+      run("squashed grid, " + name, placed(grid), seed);
+    }
+  run("needle fan", needle_fan(150), 1);
+  run("needle fan, rotated", rotated(needle_fan(164), 85), 85);
+  run("saddle fan", saddle_fan(80), 2);
+  run("saddle fan, rotated", rotated(saddle_fan(80), 3), 3);
+  run("strip, rotated", rotated(planar_grid(3, 400, Diagonals::random, 1, 0.2, 4), 4), 4);
+}
+
+// Larger ones, where rays were lost, or where windows that had one image did not merge any more.
+void lost_rays_and_split_windows()
+{
+  const auto run = [](const std::string& name, const Soup& soup, double most, double most_from_curve)
+  {
+    const Query_case c(name, soup);
+    std::vector<Any_source> curves;
+    for (const auto& s : random_plane_section(c.mesh, 1)) curves.push_back({s.locations, s.closed});
+    for (const bool is_curve : {false, true})
+    {
+      Report::instance().set_context(name + (is_curve ? ", curve" : ", vertex"));
+      Geodesic exact(c.mesh), g(c.mesh);
+      for (Geodesic* each : {&exact, &g})
+      {
+        if (!is_curve) each->add_source_point(Vertex_index(0));
+        else
+          for (const Any_source& s : curves) s.add_to(*each);
+      }
+      exact.build(parameters::keep_windows(true));
+      g.build(parameters::merging_tolerance(1e-9).keep_windows(true));
+      Random random(1);
+      check_distances(c, exact, g, c.random_points(random, 300), [](double d) { return (std::min)(1e-9, d / 2); });
+      const double n = double(soup.points.size()), a = double(g.statistics().windows_propagated) / n;
+      std::cout << Report::instance().context() << ": " << a << " windows a vertex, exactly "
+                << double(exact.statistics().windows_propagated) / n << std::endl;
+      CHECK_DETAIL(a <= (is_curve ? most_from_curve : most), std::to_string(a));
+    }
+  };
+  for (const double height : {1e-4, 1e-6, 1e-8})
+    run("rotated needles, 1 : " + text_of(height), rotated(random_rectangle(1, height, 2000, 60, 1), 5), 4.3, 6.5);
+  run("rotated strip", rotated(planar_grid(4, 2500), 3), 3, 3);
+}
+
 // What else can be asked, and what cannot.
 void queries()
 {
@@ -381,6 +493,8 @@ int main()
                                                                  {"data meshes", data_meshes},
                                                                  {"certified", certified},
                                                                  {"noise", noise},
+                                                                 {"degenerate meshes", degenerate_meshes},
+                                                                 {"lost rays, split windows", lost_rays_and_split_windows},
                                                                  {"queries", queries},
                                                                  {"bad tolerances", bad_tolerances},
                                                                  {"updates and limits", updates_and_limits},

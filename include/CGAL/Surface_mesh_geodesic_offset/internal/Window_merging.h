@@ -65,6 +65,12 @@ struct Merging_counts
 // The windows with (1) are a family of one parameter, the distance r0 of the image from the first end: of two of them the
 // nearer image gives the smaller distances everywhere between the ends. So each condition of (2) is a bound for r0 in
 // closed form, and the largest r0 is best.
+//
+// All this is up to rounding, which is not counted as error: there are thousands of merges on the way along a strip. An
+// image that the run has already is kept if it satisfies (1), so that rounding does not move images again and again: those
+// that are equal stay equal. A new image is as good as the distances from which it comes. Where rays graze the edge, as in
+// needles, or the run is narrow, they do not tell directions; there is none then. And whether the rays at the ends are
+// inside of others is never left to the distances.
 template <class FT>
 class Window_merging
 {
@@ -135,7 +141,7 @@ private:
   void count(const Window& run, std::size_t merged)
   {
     m_counts.windows_merged += merged;
-    const double e = Merged_origin::error(run.pseudo_source());
+    const double e = error_of_origin(run.pseudo_source());
     m_counts.error_bound = (std::max)(m_counts.error_bound, e);
     m_counts.relative_error_bound = (std::max)(m_counts.relative_error_bound, e / CGAL::to_double(minimum(run)));
   }
@@ -154,33 +160,87 @@ private:
   // One window m for all of [first, end), if the tolerance allows it.
   bool merge(const Window* first, const Window* end, Window& m) const
   {
+    return merge_with(first, end, m, false) || merge_with(first, end, m, true);
+  }
+
+  // The same, with an image that the run has already, or with a new one.
+  bool merge_with(const Window* first, const Window* end, Window& m, bool is_new) const
+  {
     const Window& last = *(end - 1);
-    m = *first;
+    m = is_new ? *first : widest(first, end);
+    m.b0 = first->b0;
+    m.d0 = first->d0;
     m.b1 = last.b1;
     m.d1 = last.d1;
-    const FT unit = Number_policy<FT>::rounding(16) * (m.d0 + m.d1), at_ends = allowed_at((std::min)(m.d0, m.d1));
-    if (!place_image(first, end, unit, m)) return false;
+    const FT unit = Number_policy<FT>::rounding(16) * (m.d0 + m.d1 + m.b1 - m.b0);
+    if (is_new ? !place_image(first, end, unit, m) : !passes_ends(m, unit)) return false;
+    if (!encloses(*first, last, m)) return false;
+    const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
     // first where most runs fail: between the windows
+    const FT at_ends = allowed_at((std::min)(m.d0, m.d1)) + rounding;
     for (const Window* w = first; w != &last; ++w)
       if (!(w->d1 - m.distance_at(w->b1) + FT(error_of_origin(w->pseudo_source())) <= at_ends)) return false;
-    const FT smallest = minimum(m), allowed = allowed_at(smallest);
-    const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
+    const FT allowed = allowed_at(minimum(m));
+    const auto is_rounding = [&](const FT& error) { return 4 * error <= rounding; };
     FT largest(0), previous(0);
+    bool is_same = !is_new;
     for (const Window* w = first; w != end; ++w)
     {
-      FT error;
-      if (!deviation(*w, m, rounding, error)) return false;
-      error += FT(error_of_origin(w->pseudo_source())) + rounding;
-      largest = (std::max)(largest, error);
-      // in a gap D is at most what its ends have, and the way from there; f is no more than the way below them
-      const FT gap = w == first ? FT(0) : FT(w->b0 - (w - 1)->b1);
-      if (gap > FT(0)) largest = (std::max)(largest, FT((std::max)(error, previous) + gap));
+      FT added;
+      if (!deviation(*w, m, rounding, added)) return false;
+      const FT before(error_of_origin(w->pseudo_source()));
+      is_same = is_same && w->pseudo_source() == first->pseudo_source() && is_rounding(added);
+      largest = (std::max)(largest, FT(is_rounding(added) ? before : before + added));
+      if (w != first)
+      {
+        const FT in_gap = deviation_in_gap(*(w - 1), *w, m), at_gap = (std::max)(before, previous);
+        is_same = is_same && is_rounding(in_gap);
+        largest = (std::max)(largest, FT(is_rounding(in_gap) ? at_gap : at_gap + in_gap));
+      }
       if (!(largest <= allowed)) return false;
-      previous = error;
+      previous = before;
     }
+    if (is_same) return true;
     const Index origin = Merged_origin::with_error(CGAL::to_double(largest));
     m.bits = Window::make_bits(m.is_parallel(), origin);
     return FT(Merged_origin::error(origin)) <= allowed;
+  }
+
+  static const Window& widest(const Window* first, const Window* end)
+  {
+    return *std::max_element(first, end, [](const Window& a, const Window& b) { return a.b1 - a.b0 < b.b1 - b.b0; });
+  }
+
+  // (1), up to rounding.
+  static bool passes_ends(const Window& m, const FT& unit)
+  {
+    return CGAL::abs(FT(m.distance_at(m.b0) - m.d0)) <= unit && CGAL::abs(FT(m.distance_at(m.b1) - m.d1)) <= unit;
+  }
+
+  // In the gap between two windows the distance is at most that of an end and the way from there, by either end. f grows by
+  // less than the way, so the difference is largest where the two tie.
+  static FT deviation_in_gap(const Window& a, const Window& b, const Window& m)
+  {
+    const FT gap = b.b0 - a.b1, rise = b.d0 - a.d1;
+    if (!(gap > CGAL::abs(rise))) return FT((std::max)(gap, FT(0)));
+    return (a.d1 + b.d0 + gap) / 2 - m.distance_at(FT(a.b1 + (gap + rise) / 2));
+  }
+
+  // Whether the rays at the ends of m are not inside of those of the first and the last window, up to rounding. Of rays that
+  // graze the edge the derivatives do not tell.
+  static bool encloses(const Window& first, const Window& last, const Window& m)
+  {
+    return !turns_right(first, m, m.b0) && !turns_right(m, last, m.b1);
+  }
+
+  // Whether the ray of v through (b, 0) is to the right of that of u by more than rounding. The less they rise from the
+  // edge, the less is allowed.
+  static bool turns_right(const Window& u, const Window& v, const FT& b)
+  {
+    const FT ux = u.is_parallel() ? FT(-u.x) : FT(b - u.x), vx = v.is_parallel() ? FT(-v.x) : FT(b - v.x);
+    const FT length_u = square_root<FT>(ux * ux + u.y * u.y), length_v = square_root<FT>(vx * vx + v.y * v.y);
+    const FT allowance = Number_policy<FT>::rounding(64) * length_u - Number_policy<FT>::rounding(2048) * u.y;
+    return u.y * vx - ux * v.y < -allowance * length_v;
   }
 
   // Puts the image of m, which has its interval and the distances at its ends, as far away as (2) allows at the ends of the
@@ -199,7 +259,7 @@ private:
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0;
     if (!(CGAL::abs(rise) < l)) return false;
     const FT n = (l - rise) * (l + rise), c = rise / l;
-    const FT farthest = FT(1 << 14) * (m.d0 + m.d1 + l); // beyond, rounding is more than what is gained
+    const FT farthest = FT(1 << 8) * (m.d0 + m.d1 + l); // beyond, rounding is more than what is gained
     const FT unlimited = 2 * farthest;
     FT r0 = unlimited;
     const auto limit = [&r0](const FT& r)
@@ -208,8 +268,8 @@ private:
     };
     const Window& last = *(end - 1);
     const FT at_b0 = slope(*first, first->b0, first->d0), at_b1 = slope(last, last.b1, last.d1);
-    if (const FT k = rise - l * at_b0; k > FT(0)) limit(n / (2 * k));
-    if (const FT k = l * at_b1 - rise; k > FT(0)) limit(n / (2 * k) - rise);
+    if (const FT k = rise - l * at_b0; k > unit) limit(n / (2 * k));
+    if (const FT k = l * at_b1 - rise; k > unit) limit(n / (2 * k) - rise);
     const auto stay_below = [&](const FT& b, const FT& d)
     {
       const FT q = b - m.b0, k = d + unit - (m.d0 + c * q);
@@ -221,6 +281,9 @@ private:
       stay_below((w + 1)->b0, (w + 1)->d0);
     }
     if (!(r0 > FT(0)) || !(r0 + rise > FT(0))) return false;
+    // Rays are as far off as rounding, of the distances, divided by the width of the run across them. Where that is much of
+    // the width, as in needles, the image is noise.
+    if (n < Number_policy<FT>::rounding(1 << 14) * (m.d0 + m.d1) * (m.d0 + m.d1)) return false;
     if (r0 == unlimited)
     {
       m.bits = Window::make_bits(true, no_index);
