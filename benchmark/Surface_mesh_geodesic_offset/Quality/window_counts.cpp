@@ -82,7 +82,8 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
     };
     build.field.kept.for_each(h, distance, build.field.root, add);
     if (twin != internal::no_index)
-      build.field.kept.for_each(twin, distance, build.field.root, [&](const Window& w) { add(seen_from_behind(w, length)); });
+      build.field.kept.for_each(twin, distance, build.field.root,
+                                [&](const Window& w) { add(seen_from_behind(w, length)); });
     const Window* const first = windows.data();
     number += envelope(first, first, first + windows.size(), length).size();
   }
