@@ -209,7 +209,7 @@ private:
       m_envelope.push_back(w);
       return true;
     }
-    const FT &low = w.b0, &high = a_ends_first ? a.b1 : w.b1;
+    const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
     const Window_tie<Traits> tie(m_traits, a, w);
     const FT a_low = tie.at(a, low), a_high = a_ends_first ? a.d1 : tie.at(a, high);
     const FT w_high = a_ends_first ? tie.at(w, high) : w.d1;
@@ -234,7 +234,7 @@ private:
   }
 
   // What is left of a window behind the last one of the envelope.
-  void push_rest(const Window& w, const FT& t, const FT& d, const FT& next)
+  void push_rest(const Window& w, FT t, FT d, const FT& next)
   {
     if (t <= next && (m_later.empty() || t <= m_later.back().b0))
     {
