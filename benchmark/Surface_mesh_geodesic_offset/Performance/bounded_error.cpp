@@ -13,6 +13,7 @@
 
 #include "generated_flat_meshes.h"
 #include "growth_exponent.h"
+#include "ladder_sizes.h"
 #include "wavy_torus.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -131,25 +132,11 @@ bool noisy_grids()
 
 int main(int argc, char* argv[])
 {
-  std::size_t first = 1024, limit = 262144;
+  benchmark::Ladder_sizes sizes;
+  if (!sizes.read(argc, argv, "bounded_error")) return 2;
   try
   {
-    for (int i = 1; i < argc; ++i)
-    {
-      const std::string word = argv[i];
-      if ((word != "--limit" && word != "--first") || i + 1 == argc) throw std::invalid_argument(word);
-      (word == "--limit" ? limit : first) = std::stoul(argv[++i]);
-    }
-    if (first < 100 || first > limit) throw std::invalid_argument("sizes");
-  }
-  catch (const std::exception&)
-  {
-    std::cerr << "usage: bounded_error [--limit N] [--first N]        100 vertices at least\n";
-    return 2;
-  }
-  try
-  {
-    const bool shape = smooth_shape(first, limit), grids = noisy_grids();
+    const bool shape = smooth_shape(sizes.first, sizes.limit), grids = noisy_grids();
     return shape && grids ? 0 : 1;
   }
   catch (const std::exception& e)

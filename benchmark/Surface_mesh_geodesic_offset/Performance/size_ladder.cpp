@@ -12,6 +12,7 @@
 
 #include "fastest_run.h"
 #include "growth_exponent.h"
+#include "ladder_sizes.h"
 #include "plane_section.h"
 #include "wavy_torus.h"
 
@@ -150,28 +151,14 @@ void print_exponents(const std::vector<Row>& rows)
 
 int main(int argc, char* argv[])
 {
-  std::size_t first = 1024, limit = 262144;
-  try
-  {
-    for (int i = 1; i < argc; ++i)
-    {
-      const std::string word = argv[i];
-      if ((word != "--limit" && word != "--first") || i + 1 == argc) throw std::invalid_argument(word);
-      (word == "--limit" ? limit : first) = std::stoul(argv[++i]);
-    }
-    if (first < 100 || first > limit) throw std::invalid_argument("sizes");
-  }
-  catch (const std::exception&)
-  {
-    std::cerr << "usage: size_ladder [--limit N] [--first N]        100 vertices at least\n";
-    return 2;
-  }
+  benchmark::Ladder_sizes sizes;
+  if (!sizes.read(argc, argv, "size_ladder")) return 2;
   std::printf("source\tlevels\tvertices\tseconds\tpropagation_seconds\toffset_seconds\tpeak_bytes\tpeak_bytes_a_vertex\t"
               "windows\twindows_a_vertex\tns_a_window\tpieces\tcurves\n");
   try
   {
     std::vector<Row> rows;
-    for (std::size_t n = first; n <= limit; n *= 2)
+    for (std::size_t n = sizes.first; n <= sizes.limit; n *= 2)
     {
       const Shape shape(n);
       for (const Source& source : sources(shape))

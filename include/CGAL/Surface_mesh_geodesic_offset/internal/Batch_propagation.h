@@ -225,10 +225,9 @@ private:
     }
     if (is_exact) return;
     if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
-    if (first_right && (!covered || face.passes_apex_closely(*first_right, first_right->b0)))
-      round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
+    if (first_right && !covered) round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
     go_along_edge(m_mesh.source(h), face.left_length, FT(1), FT(0));
-    go_along_edge(m_mesh.target(h), face.right_length, m_mesh[m_mesh.previous(h)].apex_x, m_mesh[m_mesh.previous(h)].apex_y);
+    go_along_edge(m_mesh.target(h), face.right_length, m_mesh[m_previous].apex_x, m_mesh[m_previous].apex_y);
   }
 
   // The path to the apex along an edge from another corner of the face, in the direction (x, y) from the apex. It is shorter

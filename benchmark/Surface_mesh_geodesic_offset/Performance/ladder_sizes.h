@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The sizes of a ladder of meshes, as programs are told them: [--limit N] [--first N]
+
+#ifndef GEODESIC_OFFSET_BENCHMARK_LADDER_SIZES_H
+#define GEODESIC_OFFSET_BENCHMARK_LADDER_SIZES_H
+
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace benchmark {
+
+/// Numbers of vertices.
+struct Ladder_sizes
+{
+  std::size_t first = 1024, limit = 262144;
+
+  /// False if the arguments are not understood; then the usage is on `std::cerr`.
+  bool read(int argc, char* argv[], const char* program)
+  {
+    try
+    {
+      for (int i = 1; i < argc; ++i)
+      {
+        const std::string word = argv[i];
+        if ((word != "--limit" && word != "--first") || i + 1 == argc) throw std::invalid_argument(word);
+        (word == "--limit" ? limit : first) = std::stoul(argv[++i]);
+      }
+      if (first < 100 || first > limit) throw std::invalid_argument("sizes");
+      return true;
+    }
+    catch (const std::exception&)
+    {
+      std::cerr << "usage: " << program << " [--limit N] [--first N]        100 vertices at least\n";
+      return false;
+    }
+  }
+};
+
+} // namespace benchmark
+
+#endif // GEODESIC_OFFSET_BENCHMARK_LADDER_SIZES_H
