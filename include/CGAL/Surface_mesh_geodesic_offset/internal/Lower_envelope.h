@@ -12,12 +12,12 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_shares.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_ties.h>
 
 #include <boost/config.hpp>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -40,97 +40,25 @@ public:
   const std::vector<Window>& operator()(const Window* first, const Window* taken, const Window* last, const FT& length)
   {
     m_envelope.clear();
-    m_later.clear();
     m_length = length;
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
-    sort(first, taken, last);
-    const Window* const* const order = m_order.data();
-    const std::size_t n = std::size_t(last - first);
-    for (std::size_t i = 0; i < n; ++i)
+    m_order.start(first, taken, last);
+    for (const Window* const* i = m_order.begin(); i != m_order.end(); ++i)
     {
-      const Window& w = *order[i];
-      while (!m_later.empty() && Estimation<FT>::key(m_later.back().b0) < Estimation<FT>::key(w.b0)) add(pop_later());
+      const Window& w = **i;
+      while (m_order.has_later_before(w)) add(m_order.pop_later());
       if constexpr (!Estimation<FT>::leaves_open)
       {
-        if (!m_envelope.empty() && follows(w, i + 1 < n ? order[i + 1]->b0 : m_length)) continue;
+        if (!m_envelope.empty() && follows(w, i + 1 != m_order.end() ? i[1]->b0 : m_length)) continue;
       }
       add(w);
     }
-    while (!m_later.empty()) add(pop_later());
+    while (m_order.has_later()) add(m_order.pop_later());
     return m_envelope;
   }
 
 private:
-  static bool comes_first(const Window* a, const Window* b)
-  {
-    const typename Estimation<FT>::Key ka = Estimation<FT>::key(a->b0), kb = Estimation<FT>::key(b->b0);
-    return ka < kb || (!(kb < ka) && a < b);
-  }
-
-  // Children of a batch come in order, so the list is mostly one run or two; trimming may have moved some of them.
-  void sort(const Window* first, const Window* taken, const Window* last)
-  {
-    const std::size_t n = std::size_t(last - first);
-    if (m_order.size() < n) m_order.resize(2 * n);
-    const Window* second = taken == first ? run_end(first, last) : taken;
-    if (Estimation<FT>::leaves_open || (second != last && run_end(second, last) != last))
-    {
-      const Window** const order = m_order.data();
-      for (std::size_t i = 0; i < n; ++i) order[i] = first + i;
-      if (Estimation<FT>::leaves_open || n > 48)
-        std::sort(order, order + n, comes_first);
-      else
-        insertion_sort(order, order + n);
-      return;
-    }
-    const Window **out = m_order.data(), *i = first, *j = second;
-    while (i != second && j != last)
-    {
-      const bool takes_second = j->b0 < i->b0; // without a branch, which could not be foreseen
-      *out++ = takes_second ? j : i;
-      j += takes_second;
-      i += !takes_second;
-    }
-    while (i != second) *out++ = i++;
-    while (j != last) *out++ = j++;
-  }
-
-  // For a short list of a few sorted runs.
-  static void insertion_sort(const Window** first, const Window** last)
-  {
-    for (const Window** i = first + 1; i < last; ++i)
-    {
-      const Window* const w = *i;
-      const Window** j = i;
-      for (; j != first && w->b0 < j[-1]->b0; --j) *j = j[-1];
-      *j = w;
-    }
-  }
-
-  static const Window* run_end(const Window* first, const Window* last)
-  {
-    if (first == last) return last;
-    while (++first != last)
-      if (first->b0 < first[-1].b0) break;
-    return first;
-  }
-
-  // What waits for its turn, the first one at the back. Seldom more than two.
-  void push_later(const Window& w)
-  {
-    auto it = m_later.end();
-    while (it != m_later.begin() && Estimation<FT>::key((it - 1)->b0) < Estimation<FT>::key(w.b0)) --it;
-    m_later.insert(it, w);
-  }
-
-  Window pop_later()
-  {
-    const Window w = m_later.back();
-    m_later.pop_back();
-    return w;
-  }
-
   bool same_image(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
@@ -236,14 +164,14 @@ private:
   // What is left of a window behind the last one of the envelope.
   void push_rest(const Window& w, FT t, FT d, const FT& next)
   {
-    if (t <= next && (m_later.empty() || t <= m_later.back().b0))
+    if (t <= next && (!m_order.has_later() || t <= m_order.first_later().b0))
     {
       m_envelope.push_back(w);
       m_envelope.back().b0 = t;
       m_envelope.back().d0 = d;
     }
     else
-      push_later(part(w, t, d, w.b1, w.d1));
+      m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
   bool cut_end(Window& a, const FT& t) const
@@ -272,7 +200,7 @@ private:
     {
       const Window fresh = a;
       cut_back(w.b0, fresh.distance_at(w.b0));
-      push_later(w);
+      m_order.push_later(w);
       keep_later(fresh, w.b1, fresh.distance_at(w.b1), fresh.b1, fresh.d1);
     }
   }
@@ -324,10 +252,10 @@ private:
     bool is_first = true;
     shares.for_each_part_of_first([&](const Window& p) {
       if (is_first && p.b0 == a.b0) m_envelope.push_back(p);
-      else push_later(p);
+      else m_order.push_later(p);
       is_first = false;
     });
-    shares.for_each_part_of_second([&](const Window& p) { push_later(p); });
+    shares.for_each_part_of_second([&](const Window& p) { m_order.push_later(p); });
   }
 
   // Shortens the last window of the envelope to end at t, where its distance is d; removes it if nothing is left.
@@ -350,7 +278,7 @@ private:
       if (!CGAL::possibly(compare_bounds(from, to) == SMALLER)) return;
     }
     else if (!(to - from > m_min_width)) return;
-    push_later(part(w, from, d_from, to, d_to));
+    m_order.push_later(part(w, from, d_from, to, d_to));
   }
 
   static Window part(Window w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
@@ -364,8 +292,8 @@ private:
 
   const std::vector<Index>* m_source_of;
   const Traits& m_traits;
-  std::vector<Window> m_envelope, m_later;
-  std::vector<const Window*> m_order;
+  std::vector<Window> m_envelope;
+  Window_order<FT, Window> m_order;
   FT m_length, m_min_width, m_max_gap;
 };
 

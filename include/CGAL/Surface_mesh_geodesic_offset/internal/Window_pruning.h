@@ -32,8 +32,8 @@ inline auto pruning_allowance(const typename Estimation<FT>::Estimate& scale)
 // The point at distance t from an end of the halfedge, whose vertex has distance dv, where dv + t equals the window's
 // distance; x is the image's coordinate counted from that end. At most one: D(t) - t decreases.
 //   W = 1:  (t + k)^2 = (t - x)^2 + y^2  with k = dv - sigma        W = 0:  dv + t = D(0) - x t
-template <class FT, class Estimate>
-inline Estimate tie_with_end(const Window<FT>& w, const Estimate& x, const Estimate& distance_at_end, const Estimate& dv)
+template <class Window, class Estimate>
+inline Estimate tie_with_end(const Window& w, const Estimate& x, const Estimate& distance_at_end, const Estimate& dv)
 {
   if (w.is_parallel()) return (distance_at_end - dv) / (1 + x);
   const Estimate k = dv - estimate(w.sigma);
@@ -90,7 +90,7 @@ private:
     if (CGAL::certainly(m_by_target + (m_length - b0) <= estimate(w.d0))) return false;
     if (at_source)
     {
-      const Estimate t = tie_with_end<FT>(w, estimate(w.x), estimate(w.sigma), m_by_source);
+      const Estimate t = tie_with_end(w, estimate(w.x), estimate(w.sigma), m_by_source);
       if (CGAL::certainly(t >= b1)) return false;
       if (CGAL::certainly(t > b0))
       {
@@ -103,7 +103,7 @@ private:
     {
       const Estimate x = estimate(w.x), from_target = w.is_parallel() ? Estimate(-x) : Estimate(m_length - x);
       const Estimate of_target = w.is_parallel() ? Estimate(estimate(w.sigma) - x * m_length) : Estimate(0);
-      const Estimate t = m_length - tie_with_end<FT>(w, from_target, of_target, m_by_target);
+      const Estimate t = m_length - tie_with_end(w, from_target, of_target, m_by_target);
       if (CGAL::certainly(t <= b0)) return false;
       if (CGAL::certainly(t < b1))
       {

@@ -35,9 +35,14 @@ public:
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
     const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
+    // of all children: distances grow by less than `across`, radii by less than 4 length_error times that
+    const double across = face.length + face.left_length + face.right_length;
+    const double margin = pruning_margin(m_largest_radius + 16 * image_error * (m_farthest + across + 1),
+                                         m_farthest + across, 4 * across);
+    Certified_pruning by_left(face.left_length, dp, dr, margin), by_right(face.right_length, dr, dq, margin);
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
-    const double qx = face.cl * face.length, qy = -face.sl * face.length;
-    const double px = face.right_length - face.cr * face.length, py = -face.sr * face.length;
+    by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
+    by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
     auto to_left = m_left.start(left, m_state.takes_windows(left), windows.size());
     auto to_right = m_right.start(right, m_state.takes_windows(right), windows.size());
     for (std::size_t i = 0; i < windows.size(); ++i)
@@ -64,17 +69,15 @@ public:
       if (goes_left && to_left.is_open())
       {
         Window& child = to_left.next();
-        if (face.left_child(w, left_end, left_to_apex, child) &&
-            !filtered_by_far_vertex(child, child.b0, child.d0, dq, qx, qy, face.length + face.left_length) &&
-            trim_by_ends(child, face.left_length, dp, dr))
+        if (face.left_child(w, left_end, left_to_apex, child) && !by_left.is_filtered(child.b0, child.d0) &&
+            by_left.trim(child))
           to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
         Window& child = to_right.next();
-        if (face.right_child(w, right_begin, right_from_apex, child) &&
-            !filtered_by_far_vertex(child, child.b1, child.d1, dp, px, py, face.length + face.right_length) &&
-            trim_by_ends(child, face.right_length, dr, dq))
+        if (face.right_child(w, right_begin, right_from_apex, child) && !by_right.is_filtered(child.b1, child.d1) &&
+            by_right.trim(child))
           to_right.keep(child.minimum());
       }
     }
@@ -98,14 +101,21 @@ private:
     auto& list = m_state.lists.get(h);
     const Index apex = m_state.unfolded.apex(h);
     m_exit.resize(windows.size());
+    m_farthest = m_largest_radius = 0;
     for (std::size_t i = 0; i < windows.size(); ++i)
     {
       const Window& w = windows[i];
-      const Sign from = w.is_propagated() ? ZERO : face.side_of_apex(w, w.b0);
-      const Sign to = w.is_propagated() || from == POSITIVE ? ZERO : face.side_of_apex(w, w.b1);
-      m_exit[i].exit = w.is_propagated() ? NONE : from == POSITIVE ? RIGHT : to == NEGATIVE ? LEFT : BOTH;
+      if (w.is_propagated())
+      {
+        m_exit[i].exit = NONE;
+        continue;
+      }
+      m_farthest = (std::max)(m_farthest, (std::max)(w.d0, w.d1));
+      m_largest_radius = (std::max)(m_largest_radius, w.radius);
+      bool is_certain;
+      m_exit[i].exit = exit_of(face, w, is_certain);
       if (m_exit[i].exit != BOTH) continue;
-      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, from == NEGATIVE && to == POSITIVE);
+      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, is_certain);
       m_exit[i].lowest = d - error;
       if (d + error < list.split_distance)
       {
@@ -123,9 +133,23 @@ private:
     entry = list.split_entry;
   }
 
+  // `is_certain` says whether the apex certainly is in the rays of a window that leaves on both sides.
+  static Exit exit_of(const Certified_propagation& face, const Window& w, bool& is_certain)
+  {
+    const int side = face.clear_side(w, is_certain);
+    if (is_certain) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    const Sign from = face.side_of_apex(w, w.b0);
+    if (from == POSITIVE) return RIGHT;
+    const Sign to = face.side_of_apex(w, w.b1);
+    if (to == NEGATIVE) return LEFT;
+    is_certain = from == NEGATIVE && to == POSITIVE;
+    return BOTH;
+  }
+
   Certified_state& m_state;
   Certified_state::Output m_left, m_right;
   std::vector<Sorted> m_exit;
+  double m_farthest = 0, m_largest_radius = 0; // of the windows that are propagated
 };
 
 } // namespace internal

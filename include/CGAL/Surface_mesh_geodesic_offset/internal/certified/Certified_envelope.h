@@ -8,7 +8,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_order.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -28,35 +32,83 @@ public:
   {
     m_length = length;
     m_envelope.clear();
-    m_later.clear();
-    m_order.assign(first, last);
-    const auto begins_before = [](const Window& a, const Window& b) { return a.b0 < b.b0; };
-    const auto middle = m_order.begin() + (taken - first);
-    if (!std::is_sorted(middle, m_order.end(), begins_before)) std::stable_sort(middle, m_order.end(), begins_before);
-    std::inplace_merge(m_order.begin(), middle, m_order.end(), begins_before);
-    for (const Window& w : m_order)
+    m_order.start(first, taken, last);
+    for (const Window* const* i = m_order.begin(); i != m_order.end(); ++i)
     {
-      while (!m_later.empty() && m_later.back().b0 < w.b0) add(pop_later());
-      add(w);
+      const Window& w = **i;
+      while (m_order.has_later_before(w)) take(m_order.pop_later(), w.b0);
+      take(w, i + 1 != m_order.end() ? i[1]->b0 : length);
     }
-    while (!m_later.empty()) add(pop_later());
+    while (m_order.has_later()) take(m_order.pop_later(), length);
     return m_envelope;
   }
 
 private:
-  Window pop_later()
+  // The next window takes its turn; the one after it begins at `next`.
+  BOOST_FORCEINLINE void take(const Window& w, double next)
   {
-    const Window w = m_later.back();
-    m_later.pop_back();
-    return w;
+    if (m_envelope.empty() || !follows(w, next)) add(w);
   }
 
-  // What waits for its turn, the first one at the back. Seldom more than two.
-  void push_later(const Window& w)
+  // As Lower_envelope::follows.
+  BOOST_FORCEINLINE bool follows(const Window& w, double next)
   {
-    auto it = m_later.end();
-    while (it != m_later.begin() && (it - 1)->b0 < w.b0) --it;
-    m_later.insert(it, w);
+    Window& a = m_envelope.back();
+    const double overlap = a.b1 - w.b0;
+    if (overlap < -gap())
+    {
+      m_envelope.push_back(w);
+      return true;
+    }
+    if (difference_of_images(a, w) <= merging(w)) return false;
+    const bool a_ends_first = a.b1 < w.b1;
+    if (overlap <= 0x1p-36 * m_length && a_ends_first)
+    { // rays that both share, but for rounding outward at each face
+      m_envelope.push_back(w);
+      return true;
+    }
+    const double high = a_ends_first ? a.b1 : w.b1;
+    const double a_low = a.distance_at(w.b0), a_high = a_ends_first ? a.d1 : a.distance_at(high);
+    const double w_high = a_ends_first ? w.distance_at(high) : w.d1;
+    const Certified_tie tie(a, w, m_length);
+    const double at_low = a_low - w.d0, at_high = a_high - w_high;
+    if (a_ends_first && (std::max)(std::abs(at_low), std::abs(at_high)) <= 4 * tie.margin() && !tie.may_turn(w.b0, high))
+    { // they have been cut at their tie before
+      m_envelope.push_back(w);
+      return true;
+    }
+    if (!(at_low < -tie.margin())) return false;
+    if (at_high > tie.margin())
+    { // they tie once
+      Certified_tie::Cut of_a, of_w;
+      if (!a_ends_first || !tie.find(w.b0, high, of_a, of_w)) return false;
+      a.b1 = of_a.t;
+      a.d1 = of_a.distance;
+      push_rest(w, of_w, next);
+      return true;
+    }
+    if (at_high < -tie.margin() && !tie.may_turn_between(-1, w.b0, high))
+    { // the envelope's is nearer
+      if (a_ends_first) push_rest(w, {high, w_high}, next);
+      return true;
+    }
+    return false;
+  }
+
+  // What is left of a window behind the last one of the envelope.
+  void push_rest(const Window& w, const Certified_tie::Cut& from, double next)
+  {
+    if (from.t <= next && (!m_order.has_later() || from.t <= m_order.first_later().b0))
+    {
+      m_envelope.push_back(w);
+      m_envelope.back().b0 = from.t;
+      m_envelope.back().d0 = from.distance;
+      return;
+    }
+    Window rest = w;
+    rest.b0 = from.t;
+    rest.d0 = from.distance;
+    m_order.push_later(rest);
   }
 
   void add(const Window& w)
@@ -114,7 +166,7 @@ private:
       Window rest = w;
       rest.set_interval((std::max)(w.b0, a.b1 - gap()), w.b1);
       if (rest.b0 > w.b0)
-        push_later(rest);
+        m_order.push_later(rest);
       else
         m_envelope.push_back(rest);
     }
@@ -127,7 +179,7 @@ private:
       const bool goes_on = rest.b1 > w.b1;
       if (goes_on) rest.set_interval((std::max)(w.b1 - gap(), rest.b0), rest.b1);
       m_envelope.push_back(w);
-      if (goes_on) push_later(rest);
+      if (goes_on) m_order.push_later(rest);
     }
   }
 
@@ -179,11 +231,12 @@ private:
   void push_part(Window w, const Interval_set::Interval& part)
   {
     cut(w, part);
-    push_later(w);
+    m_order.push_later(w);
   }
 
   double m_length = 0;
-  std::vector<Window> m_envelope, m_later, m_order;
+  std::vector<Window> m_envelope;
+  Window_order<double, Window> m_order;
 };
 
 } // namespace internal

@@ -40,7 +40,10 @@ public:
       Index i;
       while (m_state.queue.pop_face(i)) m_state.try_to_finish(i);
       if (m_state.queue.pop_halfedge(i))
+      {
+        m_state.lists.prefetch(m_state.queue.next_halfedge());
         take(i);
+      }
       else if (m_state.queue.pop_vertex(i))
         m_state.spread_arrivals(i, [&](const Arrival& a) { spread_behind(i, a); });
     }

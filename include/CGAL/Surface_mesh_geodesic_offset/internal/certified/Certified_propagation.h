@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -20,12 +22,22 @@ class Certified_propagation
 {
 public:
   Certified_propagation(const Certified_mesh& mesh, Index h)
-    : m_at_p(mesh[h].corner), m_at_q(mesh[mesh.unfolded().next(h)].corner), m_length(mesh[h].length),
-      m_right_length(mesh[mesh.unfolded().next(h)].length), m_apex(mesh.apex(h)), length(m_length.high),
-      left_length(mesh[mesh.unfolded().previous(h)].length.high), right_length(m_right_length.high),
-      apex_x(m_apex.x.high), apex_y(m_apex.y.high), cl(m_at_p.x.high), sl(m_at_p.y.high),
-      cr(m_at_q.x.high), sr(m_at_q.y.high)
+    : Certified_propagation(mesh[h], mesh[mesh.unfolded().next(h)], mesh[mesh.unfolded().previous(h)], mesh.apex(h))
   {
+  }
+
+  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to
+  // the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
+  int clear_side(const Certified_window& w, bool& is_clear) const
+  {
+    const double slope = w.is_parallel() ? -w.y : apex_y - w.y, r0 = w.x * apex_y, r1 = w.y * apex_x, r = r0 - r1;
+    const double margin = 0x1p-36 * (length * slope + std::abs(r0) + std::abs(r1));
+    const double v0 = w.b0 * slope - r, v1 = w.b1 * slope - r;
+    is_clear = true;
+    if (v1 < -margin) return -1;
+    if (v0 > margin) return 1;
+    is_clear = v0 < -margin && v1 > margin;
+    return 0;
   }
 
   Sign side_of_apex(const Certified_window& w, double b) const { return w.side_of(m_apex.x, apex_y, place(b)); }
@@ -62,29 +74,30 @@ public:
   }
 
   // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex. False if nothing is left.
-  bool left_child(const Certified_window& w, double end, bool to_apex, Certified_window& child) const
+  BOOST_FORCEINLINE bool left_child(const Certified_window& w, double end, bool to_apex, Certified_window& child) const
   {
-    if (!turn(w, m_at_p, w.image(), child)) return false;
-    double from = 0, to = left_length;
-    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, from)) return false;
-    if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, to);
+    const double off = w.error_of_image();
+    if (!turn(w, m_to_left, w.image(), child)) return false;
+    double from, to = left_length;
+    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from)) return false;
+    if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, off, to);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
     child.set_interval(from, to);
-    child.radius = w.radius + (from > 0 || !to_apex ? detour(w, to) : 0.);
+    child.radius = w.radius + (from > 0 || !to_apex ? detour(to, off) : 0.);
     return true;
   }
 
   // The child on r -> q of the rays that enter from `begin` to b1.
-  bool right_child(const Certified_window& w, double begin, bool from_apex, Certified_window& child) const
+  BOOST_FORCEINLINE bool right_child(const Certified_window& w, double begin, bool from_apex, Certified_window& child) const
   {
+    const double off = w.error_of_image();
     const Double_double_2 image = w.image();
-    const Double_double_2 axis{m_at_q.x, -m_at_q.y}; // r -> q
-    if (!turn(w, axis, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
-    double from = 0, to = right_length; // counted from q
-    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1), cr, sr, from)) return false;
-    if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin), cr, sr, to);
+    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
+    double from, to = right_length; // counted from q
+    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1), cr, sr, off, from)) return false;
+    if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin), cr, sr, off, to);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
@@ -104,17 +117,25 @@ public:
     const double rounding = 2 * unit_roundoff * right_length;
     child.set_interval(to < right_length ? (std::max)(0., right_length - to - rounding) : 0.,
                        from > 0 ? (std::min)(right_length, right_length - from + rounding) : right_length);
-    child.radius = w.radius + (from > 0 || !from_apex ? detour(w, to) + 4 * rounding : 0.);
+    child.radius = w.radius + (from > 0 || !from_apex ? detour(to, off) + 4 * rounding : 0.);
     return child.b0 < child.b1;
   }
 
 private:
+  typedef Certified_mesh::Halfedge Halfedge;
+
+  Certified_propagation(const Halfedge& entry, const Halfedge& right, const Halfedge& left, const Double_double_2& apex)
+    : m_to_left(entry.corner), m_to_right({right.corner.x, -right.corner.y}), m_length(entry.length),
+      m_right_length(right.length), m_apex(apex), length(m_length.high), left_length(left.length.high),
+      right_length(m_right_length.high), apex_x(apex.x.high), apex_y(apex.y.high), cl(entry.corner.x.high), sl(entry.corner.y.high), cr(right.corner.x.high), sr(right.corner.y.high)
+  {
+  }
+
   // Turns the image. A window that rays can cross the edge from is below it: what is in it up to the error of the image
   // runs along the edge.
-  bool turn(const Certified_window& w, const Double_double_2& axis, const Double_double_2& image,
-            Certified_window& child) const
+  bool turn(const Certified_window& w, const Rotation& rotation, const Double_double_2& image, Certified_window& child) const
   {
-    const Double_double_2 turned = in_frame(axis, image);
+    const Double_double_2 turned = rotation(image);
     if (turned.y.high >= -Certified_mesh::flat * (std::abs(turned.x.high) + length)) return false;
     child.set_image(turned);
     child.bits = w.bits & 1u;
@@ -123,10 +144,7 @@ private:
 
   // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 22 u of the exit's
   // distance from the corner at most. The path through the interval's end is longer by twice that.
-  static double detour(const Certified_window& w, double exit)
-  {
-    return 48 * unit_roundoff * exit + 4 * w.error_of_image();
-  }
+  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 4 * off; }
 
   // A point of the halfedge; its end is the vertex itself.
   Double_double place(double b) const { return b < length ? Double_double(b) : m_length; }
@@ -135,21 +153,19 @@ private:
   double from_target(double b) const { return b < length ? (length - b) + m_length.low : 0.; }
 
   // Where the ray from (b, 0) leaves through the edge at the origin in direction (c, s), rounded towards the origin or away
-  // from it. `to_image`: from b to the image. The first function is false if the ray certainly does not meet the line of the
-  // edge.
-  static bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double& t)
+  // from it. `to_image`: from b to the image; `off`: the error of the image. The first function is false if the ray certainly
+  // does not meet the line of the edge.
+  static bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t)
   {
     double den, error;
-    const double off = w.error_of_image();
     across(w, to_image, c, s, off, den, error);
     if (den <= -error) return false;
     t = (std::max)(0., b * (-w.y - off)) / (den + error) * (1 - exit_error);
     return true;
   }
-  static void far_exit(const Certified_window& w, double to_image, double b, double c, double s, double& t)
+  static void far_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t)
   {
     double den, error;
-    const double off = w.error_of_image();
     across(w, to_image, c, s, off, den, error);
     if (den > error) t = (std::min)(t, b * (off - w.y) / (den - error) * (1 + exit_error));
   }
@@ -162,7 +178,7 @@ private:
     error = exit_error * (std::abs(p) + std::abs(q)) + off;
   }
 
-  const Double_double_2 m_at_p, m_at_q;
+  const Rotation m_to_left, m_to_right; // into the frames of p -> r and r -> q
   const Double_double m_length, m_right_length;
   const Double_double_2 m_apex;
 

@@ -8,63 +8,80 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 
-#include <algorithm>
+#include <boost/config.hpp>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// How much longer than another path the window must be to be certainly longer than it is said to be at most.
-inline double pruning_margin(const Certified_window& w, double length)
+// How much longer than another path a window must be to be certainly longer, if `farthest` is the largest distance of its
+// interval and `size` that of the faces on both sides of its halfedge.
+inline double pruning_margin(double radius, double farthest, double size)
 {
-  return w.radius + length_error * ((std::max)(w.d0, w.d1) + 2 * length);
+  return radius + length_error * (farthest + 2 * size);
 }
 
-// As `tie_with_end`: where D(t) = dv + t, x counted from that end.
-inline double tie_with_end(const Certified_window& w, double x, double distance_at_end, double dv)
+// As `Window_pruning`, with upper bounds of the distances of the vertices. `margin`: that of all windows, or more.
+class Certified_pruning
 {
-  if (w.is_parallel()) return (distance_at_end - dv) / (1 + x);
-  const double k = dv - w.sigma;
-  return (x * x + w.y * w.y - k * k) / (2 * (k + x));
-}
-
-// As `trim_by_ends`, with upper bounds of the distances of both ends. D(t) - t decreases: what is certain at t is so before.
-inline bool trim_by_ends(Certified_window& w, double length, double upper_source, double upper_target)
-{
-  const double margin = pruning_margin(w, length), source = upper_source + margin, target = upper_target + margin;
-  if (source + w.b1 < w.d1 || target + (length - w.b0) < w.d0) return false;
-  if (source + w.b0 < w.d0)
+public:
+  Certified_pruning(double length, double upper_source, double upper_target, double margin)
+    : m_length(length), m_margin(margin), m_by_source(upper_source + margin), m_by_target(upper_target + margin)
   {
-    const double t = tie_with_end(w, w.x, w.sigma, source + margin), d = w.distance_at(t);
-    if (w.b0 < t && t < w.b1 && source + t < d)
-    {
-      w.b0 = t;
-      w.d0 = d;
-    }
   }
-  if (target + (length - w.b1) < w.d1)
-  {
-    const double x = w.is_parallel() ? -w.x : length - w.x;
-    const double at_end = w.is_parallel() ? w.sigma - w.x * length : 0.;
-    const double t = length - tie_with_end(w, x, at_end, target + margin), d = w.distance_at(t);
-    if (w.b0 < t && t < w.b1 && target + (length - t) < d)
-    {
-      w.b1 = t;
-      w.d1 = d;
-    }
-  }
-  return true;
-}
 
-// As `filtered_by_far_vertex`.
-inline bool filtered_by_far_vertex(const Certified_window& w, double t, double d, double upper, double vx, double vy,
-                                   double length)
-{
-  const double u = t - vx, r = d - upper - 2 * pruning_margin(w, length);
-  return r > 0 && u * u + vy * vy <= r * r;
-}
+  void set_far_vertex(double x, double y, double upper)
+  {
+    m_far_x = x;
+    m_far_yy = y * y;
+    m_by_far = upper + 2 * m_margin;
+  }
+
+  // D(t) - t decreases: what is certain at t is so before.
+  BOOST_FORCEINLINE bool trim(Certified_window& w) const
+  {
+    const bool at_source = m_by_source + w.b0 < w.d0, at_target = m_by_target + (m_length - w.b1) < w.d1;
+    return (!at_source && !at_target) || cut(w, at_source, at_target);
+  }
+
+  BOOST_FORCEINLINE bool is_filtered(double t, double d) const
+  {
+    const double u = t - m_far_x, r = d - m_by_far;
+    return r > 0 && u * u + m_far_yy <= r * r;
+  }
+
+private:
+  bool cut(Certified_window& w, bool at_source, bool at_target) const
+  {
+    if (m_by_source + w.b1 < w.d1 || m_by_target + (m_length - w.b0) < w.d0) return false;
+    if (at_source)
+    {
+      const double t = tie_with_end(w, w.x, w.sigma, m_by_source + m_margin), d = w.distance_at(t);
+      if (w.b0 < t && t < w.b1 && m_by_source + t < d)
+      {
+        w.b0 = t;
+        w.d0 = d;
+      }
+    }
+    if (at_target)
+    {
+      const double x = w.is_parallel() ? -w.x : m_length - w.x, at_end = w.is_parallel() ? w.sigma - w.x * m_length : 0.;
+      const double t = m_length - tie_with_end(w, x, at_end, m_by_target + m_margin), d = w.distance_at(t);
+      if (w.b0 < t && t < w.b1 && m_by_target + (m_length - t) < d)
+      {
+        w.b1 = t;
+        w.d1 = d;
+      }
+    }
+    return true;
+  }
+
+  const double m_length, m_margin, m_by_source, m_by_target;
+  double m_far_x = 0, m_far_yy = 0, m_by_far = 0;
+};
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -78,8 +78,10 @@ public:
     auto output = m_single.start(g, takes_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
-    if (trim_by_ends(output.next(), mesh.length(g), field.bounds.upper(unfolded.source(g)),
-                     field.bounds.upper(unfolded.target(g))))
+    const double length = mesh.length(g), margin = pruning_margin(w.radius, (std::max)(w.d0, w.d1), length);
+    const Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
+                                    margin);
+    if (pruning.trim(output.next()))
       output.keep(output.next().minimum());
     m_single.finish(output);
     append(m_single);

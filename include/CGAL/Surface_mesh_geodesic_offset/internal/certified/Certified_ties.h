@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,23 +49,21 @@ private:
 
 // Two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
 //
-// The difference of the two distances has one stationary point at most, where the point is collinear with both images. So
-// between two points where one window is certainly farther it is so everywhere, unless a minimum of the difference lies
-// between: that is excluded if the difference does not decrease at the first point or does not increase at the second one.
+// The difference of the two distances has one stationary point at most. So between two points where one window is certainly
+// farther it is so everywhere, unless a minimum of the difference lies between: that is excluded if the difference does not
+// decrease at the first point or does not increase at the second one.
 class Certified_ties
 {
 public:
   typedef Certified_window Window;
 
   Certified_ties(const Window& a, const Window& b, double length)
-    : m_a(a), m_b(b), m_low(b.b0), m_high((std::min)(a.b1, b.b1))
+    : m_a(a), m_b(b), m_tie(a, b, length), m_low(b.b0), m_high((std::min)(a.b1, b.b1)), m_margin(m_tie.margin())
   {
-    const double largest = (std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1));
-    m_margin = a.radius + b.radius + 2 * length_error * (largest + length);
-    m_at_low = difference(m_low);
-    m_at_high = difference(m_high);
-    m_has_middle = stationary_point(m_middle) && m_low < m_middle && m_middle < m_high;
-    if (m_has_middle) m_at_middle = difference(m_middle);
+    m_at_low = m_tie.difference(m_low);
+    m_at_high = m_tie.difference(m_high);
+    m_has_middle = m_tie.stationary_point(m_middle) && m_low < m_middle && m_middle < m_high;
+    if (m_has_middle) m_at_middle = m_tie.difference(m_middle);
   }
 
   double low() const { return m_low; }
@@ -83,26 +81,6 @@ public:
   Interval_set kept_of_second() const { return kept(-1); }
 
 private:
-  double difference(double t) const { return m_a.distance_at(t) - m_b.distance_at(t); }
-
-  bool stationary_point(double& t) const
-  {
-    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
-    if (pa && pb) return false;
-    const double den = (pa ? 0. : m_b.y) - (pb ? 0. : m_a.y);
-    if (den == 0) return false;
-    t = (m_a.x * m_b.y - m_b.x * m_a.y) / den;
-    return true;
-  }
-
-  // The sign of the derivative of the difference, ZERO if it is not certain: that of (t - x) / |y| for a less that for b.
-  Sign slope(double t) const
-  {
-    const double p = m_a.to_image(t) * m_b.y, q = m_b.to_image(t) * m_a.y;
-    const double value = p - q, error = side_error * (std::abs(p) + std::abs(q));
-    return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
-  }
-
   // `of` = 1: where a is not certainly farther; -1: where b is not.
   Interval_set kept(int of) const
   {
@@ -162,7 +140,7 @@ private:
   // Given that it is so at both points.
   bool is_farther_between(int of, double from, double to) const
   {
-    return from == to || int(slope(from)) * of > 0 || int(slope(to)) * of < 0 || is_farther_everywhere(of);
+    return from == to || !m_tie.may_turn_between(of, from, to) || is_farther_everywhere(of);
   }
 
   // By the triangle of both images.
@@ -185,7 +163,7 @@ private:
       const double aim = 4 * m_margin;
       double t = i % 3 == 2 ? 0.5 * (good + bad) : good + (bad - good) * ((at_good - aim) / (at_good - at_bad));
       if (!((good < t && t < bad) || (bad < t && t < good))) t = 0.5 * (good + bad);
-      const double g = of * difference(t) - m_margin;
+      const double g = of * m_tie.difference(t) - m_margin;
       if (g > 0)
       {
         good = t;
@@ -202,8 +180,9 @@ private:
 
   const Window& m_a;
   const Window& m_b;
+  const Certified_tie m_tie;
   double m_low, m_high, m_middle = 0;
-  double m_margin;
+  const double m_margin;
   double m_at_low, m_at_high, m_at_middle = 0;
   bool m_has_middle;
 };

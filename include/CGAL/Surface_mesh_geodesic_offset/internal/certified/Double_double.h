@@ -39,19 +39,35 @@ inline Double_double quick_two_sum(double a, double b)
   return {s, b - (s - a)};
 }
 
-// a b without error, but for underflow.
-inline Double_double two_product(double a, double b)
+// A number in two halves of 26 digits, whose products with those of another one are exact.
+struct Split_double
 {
-  const double p = a * b;
+  double value;
 #ifdef FP_FAST_FMA
-  return {p, std::fma(a, b, -p)};
+  explicit Split_double(double x) : value(x) {}
 #else
-  const double factor = 134217729.; // 2^27 + 1
-  const double ta = factor * a, ah = ta - (ta - a), al = a - ah;
-  const double tb = factor * b, bh = tb - (tb - b), bl = b - bh;
-  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+  double high, low;
+  explicit Split_double(double x) : value(x)
+  {
+    const double t = 134217729. * x; // 2^27 + 1
+    high = t - (t - x);
+    low = x - high;
+  }
+#endif
+};
+
+// a b without error, but for underflow.
+inline Double_double two_product(const Split_double& a, const Split_double& b)
+{
+  const double p = a.value * b.value;
+#ifdef FP_FAST_FMA
+  return {p, std::fma(a.value, b.value, -p)};
+#else
+  return {p, ((a.high * b.high - p) + a.high * b.low + a.low * b.high) + a.low * b.low};
 #endif
 }
+
+inline Double_double two_product(double a, double b) { return two_product(Split_double(a), Split_double(b)); }
 
 inline Double_double operator-(const Double_double& a) { return {-a.high, -a.low}; }
 
@@ -90,11 +106,37 @@ struct Double_double_2
   Double_double x, y;
 };
 
-// The vector v in a frame whose x axis has the unit direction e.
-inline Double_double_2 in_frame(const Double_double_2& e, const Double_double_2& v)
+// Brings vectors into a frame whose x axis has a given unit direction. The error is at most 32 u^2 of the vector's length.
+class Rotation
 {
-  return {e.x * v.x + e.y * v.y, e.x * v.y - e.y * v.x};
-}
+public:
+  explicit Rotation(const Double_double_2& axis)
+    : m_x(axis.x.high), m_y(axis.y.high), m_x_low(axis.x.low), m_y_low(axis.y.low)
+  {
+  }
+
+  Double_double_2 operator()(const Double_double_2& v) const
+  {
+    const Split_double x(v.x.high), y(v.y.high);
+    const Double_double xx = two_product(m_x, x), yy = two_product(m_y, y), xy = two_product(m_x, y),
+                        yx = two_product(m_y, x);
+    const double x_low = (m_x.value * v.x.low + m_x_low * v.x.high) + (m_y.value * v.y.low + m_y_low * v.y.high);
+    const double y_low = (m_x.value * v.y.low + m_x_low * v.y.high) - (m_y.value * v.x.low + m_y_low * v.x.high);
+    return {sum(xx, yy, x_low), sum(xy, -yx, y_low)};
+  }
+
+private:
+  static Double_double sum(const Double_double& a, const Double_double& b, double low)
+  {
+    const Double_double s = two_sum(a.high, b.high);
+    return two_sum(s.high, s.low + ((a.low + b.low) + low));
+  }
+
+  Split_double m_x, m_y;
+  double m_x_low, m_y_low;
+};
+
+inline Double_double_2 in_frame(const Double_double_2& axis, const Double_double_2& v) { return Rotation(axis)(v); }
 
 } // namespace internal
 } // namespace Geodesic_offset

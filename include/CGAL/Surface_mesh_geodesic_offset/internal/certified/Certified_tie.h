@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is certain of the difference of the distances of two windows on a halfedge.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Of two windows a and b. Their difference is that of a's distance and b's.
+class Certified_tie
+{
+public:
+  typedef Certified_window Window;
+
+  Certified_tie(const Window& a, const Window& b, double length)
+    : m_a(a), m_b(b),
+      m_margin(a.radius + b.radius + 2 * length_error * ((std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1)) + length))
+  {
+  }
+
+  // One is certainly farther where the difference is beyond this.
+  double margin() const { return m_margin; }
+  double difference(double t) const { return m_a.distance_at(t) - m_b.distance_at(t); }
+
+  // Where the difference is stationary: at most at one point, collinear with both images. Up to rounding.
+  bool stationary_point(double& t) const
+  {
+    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
+    if (pa && pb) return false;
+    const double den = (pa ? 0. : m_b.y) - (pb ? 0. : m_a.y);
+    if (den == 0) return false;
+    t = (m_a.x * m_b.y - m_b.x * m_a.y) / den;
+    return true;
+  }
+
+  // The sign of the derivative of the difference, ZERO if it is not certain: that of (t - x) / |y| for a less that for b.
+  Sign slope(double t) const
+  {
+    const double p = m_a.to_image(t) * m_b.y, q = m_b.to_image(t) * m_a.y;
+    const double value = p - q, error = side_error * (std::abs(p) + std::abs(q));
+    return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
+  }
+
+  // Whether the difference may have its stationary point, a minimum of its absolute value, between two points where it is
+  // certain that the same window is farther: `of` = 1 if that is a, -1 if it is b.
+  bool may_turn_between(int of, double from, double to) const
+  {
+    return int(slope(from)) * of <= 0 && int(slope(to)) * of >= 0;
+  }
+
+  // The same, whatever is certain, up to rounding.
+  bool may_turn(double from, double to) const
+  {
+    double t;
+    return stationary_point(t) && from < t && t < to;
+  }
+
+  // Where a window is cut, and its distance there.
+  struct Cut
+  {
+    double t, distance;
+  };
+
+  // For a difference that is certainly negative at u and certainly positive at v: what stays of both windows, a up to of_a
+  // and b from of_b. False if it is not certain that nothing else is needed.
+  BOOST_FORCEINLINE bool find(double u, double v, Cut& of_a, Cut& of_b) const
+  {
+    double t;
+    if (m_a.is_parallel() || m_b.is_parallel() || !closed_form(u, v, t)) return false;
+    // one step of Newton's iteration, and as far aside as certainty needs
+    const double xa = (t - m_a.x) - m_a.x_low, xb = (t - m_b.x) - m_b.x_low;
+    const double ra = std::sqrt(xa * xa + m_a.y * m_a.y), rb = std::sqrt(xb * xb + m_b.y * m_b.y);
+    const double inverse = ra * rb / (xa * rb - xb * ra); // of the derivative, xa / ra - xb / rb
+    t -= ((m_a.sigma - m_b.sigma) + (ra - rb)) * inverse;
+    const double aside = 3 * m_margin * inverse;
+    of_a.t = t + aside;
+    of_b.t = t - aside;
+    if (!(u < of_b.t && of_a.t < v)) return false;
+    of_a.distance = m_a.distance_at(of_a.t);
+    of_b.distance = m_b.distance_at(of_b.t);
+    return of_a.distance - m_b.distance_at(of_a.t) > m_margin && of_b.distance - m_a.distance_at(of_b.t) > m_margin &&
+           slope(of_a.t) == POSITIVE && slope(of_b.t) == POSITIVE;
+  }
+
+private:
+  // Of two proper images, up to rounding. With k = sigma_b - sigma_a, |t - A| = |t - B| + k where
+  // m t + n = |t - A|^2 - |t - B|^2 - k^2 = 2 k |t - B|; squared, and of the two roots one of the right sign.
+  bool closed_form(double u, double v, double& t) const
+  {
+    const double k = (m_b.sigma - m_a.sigma) + (m_b.sigma_low - m_a.sigma_low);
+    const double dx = (m_a.x - m_b.x) + (m_a.x_low - m_b.x_low), dy = (m_a.y - m_b.y) + (m_a.y_low - m_b.y_low);
+    const double m = -2 * dx, n = dx * (m_a.x + m_b.x) + dy * (m_a.y + m_b.y) - k * k, k4 = 4 * k * k;
+    if (k == 0)
+    {
+      t = -n / m;
+      return u < t && t < v;
+    }
+    const double qa = m * m - k4, qb = m * n + k4 * m_b.x, qc = n * n - k4 * (m_b.x * m_b.x + m_b.y * m_b.y);
+    const double discriminant = qb * qb - qa * qc;
+    if (!(discriminant >= 0)) return false;
+    const double q = -qb - std::copysign(std::sqrt(discriminant), qb);
+    t = q / qa;
+    if (u < t && t < v && (m * t + n) * k >= 0) return true;
+    t = qc / q;
+    return u < t && t < v;
+  }
+
+  const Window& m_a;
+  const Window& m_b;
+  const double m_margin;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
