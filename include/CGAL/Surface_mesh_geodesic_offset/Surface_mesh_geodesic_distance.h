@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
@@ -304,11 +305,19 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const auto& p) {
-      const Point_3 q = m_surface->point(p); // appending what has a name to a vector is not a call
-      *out++ = q;
-    });
-    return out;
+    const Build& b = built_exactly();
+    if constexpr (decltype(b.legs_in_space)::keeps)
+    {
+      Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(*m_surface, out);
+      const Located_point p = classified(location);
+      tracing(b)(p, start_at(p), b.legs_in_space, points);
+      return points.out();
+    }
+    else
+    {
+      trace_from(location, [&](const auto& p) { *out++ = m_surface->point(p); });
+      return out;
+    }
   }
 
   /// \param visitor is called with what the path meets, as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)`
@@ -383,11 +392,17 @@ protected:
     }
   }
 
+  auto tracing(const Build& b) const
+  {
+    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field);
+  }
+
   template <class P, class Function>
   Index trace(const P& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
-    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field, &b.legs)(p, start, out);
+    Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
+    return tracing(b)(p, start, b.legs, elements);
   }
 
   template <class Location, class Function>

@@ -29,38 +29,29 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Surface_point<FT> Surface_point_;
 
-  // `legs`: those of this field, if it is final and they are to be remembered.
-  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-               Path_legs<FT>* legs = nullptr)
-    : m_mesh(mesh), m_field(field), m_legs(legs), m_start(mesh, initial, field),
-      m_goals(mesh, initial, field)
+  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_field(field), m_start(mesh, initial, field), m_goals(mesh, initial, field)
   {
   }
 
-  // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
-  // it passes, and for the source point where it ends; out(crossing) for each edge that it crosses. Returns the primitive
-  // where it ends. Nothing if p is not reached.
-  template <class Point_, class Function>
-  Index operator()(const Point_& p, Path_start<FT> start, Function&& out) const
+  // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
+  // Returns the primitive where it ends. Nothing if p is not reached.
+  template <class Point_, class Output>
+  Index operator()(const Point_& p, Path_start<FT> start, Path_legs<FT, typename Output::Item>& legs, Output& out) const
   {
+    typedef Path_legs<FT, typename Output::Item> Legs;
     if (!start.is_reached()) return no_index;
-    out(p);
-    const auto pass = [&](const Path_crossing<FT>& q) {
-      if (q.halfedge != no_index) out(q);
-      else out(Surface_point_::at_vertex(q.source));
-    };
+    out.start(p);
     const Index limit = Index(m_mesh.number_of_vertices());
     Passed passed;
     Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
       End end;
-      const Path_crossing<FT> *q, *last;
-      if (const Path_leg<FT>* const leg = known_leg(v))
+      if (const typename Legs::Leg* const leg = known_leg(legs, v))
       {
-        q = leg->first_passed();
-        last = leg->last_passed();
         end = leg->end();
+        out.append(leg->first_item(), leg->last_item(), end);
       }
       else
       {
@@ -68,12 +59,11 @@ public:
         if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
         passed.clear();
         end = follow(start, passed);
-        keep_leg(v, passed, end);
-        q = passed.data();
-        last = q + passed.size();
+        const auto& items = out.items(passed, end);
+        if constexpr (Legs::keeps)
+          if (v != no_index) legs.keep(v, items, end);
+        out.append(items.data(), items.data() + items.size(), end);
       }
-      for (; q != last; ++q) pass(*q);
-      out(end.point);
       if (end.primitive != no_index) return end.primitive;
       v = end.point.element;
     }
@@ -116,17 +106,11 @@ private:
 
   static constexpr double nearby = Path_goals<FT>::nearby;
 
-  const Path_leg<FT>* known_leg(Index v) const
+  template <class Legs>
+  static const typename Legs::Leg* known_leg(const Legs& legs, Index v)
   {
-    if constexpr (Path_legs<FT>::keeps) return v == no_index || !m_legs ? nullptr : m_legs->find(v);
-    else return (void)v, nullptr;
-  }
-
-  void keep_leg(Index v, const Passed& passed, const End& end) const
-  {
-    if constexpr (Path_legs<FT>::keeps)
-      if (v != no_index && m_legs) m_legs->keep(v, passed, end);
-    (void)v, (void)passed, (void)end;
+    if constexpr (Legs::keeps) return v == no_index ? nullptr : legs.find(v);
+    else return (void)legs, (void)v, nullptr;
   }
 
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
@@ -251,7 +235,6 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
-  Path_legs<FT>* const m_legs;
   const Path_starts<FT> m_start;
   const Path_goals<FT> m_goals;
 };
