@@ -367,8 +367,9 @@ protected:
   Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
-    const Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
-    return start.distance > b.maximum ? Path_start() : start;
+    Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
+    if (start.distance > b.maximum) start = Path_start();
+    return start;
   }
 
   template <class Visitor>

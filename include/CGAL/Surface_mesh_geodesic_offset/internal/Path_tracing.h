@@ -37,37 +37,37 @@ public:
   // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
   // Returns the primitive where it ends. Nothing if p is not reached.
   template <class Point_, class Output>
-  Index operator()(const Point_& p, Path_start<FT> start, Path_legs<FT, typename Output::Item>& legs, Output& out) const
+  Index operator()(const Point_& p, const Path_start<FT>& first, Path_legs<FT, typename Output::Item>& legs, Output& out) const
   {
     typedef Path_legs<FT, typename Output::Item> Legs;
-    if (!start.is_reached()) return no_index;
+    if (!first.is_reached()) return no_index;
     out.start(p);
     const Index limit = Index(m_mesh.number_of_vertices());
+    Path_start<FT> further;
     Passed passed;
     Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      End end;
       if (const typename Legs::Leg* const leg = known_leg(legs, v))
       {
-        end = leg->end();
-        out.append(leg->first_item(), leg->last_item(), end);
+        out.append(leg->first_item(), leg->last_item(), leg->end());
+        if (leg->end().primitive != no_index) return leg->end().primitive;
+        v = leg->end().point.element;
+        continue;
       }
-      else
-      {
-        if (guard != 0) start = m_start.at_vertex(v);
-        if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
-        passed.clear();
-        end = follow(start, passed);
-        const auto& items = out.items(passed, end);
-        if constexpr (Legs::keeps)
-          if (v != no_index) legs.keep(v, items, end);
-        out.append(items.data(), items.data() + items.size(), end);
-      }
+      if (guard != 0) further = m_start.at_vertex(v);
+      const Path_start<FT>& start = guard == 0 ? first : further;
+      if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+      passed.clear();
+      const End end = follow(start, passed);
+      const auto& items = out.items(passed, end);
+      if constexpr (Legs::keeps)
+        if (v != no_index) legs.keep(v, items, end);
+      out.append(items.data(), items.data() + items.size(), end);
       if (end.primitive != no_index) return end.primitive;
       v = end.point.element;
     }
-    return v == no_index ? start.root.primitive() : m_field.root[v].primitive();
+    return v == no_index ? first.root.primitive() : m_field.root[v].primitive();
   }
 
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.

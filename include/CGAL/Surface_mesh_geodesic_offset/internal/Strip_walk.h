@@ -64,20 +64,22 @@ public:
     const auto goes_on = [&](Index beyond, const Point& d) {
       return beyond != no_index && CGAL::abs(apex.y) > beside && height_of_goal(apex, d) > ahead;
     };
+    FT unit = FT(1) / mesh[h].length;
     for (;;)
     {
       if (out == last && !make_room(passed, out, last)) return false;
       *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
-      const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)];
+      const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)], &b = mesh[m_mesh.next(h)];
+      __builtin_prefetch(mesh + b.twin);
+      __builtin_prefetch(mesh + c.twin);
       apex = {l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
       // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
       // foresee the turns half of the time is better than to wait for each.
       if (CGAL::is_positive(apex.y))
       {
-        const auto& b = mesh[m_mesh.next(h)];
-        const FT unit = FT(1) / a.length;
         const Point d = turned(e, {unit * b.apex_x, -unit * b.apex_y});
         if (!goes_on(b.twin, d)) break;
+        unit = FT(1) / b.length;
         e = d;
         left = c.origin;
         l = apex;
@@ -85,7 +87,7 @@ public:
       }
       else
       {
-        const FT unit = FT(1) / c.length;
+        unit = FT(1) / c.length;
         const Point d = turned(e, {unit * a.apex_x, unit * a.apex_y});
         if (!goes_on(c.twin, d)) break;
         e = d;
