@@ -9,7 +9,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
+
+#include <boost/config.hpp>
 
 #include <atomic>
 #include <cstddef>
@@ -86,6 +89,12 @@ public:
     if (!legs) return nullptr;
     const Leg* const leg = legs[v].load(std::memory_order_acquire);
     return leg == walked_once() ? nullptr : leg;
+  }
+
+  // Says that the way behind a vertex will be asked for soon.
+  BOOST_FORCEINLINE void prefetch(Index v) const
+  {
+    if (const Leg* const leg = find(v)) internal::prefetch(leg, Leg::bytes(8));
   }
 
   // Tells what way has been walked.

@@ -13,7 +13,10 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,27 +54,33 @@ public:
     m_out(end.point);
   }
 
+  // The same from what a leg that is not to be kept has passed.
+  template <class Passed>
+  void append(const Passed& passed, const Leg_end<FT>& end)
+  {
+    append(passed.data(), passed.data() + passed.size(), end);
+  }
+
 private:
   Function& m_out;
 };
 
-// Copies items to an output iterator, to a vector at once.
+// The vector that an output iterator appends to, if it does; else null.
 template <class Item, class OutputIterator>
-inline void append_items(const Item* first, const Item* last, OutputIterator& out)
+inline std::nullptr_t vector_behind(const OutputIterator&)
 {
-  out = std::copy(first, last, out);
+  return nullptr;
 }
 
 template <class Item, class Allocator>
-inline void append_items(const Item* first, const Item* last, std::back_insert_iterator<std::vector<Item, Allocator>>& out)
+inline std::vector<Item, Allocator>* vector_behind(const std::back_insert_iterator<std::vector<Item, Allocator>>& out)
 {
   typedef std::back_insert_iterator<std::vector<Item, Allocator>> Iterator;
   struct Opened : Iterator
   {
-    static std::vector<Item, Allocator>& container_of(const Iterator& i) { return *(i.*(&Opened::container)); }
+    static std::vector<Item, Allocator>* container_of(const Iterator& i) { return i.*(&Opened::container); }
   };
-  auto& items = Opened::container_of(out);
-  items.insert(items.end(), first, last);
+  return Opened::container_of(out);
 }
 
 // Points in space, the end of each leg among the items.
@@ -95,17 +104,46 @@ public:
   const auto& items(const Passed& passed, const Leg_end<FT>& end)
   {
     m_items.resize(passed.size() + 1, boost::container::default_init);
-    Item* out = m_items.data();
-    for (const Path_crossing<FT>& p : passed) *out++ = m_surface.point(p);
-    *out = m_surface.point(end.point);
+    write(passed, end, m_items.data());
     return m_items;
   }
 
-  void append(const Item* q, const Item* last, const Leg_end<FT>&) { append_items(q, last, m_out); }
+  void append(const Item* q, const Item* last, const Leg_end<FT>&)
+  {
+    if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
+    else m_out = std::copy(q, last, m_out);
+  }
+
+  // The same from what a leg that is not to be kept has passed.
+  template <class Passed>
+  void append(const Passed& passed, const Leg_end<FT>& end)
+  {
+    if constexpr (is_vector) write(passed, end, room_for(passed.size() + 1));
+    else write(passed, end, m_out);
+  }
 
   const OutputIterator& out() const { return m_out; }
 
 private:
+  static constexpr bool is_vector =
+    !std::is_same<decltype(vector_behind<Item>(std::declval<const OutputIterator&>())), std::nullptr_t>::value;
+
+  // At the end of the vector: to fill it at once is faster than to append one by one.
+  Item* room_for(std::size_t n)
+  {
+    auto& items = *vector_behind<Item>(m_out);
+    const std::size_t size = items.size();
+    items.resize(size + n);
+    return items.data() + size;
+  }
+
+  template <class Passed, class Iterator>
+  void write(const Passed& passed, const Leg_end<FT>& end, Iterator&& out)
+  {
+    for (const Path_crossing<FT>& p : passed) *out++ = m_surface.point(p);
+    *out++ = m_surface.point(end.point);
+  }
+
   const Surface& m_surface;
   OutputIterator m_out;
   boost::container::small_vector<Item, 128> m_items;

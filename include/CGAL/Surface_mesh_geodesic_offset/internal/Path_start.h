@@ -159,7 +159,7 @@ private:
     if (n.is_near_source) return false;
     if (n.window != no_index && n.distance == n.straight)
     {
-      const Window<FT> w = m_field.kept.window(n.window, m_field.distance, m_field.root);
+      const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.root);
       if (w.root.side() == Source_side::CAP) return false; // the side of a segment may tie
       start.root = w.root;
       start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();

@@ -58,12 +58,12 @@ public:
       if (guard != 0) further = m_start.at_vertex(v);
       const Path_start<FT>& start = guard == 0 ? first : further;
       if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+      if constexpr (Legs::keeps)
+        if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
       passed.clear();
       const End end = follow(start, passed);
-      const auto& items = out.items(passed, end);
-      if constexpr (Legs::keeps)
-        if (v != no_index) legs.keep(v, items, end);
-      out.append(items.data(), items.data() + items.size(), end);
+      if (Legs::keeps && v != no_index) keep(v, passed, end, legs, out);
+      else out.append(passed, end);
       if (end.primitive != no_index) return end.primitive;
       v = end.point.element;
     }
@@ -113,18 +113,30 @@ private:
     else return (void)legs, (void)v, nullptr;
   }
 
+  template <class Legs, class Output>
+  static void keep(Index v, const Passed& passed, const End& end, Legs& legs, Output& out)
+  {
+    if constexpr (Legs::keeps)
+    {
+      const auto& items = out.items(passed, end);
+      legs.keep(v, items, end);
+      out.append(items.data(), items.data() + items.size(), end);
+    }
+  }
+
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
     const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
-    Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    Index h = start.halfedge;
+    Point from = start.from, to = start.to;
     bool is_under_way = false;
     // not with exact numbers, of which strips make long expressions
-    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, walk))
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
-      Strip_walk<FT> strip(m_mesh, walk, start.exit);
+      Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
       const FT ahead = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
       is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
@@ -133,9 +145,12 @@ private:
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
             strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
           return goal.end;
-        walk = Straight_walk<FT>(m_mesh, strip.halfedge(), strip.position(), strip.goal());
+        h = strip.halfedge();
+        from = strip.position();
+        to = strip.goal();
       }
     }
+    Straight_walk<FT> walk(m_mesh, h, from, to);
     int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
     Index last_vertex = no_index;
