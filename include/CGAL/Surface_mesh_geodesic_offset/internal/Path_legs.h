@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The straight ways behind vertices, which the shortest paths from many points have in common: each is walked twice at most,
-// and remembered.
+// The straight ways behind vertices, which the shortest paths from many points have in common: they are remembered.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_LEGS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_LEGS_H
@@ -61,8 +60,7 @@ private:
   Index m_size;
 };
 
-// Of the vertices of a mesh. May be used by several threads at once. What is walked once only is not kept, nor is anything
-// once the memory is used up: queries at a few points must not cost as if there were many.
+// Of the vertices of a mesh. May be used by several threads at once. Nothing is kept any more once the memory is used up.
 template <class FT, class Item>
 class Path_legs
 {
@@ -97,13 +95,16 @@ public:
     if (const Leg* const leg = find(v)) internal::prefetch(leg, Leg::bytes(8));
   }
 
-  // Tells what way has been walked.
+  // Tells what way has been walked. Many paths bend at the same vertices, few start at the same one: the way with which a
+  // path starts is kept the second time only.
   template <class Items>
-  void keep(Index v, const Items& items, const Leg_end<FT>& end)
+  void keep(Index v, const Items& items, const Leg_end<FT>& end, bool starts_path)
   {
     Place& place = places()[v];
     const Leg* known = nullptr;
-    if (place.compare_exchange_strong(known, walked_once(), std::memory_order_relaxed) || known != walked_once()) return;
+    if (!starts_path) known = place.load(std::memory_order_relaxed);
+    else if (place.compare_exchange_strong(known, walked_once(), std::memory_order_relaxed)) return;
+    if (known && known != walked_once()) return;
     const std::size_t bytes = Leg::bytes(items.size()) + overhead;
     if (m_bytes.fetch_add(bytes, std::memory_order_relaxed) + bytes <= m_size * bytes_a_vertex)
     {

@@ -111,7 +111,8 @@ public:
   void append(const Item* q, const Item* last, const Leg_end<FT>&)
   {
     if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
-    else m_out = std::copy(q, last, m_out);
+    else
+      for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda can't be assigned
   }
 
   // The same from what a leg that is not to be kept has passed.

@@ -36,10 +36,9 @@ public:
 
   // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
   // Returns the primitive where it ends. Nothing if p is not reached.
-  template <class Point_, class Output>
-  Index operator()(const Point_& p, const Path_start<FT>& first, Path_legs<FT, typename Output::Item>& legs, Output& out) const
+  template <class Point_, class Legs, class Output>
+  Index operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out) const
   {
-    typedef Path_legs<FT, typename Output::Item> Legs;
     if (!first.is_reached()) return no_index;
     out.start(p);
     const Index limit = Index(m_mesh.number_of_vertices());
@@ -62,7 +61,7 @@ public:
         if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
       passed.clear();
       const End end = follow(start, passed);
-      if (Legs::keeps && v != no_index) keep(v, passed, end, legs, out);
+      if (Legs::keeps && v != no_index) keep(v, passed, end, guard == 0, legs, out);
       else out.append(passed, end);
       if (end.primitive != no_index) return end.primitive;
       v = end.point.element;
@@ -114,12 +113,12 @@ private:
   }
 
   template <class Legs, class Output>
-  static void keep(Index v, const Passed& passed, const End& end, Legs& legs, Output& out)
+  static void keep(Index v, const Passed& passed, const End& end, bool starts_path, Legs& legs, Output& out)
   {
     if constexpr (Legs::keeps)
     {
       const auto& items = out.items(passed, end);
-      legs.keep(v, items, end);
+      legs.keep(v, items, end, starts_path);
       out.append(items.data(), items.data() + items.size(), end);
     }
   }

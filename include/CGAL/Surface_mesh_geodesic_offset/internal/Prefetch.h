@@ -11,6 +11,7 @@
 #include <boost/config.hpp>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -29,6 +30,13 @@ BOOST_FORCEINLINE void prefetch(const void* p)
 BOOST_FORCEINLINE void prefetch(const void* p, std::size_t bytes)
 {
   for (std::size_t i = 0; i < bytes; i += 64) prefetch(static_cast<const char*>(p) + i);
+}
+
+// There need not be such an element.
+template <class T>
+BOOST_FORCEINLINE void prefetch_element(const T* first, std::size_t i)
+{
+  prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(first) + i * sizeof(T)));
 }
 
 } // namespace internal

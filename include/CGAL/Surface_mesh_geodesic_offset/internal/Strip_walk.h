@@ -77,14 +77,14 @@ public:
     const auto goes_on = [&](Index beyond, const Point& d) {
       return beyond != no_index && CGAL::abs(apex.y) > beside && height_of_goal(apex, d) > ahead;
     };
-    FT unit = FT(1) / mesh[h].length;
+    FT unit = FT(1) / mesh[h].length; // both sides of an edge have the same number
     for (;;)
     {
       if (out == last && !make_room(passed, out, last)) return false;
       *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
       const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)], &b = mesh[m_mesh.next(h)];
-      prefetch(mesh + b.twin);
-      prefetch(mesh + c.twin);
+      prefetch_element(mesh, b.twin);
+      prefetch_element(mesh, c.twin);
       apex = {l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
       // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
       // foresee the turns half of the time is better than to wait for each.
