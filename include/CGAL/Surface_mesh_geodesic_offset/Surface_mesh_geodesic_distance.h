@@ -290,7 +290,7 @@ public:
   /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only
   /// the point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of
   /// points, and the exceptions are those of the queries. What many paths have in common, the straight ways from vertex to
-  /// vertex, is remembered, in up to 264 bytes a vertex of the mesh: once for paths as points in space, once for all others.
+  /// vertex, is remembered, in up to 264 bytes a vertex of the mesh for paths as points, and as many for the other forms.
   /// @{
 
   /// \param out an output iterator for `Face_location`

@@ -23,8 +23,26 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// What a leg has passed, as it is found.
+template <class FT>
+struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
+{
+  static const Path_crossing<FT>& item(const Path_crossing<FT>& c) { return c; }
+};
+
+// The same as points in space. They are made at once: a processor that waits for the next turn of the way has the time.
+template <class Surface>
+struct Passed_points : boost::container::small_vector<typename Surface::Point_3, 128>
+{
+  explicit Passed_points(const Surface& surface) : surface(surface) {}
+
+  typename Surface::Point_3 item(const Path_crossing<typename Surface::Number>& c) const { return surface.point(c); }
+
+  const Surface& surface;
+};
+
 // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
-// it passes, and where a leg ends; out(crossing) for each edge that it crosses.
+// it passes, and for the source point where it ends; out(crossing) for each edge that it crosses.
 template <class FT, class Function>
 class Path_elements
 {
@@ -39,13 +57,11 @@ public:
     m_out(p);
   }
 
-  // The items of a leg.
-  template <class Passed>
-  const Passed& items(const Passed& passed, const Leg_end<FT>&)
-  {
-    return passed;
-  }
+  // Takes what a leg passes; the leg is whole with its end.
+  Passed_crossings<FT>& passed() { return m_passed; }
+  void end_leg(const Leg_end<FT>&) {}
 
+  // The items of a leg.
   void append(const Item* q, const Item* last, const Leg_end<FT>& end)
   {
     for (; q != last; ++q)
@@ -54,15 +70,9 @@ public:
     m_out(end.point);
   }
 
-  // The same from what a leg that is not to be kept has passed.
-  template <class Passed>
-  void append(const Passed& passed, const Leg_end<FT>& end)
-  {
-    append(passed.data(), passed.data() + passed.size(), end);
-  }
-
 private:
   Function& m_out;
+  Passed_crossings<FT> m_passed;
 };
 
 // The vector that an output iterator appends to, if it does; else null.
@@ -91,7 +101,7 @@ public:
   typedef typename Surface::Number FT;
   typedef typename Surface::Point_3 Item;
 
-  Path_points(const Surface& surface, OutputIterator out) : m_surface(surface), m_out(out) {}
+  Path_points(const Surface& surface, OutputIterator out) : m_surface(surface), m_out(out), m_passed(surface) {}
 
   template <class P>
   void start(const P& p)
@@ -100,27 +110,14 @@ public:
     *m_out++ = q;
   }
 
-  template <class Passed>
-  const auto& items(const Passed& passed, const Leg_end<FT>& end)
-  {
-    m_items.resize(passed.size() + 1, boost::container::default_init);
-    write(passed, end, m_items.data());
-    return m_items;
-  }
+  Passed_points<Surface>& passed() { return m_passed; }
+  void end_leg(const Leg_end<FT>& end) { m_passed.push_back(m_surface.point(end.point)); }
 
   void append(const Item* q, const Item* last, const Leg_end<FT>&)
   {
     if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
     else
       for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda can't be assigned
-  }
-
-  // The same from what a leg that is not to be kept has passed.
-  template <class Passed>
-  void append(const Passed& passed, const Leg_end<FT>& end)
-  {
-    if constexpr (is_vector) write(passed, end, room_for(passed.size() + 1));
-    else write(passed, end, m_out);
   }
 
   const OutputIterator& out() const { return m_out; }
@@ -138,16 +135,9 @@ private:
     return items.data() + size;
   }
 
-  template <class Passed, class Iterator>
-  void write(const Passed& passed, const Leg_end<FT>& end, Iterator&& out)
-  {
-    for (const Path_crossing<FT>& p : passed) *out++ = m_surface.point(p);
-    *out++ = m_surface.point(end.point);
-  }
-
   const Surface& m_surface;
   OutputIterator m_out;
-  boost::container::small_vector<Item, 128> m_items;
+  Passed_points<Surface> m_passed;
 };
 
 } // namespace internal

@@ -11,10 +11,9 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_goal.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 
@@ -43,7 +42,7 @@ public:
     out.start(p);
     const Index limit = Index(m_mesh.number_of_vertices());
     Path_start<FT> further;
-    Passed passed;
+    auto& passed = out.passed();
     Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
@@ -61,8 +60,10 @@ public:
         if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
       passed.clear();
       const End end = follow(start, passed);
-      if (Legs::keeps && v != no_index) keep(v, passed, end, guard == 0, legs, out);
-      else out.append(passed, end);
+      out.end_leg(end);
+      if constexpr (Legs::keeps)
+        if (v != no_index) legs.keep(v, passed, end, guard == 0);
+      out.append(passed.data(), passed.data() + passed.size(), end);
       if (end.primitive != no_index) return end.primitive;
       v = end.point.element;
     }
@@ -78,7 +79,7 @@ public:
     const FT limit = start.distance * (FT(1) + Number_policy<FT>::rounding(512));
     const auto may_lead_to = [&](int k) { return m_field.distance[walk.vertex(k)] + length(walk.corner(k)) <= limit; };
     if (!may_lead_to(1) && !may_lead_to(2)) return;
-    Passed passed;
+    Passed_crossings<FT> passed;
     const End end = follow(start, passed);
     if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
     const Index next = end.point.element;
@@ -91,8 +92,6 @@ public:
   }
 
 private:
-  typedef boost::container::small_vector<Path_crossing<FT>, 128> Passed;
-
   typedef Leg_end<FT> End;
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
@@ -112,19 +111,9 @@ private:
     else return (void)legs, (void)v, nullptr;
   }
 
-  template <class Legs, class Output>
-  static void keep(Index v, const Passed& passed, const End& end, bool starts_path, Legs& legs, Output& out)
-  {
-    if constexpr (Legs::keeps)
-    {
-      const auto& items = out.items(passed, end);
-      legs.keep(v, items, end, starts_path);
-      out.append(items.data(), items.data() + items.size(), end);
-    }
-  }
-
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
+  template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
     const auto goal = m_goals.of(start);
@@ -195,9 +184,10 @@ private:
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
       if (v == no_index)
-        passed.push_back({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)});
+        passed.push_back(
+          passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
       else if (v != last_vertex)
-        passed.push_back({no_index, v, v, FT(0)});
+        passed.push_back(passed.item({no_index, v, v, FT(0)}));
       last_vertex = v;
       walk.cross_over(exit, crossing);
     }

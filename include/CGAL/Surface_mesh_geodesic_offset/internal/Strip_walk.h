@@ -72,7 +72,7 @@ public:
     Index left = m_vertex[0], right = m_vertex[1];
     Point l = m_end[0], r = m_end[1], apex;
     const Unfolded_halfedge<FT>* const mesh = &m_mesh[0];
-    Path_crossing<FT>*out = nullptr, *last = nullptr;
+    typename Passed::value_type *out = nullptr, *last = nullptr;
     // Through an edge of the face with the direction d: whether there is nothing in the way.
     const auto goes_on = [&](Index beyond, const Point& d) {
       return beyond != no_index && CGAL::abs(apex.y) > beside && height_of_goal(apex, d) > ahead;
@@ -81,7 +81,7 @@ public:
     for (;;)
     {
       if (out == last && !make_room(passed, out, last)) return false;
-      *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
+      *out++ = passed.item({h, left, right, FT(l.y / (l.y - r.y))});
       const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)], &b = mesh[m_mesh.next(h)];
       prefetch_element(mesh, b.twin);
       prefetch_element(mesh, c.twin);
@@ -134,7 +134,8 @@ public:
 private:
   // For some more crossings: a call for each would cost more than the crossing. No walk crosses more edges than there are.
   template <class Passed>
-  BOOST_NOINLINE bool make_room(Passed& passed, Path_crossing<FT>*& out, Path_crossing<FT>*& last) const
+  BOOST_NOINLINE bool make_room(Passed& passed, typename Passed::value_type*& out,
+                                typename Passed::value_type*& last) const
   {
     const std::size_t size = passed.size(), more = 64;
     if (size > m_mesh.number_of_halfedges())
