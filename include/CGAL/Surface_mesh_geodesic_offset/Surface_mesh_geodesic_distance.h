@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
@@ -289,7 +290,7 @@ public:
   /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only
   /// the point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of
   /// points, and the exceptions are those of the queries. What many paths have in common, the straight ways from vertex to
-  /// vertex, is remembered, in up to 264 bytes a vertex of the mesh.
+  /// vertex, is remembered, in up to 264 bytes a vertex of the mesh for paths as points, and as many for the other forms.
   /// @{
 
   /// \param out an output iterator for `Face_location`
@@ -304,11 +305,19 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const auto& p) {
-      const Point_3 q = m_surface->point(p); // appending what has a name to a vector is not a call
-      *out++ = q;
-    });
-    return out;
+    const Build& b = built_exactly();
+    if constexpr (decltype(b.legs_in_space)::keeps)
+    {
+      Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(*m_surface, out);
+      const Located_point p = classified(location);
+      tracing(b)(p, start_at(p), b.legs_in_space, points);
+      return points.out();
+    }
+    else
+    {
+      trace_from(location, [&](const auto& p) { *out++ = m_surface->point(p); });
+      return out;
+    }
   }
 
   /// \param visitor is called with what the path meets, as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)`
@@ -358,8 +367,9 @@ protected:
   Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
-    const Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
-    return start.distance > b.maximum ? Path_start() : start;
+    Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
+    if (start.distance > b.maximum) start = Path_start();
+    return start;
   }
 
   template <class Visitor>
@@ -383,11 +393,17 @@ protected:
     }
   }
 
+  auto tracing(const Build& b) const
+  {
+    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field);
+  }
+
   template <class P, class Function>
   Index trace(const P& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
-    return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field, &b.legs)(p, start, out);
+    Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
+    return tracing(b)(p, start, b.legs, elements);
   }
 
   template <class Location, class Function>

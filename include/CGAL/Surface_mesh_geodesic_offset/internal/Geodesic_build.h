@@ -44,7 +44,7 @@ public:
 
   Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources, const Build_request<FT>& request)
     : sources(sources), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
-      legs(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
+      legs(mesh.number_of_vertices()), legs_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
   {
     field.clear(mesh);
   }
@@ -53,7 +53,8 @@ public:
   // distance.
   Geodesic_build(const Geodesic_build& before, const Source_set<FT>& sources, const Build_request<FT>& request)
     : sources(sources), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
-      kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
+      kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()),
+      legs_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
       m_first_new(Index(before.initial.primitives.size()))
   {
     field.start_from(before.field);
@@ -104,7 +105,9 @@ public:
   bool is_cancelled = false, has_all_targets = false;
   Geodesic_field<FT> field;
   Geodesic_offset_statistics statistics;
-  mutable Path_legs<FT> legs; // of the paths that were asked for
+  // of the paths that were asked for
+  mutable Path_legs<FT, Path_crossing<FT>> legs;
+  mutable Path_legs<FT, typename Traits::Point_3> legs_in_space;
 
 private:
   typedef std::chrono::steady_clock Clock;

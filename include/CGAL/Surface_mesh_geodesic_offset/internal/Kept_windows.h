@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Chord_path.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 
 #include <boost/config.hpp>
@@ -30,7 +31,7 @@ struct Nearest_kept_window
 {
   FT straight = Number_policy<FT>::infinity(); // the shortest one along a ray
   FT bent = Number_policy<FT>::infinity();     // the shortest one round the end of a window
-  Index window = no_index;                     // gives the straight one: for Kept_windows::window()
+  Index window = no_index;                     // gives the straight one: for Kept_windows::rays_of_window()
   int halfedge = 0;                            // of the face, by which it enters
 };
 
@@ -74,19 +75,12 @@ public:
     for_each_packed(h, [&](const Packed& p) { f(unpack(p, distance, root)); });
   }
 
-  // Says that the windows of a face will be asked for at once: otherwise each line of memory is waited for.
-  BOOST_FORCEINLINE void prefetch(Index face) const // a call of a function without effects would be dropped
+  // Says that the windows of a face will be asked for at once.
+  BOOST_FORCEINLINE void prefetch(Index face) const
   {
-#if defined(__GNUC__)
     if (m_begin.empty()) return;
     const Index begin = first(3 * face), n = last(3 * face + 2) - begin;
-    if (n == 0) return;
-    const char* const p = reinterpret_cast<const char*>(&at(begin));
-    const std::size_t end = (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed);
-    for (std::size_t i = 0; i < end; i += 64) __builtin_prefetch(p + i);
-#else
-    (void)face;
-#endif
+    if (n != 0) internal::prefetch(&at(begin), (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed));
   }
 
   // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
@@ -130,9 +124,10 @@ public:
     }
   }
 
-  Window window(Index i, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  // But for the distances at the ends.
+  Window rays_of_window(Index i, const std::vector<FT>& distance, const std::vector<Root>& root) const
   {
-    return unpack(at(i), distance, root);
+    return unpack_rays(at(i), distance, root);
   }
 
   // Calls f(window) for the windows of a halfedge through which a path to q is not longer than the limit.
@@ -238,6 +233,14 @@ private:
 
   Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
   {
+    Window w = unpack_rays(p, distance, root);
+    w.d0 = w.distance_at(w.b0);
+    w.d1 = w.distance_at(w.b1);
+    return w;
+  }
+
+  Window unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  {
     Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root, 0};
     const Index value = p.value();
     if (p.bits & 1u || p.is_merged())
@@ -251,8 +254,6 @@ private:
       w.root = root[value - 1];
       w.bits = Window::make_bits(false, value - 1);
     }
-    w.d0 = w.distance_at(w.b0);
-    w.d1 = w.distance_at(w.b1);
     return w;
   }
 

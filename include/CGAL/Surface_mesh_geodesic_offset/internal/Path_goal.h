@@ -68,11 +68,10 @@ public:
   }
 
   // Whether the goal is a point of the face.
-  bool is_in_face(const Goal& goal, const Straight_walk<FT>& walk) const
+  bool is_in_face(const Goal& goal, Index face) const
   {
-    if (goal.vertex != no_index)
-      return walk.vertex(0) == goal.vertex || walk.vertex(1) == goal.vertex || walk.vertex(2) == goal.vertex;
-    return goal.face != no_index && (walk.face() == goal.face || walk.face() == goal.other_face);
+    if (goal.vertex != no_index) return has_corner(face, goal.vertex);
+    return goal.face != no_index && (face == goal.face || face == goal.other_face);
   }
 
   // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how
@@ -158,8 +157,13 @@ private:
     if (p.kind == Surface_point_::EDGE)
       return m_mesh.face(p.element) == face ||
              (m_mesh.twin(p.element) != no_index && m_mesh.face(m_mesh.twin(p.element)) == face);
+    return has_corner(face, p.element);
+  }
+
+  bool has_corner(Index face, Index v) const
+  {
     const Index h = 3 * face;
-    return m_mesh.source(h) == p.element || m_mesh.source(h + 1) == p.element || m_mesh.source(h + 2) == p.element;
+    return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
   // The nearest point of a point or segment that lies in the face; p lies there, too.

@@ -1,15 +1,17 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The straight ways behind vertices, which the shortest paths from many points have in common: each is walked twice at most,
-// and remembered.
+// The straight ways behind vertices, which the shortest paths from many points have in common: they are remembered.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_LEGS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATH_LEGS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
+
+#include <boost/config.hpp>
 
 #include <atomic>
 #include <cstddef>
@@ -29,29 +31,27 @@ struct Leg_end
   Index primitive = no_index; // of the source that is reached; none at a vertex on the way
 };
 
-// The edges that a way crosses, and the vertices that it passes, up to its end. In one block with the array.
-template <class FT>
+// What a way meets up to its end, as items that a path is made of. In one block with the array.
+template <class FT, class Item>
 class Path_leg
 {
 public:
-  typedef Path_crossing<FT> Crossing;
-
-  template <class Passed>
-  static Path_leg* create(const Passed& passed, const Leg_end<FT>& end)
+  template <class Items>
+  static Path_leg* create(const Items& items, const Leg_end<FT>& end)
   {
-    static_assert(alignof(Crossing) <= alignof(Path_leg) && std::is_trivially_destructible<Path_leg>::value, "");
-    Path_leg* const leg = new (::operator new(bytes(passed.size()))) Path_leg(end, Index(passed.size()));
-    std::uninitialized_copy(passed.begin(), passed.end(), reinterpret_cast<Crossing*>(leg + 1));
+    static_assert(alignof(Item) <= alignof(Path_leg) && std::is_trivially_destructible<Path_leg>::value, "");
+    Path_leg* const leg = new (::operator new(bytes(items.size()))) Path_leg(end, Index(items.size()));
+    std::uninitialized_copy(items.begin(), items.end(), reinterpret_cast<Item*>(leg + 1));
     return leg;
   }
 
   static void destroy(const Path_leg* leg) { ::operator delete(const_cast<Path_leg*>(leg)); }
 
-  static std::size_t bytes(std::size_t size) { return sizeof(Path_leg) + size * sizeof(Crossing); }
+  static std::size_t bytes(std::size_t size) { return sizeof(Path_leg) + size * sizeof(Item); }
 
   const Leg_end<FT>& end() const { return m_end; }
-  const Crossing* first_passed() const { return reinterpret_cast<const Crossing*>(this + 1); }
-  const Crossing* last_passed() const { return first_passed() + m_size; } // beyond the last one
+  const Item* first_item() const { return reinterpret_cast<const Item*>(this + 1); }
+  const Item* last_item() const { return first_item() + m_size; } // beyond the last one
 
 private:
   Path_leg(const Leg_end<FT>& end, Index size) : m_end(end), m_size(size) {}
@@ -60,16 +60,15 @@ private:
   Index m_size;
 };
 
-// Of the vertices of a mesh. May be used by several threads at once. What is walked once only is not kept, nor is anything
-// once the memory is used up: queries at a few points must not cost as if there were many.
-template <class FT>
+// Of the vertices of a mesh. May be used by several threads at once. Nothing is kept any more once the memory is used up.
+template <class FT, class Item>
 class Path_legs
 {
 public:
-  typedef Path_leg<FT> Leg;
+  typedef Path_leg<FT, Item> Leg;
 
-  // Exact numbers need not know about threads, and their ways are long to write down.
-  static constexpr bool keeps = std::is_floating_point<FT>::value;
+  // Exact numbers need not know about threads, and their ways are long to write down. Nor need points that have a count.
+  static constexpr bool keeps = std::is_floating_point<FT>::value && std::is_trivially_copyable<Item>::value;
 
   explicit Path_legs(std::size_t number_of_vertices) : m_size(number_of_vertices) {}
   Path_legs(const Path_legs&) = delete;
@@ -90,17 +89,26 @@ public:
     return leg == walked_once() ? nullptr : leg;
   }
 
-  // Tells what way has been walked.
-  template <class Passed>
-  void keep(Index v, const Passed& passed, const Leg_end<FT>& end)
+  // Says that the way behind a vertex will be asked for soon.
+  BOOST_FORCEINLINE void prefetch(Index v) const
+  {
+    if (const Leg* const leg = find(v)) internal::prefetch(leg, Leg::bytes(8));
+  }
+
+  // Tells what way has been walked. Many paths bend at the same vertices, few start at the same one: the way with which a
+  // path starts is kept the second time only.
+  template <class Items>
+  void keep(Index v, const Items& items, const Leg_end<FT>& end, bool starts_path)
   {
     Place& place = places()[v];
     const Leg* known = nullptr;
-    if (place.compare_exchange_strong(known, walked_once(), std::memory_order_relaxed) || known != walked_once()) return;
-    const std::size_t bytes = Leg::bytes(passed.size()) + overhead;
+    if (!starts_path) known = place.load(std::memory_order_relaxed);
+    else if (place.compare_exchange_strong(known, walked_once(), std::memory_order_relaxed)) return;
+    if (known && known != walked_once()) return;
+    const std::size_t bytes = Leg::bytes(items.size()) + overhead;
     if (m_bytes.fetch_add(bytes, std::memory_order_relaxed) + bytes <= m_size * bytes_a_vertex)
     {
-      const Leg* const leg = Leg::create(passed, end);
+      const Leg* const leg = Leg::create(items, end);
       if (place.compare_exchange_strong(known, leg, std::memory_order_release, std::memory_order_relaxed)) return;
       destroy(leg); // another thread was faster
     }

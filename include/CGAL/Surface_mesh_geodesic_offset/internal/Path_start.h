@@ -50,7 +50,8 @@ public:
     if (p.kind == Surface_point<FT>::EDGE) return at_point(p, distance(p));
     const Nearest nearest = nearest_in(p.element, p.weights);
     Path_start<FT> start;
-    return starts_clearly(p, nearest, start) ? start : at_point(p, nearest.distance);
+    if (!starts_clearly(p, nearest, start)) start = at_point(p, nearest.distance);
+    return start;
   }
 
   Path_start<FT> at_vertex(Index v) const
@@ -158,14 +159,15 @@ private:
     if (n.is_near_source) return false;
     if (n.window != no_index && n.distance == n.straight)
     {
-      const Window<FT> w = m_field.kept.window(n.window, m_field.distance, m_field.root);
+      const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.root);
       if (w.root.side() == Source_side::CAP) return false; // the side of a segment may tie
       start.root = w.root;
       start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();
       start.halfedge = 3 * p.element + Index(n.halfedge);
       start.exit = 0;
       start.from = n.q[n.halfedge];
-      start.to = w.is_parallel() ? start.from + n.distance * Point{w.x, w.y} : Point{w.x, w.y};
+      start.to = {w.x, w.y};
+      if (w.is_parallel()) start.to = start.from + n.distance * start.to;
     }
     else
     {

@@ -11,10 +11,9 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_goal.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Strip_walk.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 
@@ -29,55 +28,46 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Surface_point<FT> Surface_point_;
 
-  // `legs`: those of this field, if it is final and they are to be remembered.
-  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-               Path_legs<FT>* legs = nullptr)
-    : m_mesh(mesh), m_field(field), m_legs(legs), m_start(mesh, initial, field),
-      m_goals(mesh, initial, field)
+  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_field(field), m_start(mesh, initial, field), m_goals(mesh, initial, field)
   {
   }
 
-  // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
-  // it passes, and for the source point where it ends; out(crossing) for each edge that it crosses. Returns the primitive
-  // where it ends. Nothing if p is not reached.
-  template <class Point_, class Function>
-  Index operator()(const Point_& p, Path_start<FT> start, Function&& out) const
+  // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
+  // Returns the primitive where it ends. Nothing if p is not reached.
+  template <class Point_, class Legs, class Output>
+  Index operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out) const
   {
-    if (!start.is_reached()) return no_index;
-    out(p);
-    const auto pass = [&](const Path_crossing<FT>& q) {
-      if (q.halfedge != no_index) out(q);
-      else out(Surface_point_::at_vertex(q.source));
-    };
+    if (!first.is_reached()) return no_index;
+    out.start(p);
     const Index limit = Index(m_mesh.number_of_vertices());
-    Passed passed;
+    Path_start<FT> further;
+    auto& passed = out.passed();
     Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
     for (Index guard = 0; guard <= limit; ++guard)
     {
-      End end;
-      const Path_crossing<FT> *q, *last;
-      if (const Path_leg<FT>* const leg = known_leg(v))
+      if (const typename Legs::Leg* const leg = known_leg(legs, v))
       {
-        q = leg->first_passed();
-        last = leg->last_passed();
-        end = leg->end();
+        out.append(leg->first_item(), leg->last_item(), leg->end());
+        if (leg->end().primitive != no_index) return leg->end().primitive;
+        v = leg->end().point.element;
+        continue;
       }
-      else
-      {
-        if (guard != 0) start = m_start.at_vertex(v);
-        if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
-        passed.clear();
-        end = follow(start, passed);
-        keep_leg(v, passed, end);
-        q = passed.data();
-        last = q + passed.size();
-      }
-      for (; q != last; ++q) pass(*q);
-      out(end.point);
+      if (guard != 0) further = m_start.at_vertex(v);
+      const Path_start<FT>& start = guard == 0 ? first : further;
+      if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+      if constexpr (Legs::keeps)
+        if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
+      passed.clear();
+      const End end = follow(start, passed);
+      out.end_leg(end);
+      if constexpr (Legs::keeps)
+        if (v != no_index) legs.keep(v, passed, end, guard == 0);
+      out.append(passed.data(), passed.data() + passed.size(), end);
       if (end.primitive != no_index) return end.primitive;
       v = end.point.element;
     }
-    return v == no_index ? start.root.primitive() : m_field.root[v].primitive();
+    return v == no_index ? first.root.primitive() : m_field.root[v].primitive();
   }
 
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
@@ -89,7 +79,7 @@ public:
     const FT limit = start.distance * (FT(1) + Number_policy<FT>::rounding(512));
     const auto may_lead_to = [&](int k) { return m_field.distance[walk.vertex(k)] + length(walk.corner(k)) <= limit; };
     if (!may_lead_to(1) && !may_lead_to(2)) return;
-    Passed passed;
+    Passed_crossings<FT> passed;
     const End end = follow(start, passed);
     if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
     const Index next = end.point.element;
@@ -102,8 +92,6 @@ public:
   }
 
 private:
-  typedef boost::container::small_vector<Path_crossing<FT>, 128> Passed;
-
   typedef Leg_end<FT> End;
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
@@ -116,31 +104,27 @@ private:
 
   static constexpr double nearby = Path_goals<FT>::nearby;
 
-  const Path_leg<FT>* known_leg(Index v) const
+  template <class Legs>
+  static const typename Legs::Leg* known_leg(const Legs& legs, Index v)
   {
-    if constexpr (Path_legs<FT>::keeps) return v == no_index || !m_legs ? nullptr : m_legs->find(v);
-    else return (void)v, nullptr;
-  }
-
-  void keep_leg(Index v, const Passed& passed, const End& end) const
-  {
-    if constexpr (Path_legs<FT>::keeps)
-      if (v != no_index && m_legs) m_legs->keep(v, passed, end);
-    (void)v, (void)passed, (void)end;
+    if constexpr (Legs::keeps) return v == no_index ? nullptr : legs.find(v);
+    else return (void)legs, (void)v, nullptr;
   }
 
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
   // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
+  template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
     const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
-    Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    Index h = start.halfedge;
+    Point from = start.from, to = start.to;
     bool is_under_way = false;
     // not with exact numbers, of which strips make long expressions
-    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, walk))
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
-      Strip_walk<FT> strip(m_mesh, walk, start.exit);
+      Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
       const FT ahead = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
       is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
@@ -149,9 +133,12 @@ private:
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
             strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
           return goal.end;
-        walk = Straight_walk<FT>(m_mesh, strip.halfedge(), strip.position(), strip.goal());
+        h = strip.halfedge();
+        from = strip.position();
+        to = strip.goal();
       }
     }
+    Straight_walk<FT> walk(m_mesh, h, from, to);
     int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
     Index last_vertex = no_index;
@@ -197,9 +184,10 @@ private:
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
       if (v == no_index)
-        passed.push_back({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)});
+        passed.push_back(
+          passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
       else if (v != last_vertex)
-        passed.push_back({no_index, v, v, FT(0)});
+        passed.push_back(passed.item({no_index, v, v, FT(0)}));
       last_vertex = v;
       walk.cross_over(exit, crossing);
     }
@@ -251,7 +239,6 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
-  Path_legs<FT>* const m_legs;
   const Path_starts<FT> m_start;
   const Path_goals<FT> m_goals;
 };

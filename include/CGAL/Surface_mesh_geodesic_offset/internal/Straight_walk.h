@@ -49,9 +49,6 @@ public:
   Index beyond(int k) const { return (*m_mesh)[m_edge[k]].twin; }
   const Point& corner(int k) const { return m_corner[k]; }
 
-  // The unit vector along the twin of edge k.
-  const Point& direction_beyond(int k) const { return m_direction[k]; }
-
   // No smaller than the longest edge of the face.
   FT extent() const { return m_length[0] + m_length[1]; }
 

@@ -8,7 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Straight_walk.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
 
 #include <boost/config.hpp>
@@ -29,20 +30,32 @@ class Strip_walk
 public:
   typedef Point_in_face<FT> Point;
 
-  // The way leaves the face where it is through the edge k.
-  Strip_walk(const Unfolded_mesh<FT>& mesh, const Straight_walk<FT>& first, int k) : m_mesh(mesh)
+  // The way starts at `from`, in the frame of the halfedge h and in its face, which it leaves through the edge k, counted
+  // from h. It goes to `to`, which is as far as the length.
+  Strip_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& to, const FT& length, int k)
+    : m_mesh(mesh), m_length(length)
   {
-    const Point way = first.goal() - first.position();
-    m_length = length(way);
-    const Point d = (FT(1) / m_length) * way;
+    const Point d = (FT(1) / length) * (to - from);
     const auto lay = [&](const Point& v) { return Point{dot(d, v), cross(d, v)}; };
-    const int after = (k + 1) % 3;
-    m_halfedge = first.beyond(k);
-    m_vertex[0] = first.vertex(after);
-    m_vertex[1] = first.vertex(k);
-    m_end[0] = lay(first.corner(after) - first.position());
-    m_end[1] = lay(first.corner(k) - first.position());
-    m_direction = lay(first.direction_beyond(k));
+    const Index n = m_mesh.next(h), p = m_mesh.previous(h);
+    const Point corner{FT(0), FT(0)}, corner_1{mesh[h].length, FT(0)}, corner_2{mesh[h].apex_x, mesh[h].apex_y};
+    // with the unit vector along the twin of the edge
+    const auto start = [&](Index edge, Index after, const Point& left, const Point& right, const Point& back) {
+      m_halfedge = mesh[edge].twin;
+      m_vertex[0] = mesh[after].origin;
+      m_vertex[1] = mesh[edge].origin;
+      m_end[0] = lay(left - from);
+      m_end[1] = lay(right - from);
+      m_direction = lay(back);
+    };
+    if (k == 0)
+      start(h, n, corner_1, corner, {FT(-1), FT(0)});
+    else
+    {
+      const FT unit = FT(1) / mesh[k == 1 ? h : p].length;
+      if (k == 1) start(n, p, corner_2, corner_1, {unit * mesh[n].apex_x, -unit * mesh[n].apex_y});
+      else start(p, h, corner, corner_2, {unit * corner_2.x, unit * corner_2.y});
+    }
   }
 
   // Walks on and appends the edges that are crossed, up to a vertex that is no farther from the way than `beside`, or to
@@ -59,25 +72,27 @@ public:
     Index left = m_vertex[0], right = m_vertex[1];
     Point l = m_end[0], r = m_end[1], apex;
     const Unfolded_halfedge<FT>* const mesh = &m_mesh[0];
-    Path_crossing<FT>*out = nullptr, *last = nullptr;
+    typename Passed::value_type *out = nullptr, *last = nullptr;
     // Through an edge of the face with the direction d: whether there is nothing in the way.
     const auto goes_on = [&](Index beyond, const Point& d) {
       return beyond != no_index && CGAL::abs(apex.y) > beside && height_of_goal(apex, d) > ahead;
     };
+    FT unit = FT(1) / mesh[h].length; // both sides of an edge have the same number
     for (;;)
     {
       if (out == last && !make_room(passed, out, last)) return false;
-      *out++ = {h, left, right, FT(l.y / (l.y - r.y))};
-      const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)];
+      *out++ = passed.item({h, left, right, FT(l.y / (l.y - r.y))});
+      const auto &a = mesh[h], &c = mesh[m_mesh.previous(h)], &b = mesh[m_mesh.next(h)];
+      prefetch_element(mesh, b.twin);
+      prefetch_element(mesh, c.twin);
       apex = {l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
       // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
       // foresee the turns half of the time is better than to wait for each.
       if (CGAL::is_positive(apex.y))
       {
-        const auto& b = mesh[m_mesh.next(h)];
-        const FT unit = FT(1) / a.length;
         const Point d = turned(e, {unit * b.apex_x, -unit * b.apex_y});
         if (!goes_on(b.twin, d)) break;
+        unit = FT(1) / b.length;
         e = d;
         left = c.origin;
         l = apex;
@@ -85,7 +100,7 @@ public:
       }
       else
       {
-        const FT unit = FT(1) / c.length;
+        unit = FT(1) / c.length;
         const Point d = turned(e, {unit * a.apex_x, unit * a.apex_y});
         if (!goes_on(c.twin, d)) break;
         e = d;
@@ -119,7 +134,8 @@ public:
 private:
   // For some more crossings: a call for each would cost more than the crossing. No walk crosses more edges than there are.
   template <class Passed>
-  BOOST_NOINLINE bool make_room(Passed& passed, Path_crossing<FT>*& out, Path_crossing<FT>*& last) const
+  BOOST_NOINLINE bool make_room(Passed& passed, typename Passed::value_type*& out,
+                                typename Passed::value_type*& last) const
   {
     const std::size_t size = passed.size(), more = 64;
     if (size > m_mesh.number_of_halfedges())

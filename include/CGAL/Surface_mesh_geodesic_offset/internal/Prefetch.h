@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Says that memory will be asked for soon: otherwise each line of it is waited for.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PREFETCH_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PREFETCH_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <boost/config.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Inlined: a call of a function without effects would be dropped. The address need not be valid.
+BOOST_FORCEINLINE void prefetch(const void* p)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(p);
+#else
+  (void)p;
+#endif
+}
+
+BOOST_FORCEINLINE void prefetch(const void* p, std::size_t bytes)
+{
+  for (std::size_t i = 0; i < bytes; i += 64) prefetch(static_cast<const char*>(p) + i);
+}
+
+// There need not be such an element.
+template <class T>
+BOOST_FORCEINLINE void prefetch_element(const T* first, std::size_t i)
+{
+  prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(first) + i * sizeof(T)));
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
