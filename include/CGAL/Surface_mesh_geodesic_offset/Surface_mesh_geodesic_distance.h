@@ -417,26 +417,7 @@ protected:
   template <class NamedParameters>
   Request request(const NamedParameters& np) const
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    Request r;
-    r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_maximum_distance), Policy::infinity());
-    if (!(r.maximum >= Number(0)))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: the maximum distance is negative or not a number");
-    r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
-    r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
-    static const std::array<vertex_descriptor, 0> none{};
-    const auto targets = choose_parameter(get_parameter(np, internal_np::geodesic_targets), std::cref(none));
-    for (const auto& t : targets.get()) r.targets.push_back(classified(t));
-    r.tolerance.relative = choose_parameter(get_parameter(np, internal_np::geodesic_relative_tolerance), Number(0));
-    r.tolerance.absolute = choose_parameter(get_parameter(np, internal_np::geodesic_merging_tolerance), Number(0));
-    if (!(r.tolerance.relative >= Number(0) && r.tolerance.relative <= Number(0.5)))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: the relative tolerance is not a number from 0 to 0.5");
-    if (!(r.tolerance.absolute >= Number(0) && Policy::is_finite(r.tolerance.absolute)))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: the merging tolerance is negative or not a finite number");
-    if (!Policy::is_inexact && !r.tolerance.is_zero())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a tolerance needs a floating point number type");
-    return r;
+    return Request::template read<vertex_descriptor>(np, [this](const auto& t) { return this->classified(t); });
   }
 
   std::shared_ptr<const Build> m_built;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
@@ -18,23 +19,11 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
 #include <chrono>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// What a build is to compute, and when it may stop.
-template <class FT>
-struct Build_request
-{
-  FT maximum = Number_policy<FT>::infinity();
-  bool keeps_windows = false;
-  std::vector<Surface_point<FT>> targets;   // stop when all are final; none: don't
-  std::function<bool(double)> goes_on = {}; // told the part of the work that is done
-  Merging_tolerance<FT> tolerance = {};
-};
 
 template <class Traits>
 class Geodesic_build

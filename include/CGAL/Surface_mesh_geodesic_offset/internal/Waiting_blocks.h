@@ -73,11 +73,7 @@ public:
   // Says that those of a list will be asked for soon.
   BOOST_FORCEINLINE void prefetch(Index place) const
   {
-#if defined(__GNUC__)
-    if (place < m_blocks.size()) __builtin_prefetch(&m_blocks[place]);
-#else
-    (void)place;
-#endif
+    if (place < m_blocks.size()) internal::prefetch(&m_blocks[place]);
   }
 
 private:

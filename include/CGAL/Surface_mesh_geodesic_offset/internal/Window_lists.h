@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
 #include <boost/config.hpp>
@@ -255,30 +256,14 @@ public:
   }
   BOOST_FORCEINLINE static void prefetch(const Window* data, Index size)
   {
-#if defined(__GNUC__)
-    for (Index i = 0; i < (std::min)(size, Index(8)); ++i) __builtin_prefetch(data + i);
-#else
-    (void)data;
-    (void)size;
-#endif
+    internal::prefetch(data, (std::min)(size, Index(8)) * sizeof(Window));
   }
 
   // The same for what says where the lists are, and for what is said of them.
-  BOOST_FORCEINLINE void prefetch_place(Index h) const
-  {
-#if defined(__GNUC__)
-    __builtin_prefetch(&m_list_of[h]);
-#else
-    (void)h;
-#endif
-  }
+  BOOST_FORCEINLINE void prefetch_place(Index h) const { internal::prefetch(&m_list_of[h]); }
   BOOST_FORCEINLINE void prefetch_head(Index h) const
   {
-#if defined(__GNUC__)
-    if (m_list_of[h] != no_index) __builtin_prefetch(&m_lists[m_list_of[h]]);
-#else
-    (void)h;
-#endif
+    if (m_list_of[h] != no_index) internal::prefetch(&m_lists[m_list_of[h]]);
   }
 
   std::size_t number_of_windows() const { return m_live; }

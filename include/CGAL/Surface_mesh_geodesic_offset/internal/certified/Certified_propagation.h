@@ -26,12 +26,14 @@ public:
   {
   }
 
-  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to
-  // the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
+  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding, which leaves the low
+  // digits out: -1 if all of them to the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false
+  // else.
   int clear_side(const Certified_window& w, bool& is_clear) const
   {
     const double slope = w.is_parallel() ? -w.y : apex_y - w.y, r0 = w.x * apex_y, r1 = w.y * apex_x, r = r0 - r1;
-    const double margin = 0x1p-36 * (length * slope + std::abs(r0) + std::abs(r1));
+    const double margin =
+      0x1p-36 * (length * slope + std::abs(r0) + std::abs(r1)) + w.error_of_image() * (length + 2 * left_length);
     const double v0 = w.b0 * slope - r, v1 = w.b1 * slope - r;
     is_clear = true;
     if (v1 < -margin) return -1;
@@ -127,7 +129,8 @@ private:
   Certified_propagation(const Halfedge& entry, const Halfedge& right, const Halfedge& left, const Double_double_2& apex)
     : m_to_left(entry.corner), m_to_right({right.corner.x, -right.corner.y}), m_length(entry.length),
       m_right_length(right.length), m_apex(apex), length(m_length.high), left_length(left.length.high),
-      right_length(m_right_length.high), apex_x(apex.x.high), apex_y(apex.y.high), cl(entry.corner.x.high), sl(entry.corner.y.high), cr(right.corner.x.high), sr(right.corner.y.high)
+      right_length(m_right_length.high), apex_x(apex.x.high), apex_y(apex.y.high), cl(entry.corner.x.high),
+      sl(entry.corner.y.high), cr(right.corner.x.high), sr(right.corner.y.high)
   {
   }
 
@@ -153,8 +156,8 @@ private:
   double from_target(double b) const { return b < length ? (length - b) + m_length.low : 0.; }
 
   // Where the ray from (b, 0) leaves through the edge at the origin in direction (c, s), rounded towards the origin or away
-  // from it. `to_image`: from b to the image; `off`: the error of the image. The first function is false if the ray certainly
-  // does not meet the line of the edge.
+  // from it. `to_image`: from b to the image; `off`: the error of the image. The first function is false if the ray
+  // certainly does not meet the line of the edge.
   static bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t)
   {
     double den, error;

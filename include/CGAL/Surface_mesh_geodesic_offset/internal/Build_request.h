@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is asked of a build.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BUILD_REQUEST_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BUILD_REQUEST_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_merging.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// What a build is to compute, and when it may stop.
+template <class FT>
+struct Build_request
+{
+  FT maximum = Number_policy<FT>::infinity();
+  bool keeps_windows = false;
+  std::vector<Surface_point<FT>> targets;   // stop when all are final; none: don't
+  std::function<bool(double)> goes_on = {}; // told the part of the work that is done
+  Merging_tolerance<FT> tolerance = {};
+
+  // Reads the named parameters; locate(target) is the place of a target on the surface.
+  // \throws std::invalid_argument if a number is out of its range
+  template <class Target, class NamedParameters, class Locate>
+  static Build_request read(const NamedParameters& np, const Locate& locate)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    Build_request r;
+    r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_maximum_distance), Number_policy<FT>::infinity());
+    require(r.maximum >= FT(0), "the maximum distance is negative or not a number");
+    r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
+    r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
+    static const std::array<Target, 0> none{};
+    const auto targets = choose_parameter(get_parameter(np, internal_np::geodesic_targets), std::cref(none));
+    for (const auto& t : targets.get()) r.targets.push_back(locate(t));
+    r.tolerance.relative = choose_parameter(get_parameter(np, internal_np::geodesic_relative_tolerance), FT(0));
+    r.tolerance.absolute = choose_parameter(get_parameter(np, internal_np::geodesic_merging_tolerance), FT(0));
+    require(r.tolerance.relative >= FT(0) && r.tolerance.relative <= FT(0.5),
+            "the relative tolerance is not a number from 0 to 0.5");
+    require(r.tolerance.absolute >= FT(0) && Number_policy<FT>::is_finite(r.tolerance.absolute),
+            "the merging tolerance is negative or not a finite number");
+    require(Number_policy<FT>::is_inexact || r.tolerance.is_zero(), "a tolerance needs a floating point number type");
+    return r;
+  }
+
+private:
+  static void require(bool condition, const char* what)
+  {
+    if (!condition) throw std::invalid_argument(std::string("Surface_mesh_geodesic_offset: ") + what);
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
