@@ -6,6 +6,8 @@
 #ifndef GEODESIC_OFFSET_BENCHMARK_COUNTED_HEAP_H
 #define GEODESIC_OFFSET_BENCHMARK_COUNTED_HEAP_H
 
+#include <boost/config.hpp>
+
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -34,7 +36,8 @@ constexpr std::size_t heap_header = alignof(std::max_align_t);
 
 } // namespace benchmark
 
-void* operator new(std::size_t n)
+// Not inlined: compilers pair them with each other only as functions.
+BOOST_NOINLINE void* operator new(std::size_t n)
 {
   char* const block = static_cast<char*>(std::malloc(n + benchmark::heap_header));
   if (!block) throw std::bad_alloc();
@@ -44,7 +47,7 @@ void* operator new(std::size_t n)
   return block + benchmark::heap_header;
 }
 
-void operator delete(void* p) noexcept
+BOOST_NOINLINE void operator delete(void* p) noexcept
 {
   if (!p) return;
   char* const block = static_cast<char*>(p) - benchmark::heap_header;
@@ -52,6 +55,6 @@ void operator delete(void* p) noexcept
   std::free(block);
 }
 
-void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+BOOST_NOINLINE void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 #endif // GEODESIC_OFFSET_BENCHMARK_COUNTED_HEAP_H
