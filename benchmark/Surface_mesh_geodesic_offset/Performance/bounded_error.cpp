@@ -25,8 +25,6 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace {
