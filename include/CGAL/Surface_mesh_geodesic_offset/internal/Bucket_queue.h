@@ -59,29 +59,30 @@ public:
   // Moves on to the next bucket that is not empty; false when there is nothing left that can move the front.
   bool advance()
   {
-    if (m_events == 0) return false;
-    while (m_ring[m_begin].empty())
-    {
-      m_begin = (m_begin + 1) & (m_ring.size() - 1);
-      ++m_current;
-    }
+    if (!has_events()) return false;
+    while (is_at_empty_bucket()) move_on();
     return true;
   }
+
+  // The same in steps, for queues that move on together.
+  bool has_events() const { return m_events != 0; }
+  bool is_at_empty_bucket() const { return m_ring[m_begin].empty(); }
+  void move_on()
+  {
+    m_begin = (m_begin + 1) & (m_ring.size() - 1);
+    ++m_current;
+  }
+
+  // How many wait in this bucket.
+  std::size_t number_of_faces() const { return m_ring[m_begin].faces.size(); }
+  std::size_t number_of_halfedges() const { return m_ring[m_begin].halfedges.size(); }
+  std::size_t number_of_vertices() const { return m_ring[m_begin].vertices.size(); }
 
   // The halfedge that is next, unless others come first; no_index if there is none in this bucket.
   Index next_halfedge() const
   {
     const std::vector<Index>& h = m_ring[m_begin].halfedges;
     return h.empty() ? no_index : h.back();
-  }
-
-  // All halfedges of this bucket, in the order in which they came; false if there are none.
-  bool pop_halfedges(std::vector<Index>& halfedges)
-  {
-    halfedges.clear();
-    halfedges.swap(m_ring[m_begin].halfedges);
-    m_events -= halfedges.size();
-    return !halfedges.empty();
   }
 
   bool pop_face(Index& f) { return pop(&Bucket::faces, f); }

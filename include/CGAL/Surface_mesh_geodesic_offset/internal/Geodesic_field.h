@@ -78,13 +78,14 @@ public:
 
   // The list of a halfedge, with the windows that were there before. They have been propagated from pseudo-sources at the
   // distances that these had then.
-  Window_list<FT>& list(Index h)
+  Window_list<FT>& list(Index h) { return list(h, lists.arena(0)); }
+  Window_list<FT>& list(Index h, Window_arena<Window>& arena)
   {
-    if (lists.has(h)) return lists.get(h);
-    Window_list<FT>& list = lists.get_or_create(h);
+    if (Window_list<FT>* const known = lists.find(h)) return *known;
+    Window_list<FT>& list = lists.create(h);
     if (!m_before) return list;
     kept.for_each(h, m_before->distance, m_before->root, [&](const Window& w) {
-      lists.append(list, &w, 1);
+      lists.append(h, list, &w, 1, arena);
       list.data[list.taken++].set_propagated();
     });
     return list;

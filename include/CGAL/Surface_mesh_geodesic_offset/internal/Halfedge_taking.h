@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_passing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Halfedge_batch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
@@ -49,21 +50,33 @@ public:
   {
   }
 
-  // Works on what comes next in the bucket, if anything does.
-  void step(Ray_spreading<Traits>& spreading)
+  static Front_parts parts() { return Front_parts(1); }
+
+  // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
+  void pass_faces(const Face_passing<FT>& passing, std::vector<Index>& passed) { passing.look(0, passed); }
+
+  // Gives up the lists of faces that the front has passed.
+  void release(const std::vector<Index>& faces)
   {
-    Index i;
-    if (m_state.queue.pop_halfedge(i))
-    {
-      m_state.field.lists.prefetch(m_state.queue.next_halfedge());
-      take(i);
-    }
-    else if (m_state.queue.pop_vertex(i))
-      spreading.spread_from_pseudo_source(i);
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
   }
 
-  // Gives the list of a halfedge up.
-  void release(Index h) { m_state.field.lists.release(h); }
+  // Works on all halfedges and vertices of the bucket.
+  void take_all(const Ray_spreading<Traits>& spreading)
+  {
+    Bucket_queue& queue = m_state.part(0).queue;
+    for (Index i;;)
+      if (queue.pop_halfedge(i))
+      {
+        m_state.field.lists.prefetch(queue.next_halfedge());
+        take(i);
+      }
+      else if (queue.pop_vertex(i))
+        spreading.spread_from_pseudo_source(i, m_state);
+      else
+        return;
+  }
 
   const Window_merging<FT>& merging() const { return m_batch.merging(); }
   Merging_counts merging_counts() const { return merging().counts(); }
@@ -72,17 +85,18 @@ private:
   // Takes the list of a halfedge: reduces it to its lower envelope and propagates what is new.
   void take(Index h)
   {
-    if (!m_state.field.lists.has(h)) return;
-    auto& list = m_state.field.lists.get(h);
-    if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
+    Window_list<FT>* const known = m_state.field.lists.find(h);
+    if (!known) return;
+    Window_list<FT>& list = *known;
+    if (list.bucket != m_state.current() || list.taken == list.size) return;
     list.bucket = Window_list<FT>::not_queued;
     const std::vector<Window>& envelope =
       m_batch(h, list.data, list.data + list.taken, list.data + list.size, list.split_distance, list.split_entry);
-    m_state.field.lists.assign(list, envelope);
+    m_state.field.lists.assign(h, list, envelope);
     list.taken = list.size;
     m_state.schedule(m_state.mesh.face(h));
     const auto& propagated = m_batch.propagated();
-    m_state.counts.windows_propagated += propagated.number_of_windows();
+    m_state.part(0).counts.windows_propagated += propagated.number_of_windows();
     for (const auto& a : propagated.arrivals())
       m_state.update_vertex(propagated.apex(), a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
     m_state.append(propagated.left());

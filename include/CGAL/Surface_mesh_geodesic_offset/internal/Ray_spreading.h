@@ -39,7 +39,7 @@ public:
         if (starts(s) && (s.back.corner == no_index) == is_source)
           m_state.update_vertex(s.vertex, s.distance, s.back, s.root, no_index);
     for (const auto& f : m_initial.fans)
-      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.root, no_index);
+      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.root, no_index, m_state);
     for (const auto& e : m_initial.edges)
     {
       if (!starts(e)) continue;
@@ -57,18 +57,20 @@ public:
     }
   }
 
-  // Behind a vertex reached along a direction, shortest paths go on only at angles of at least pi to it on either side.
-  void spread_from_pseudo_source(Index v)
+  // Behind a vertex reached along a direction, shortest paths go on only at angles of at least pi to it on either side. What
+  // comes of it is told to `front`: the state itself, or something that keeps it for later.
+  template <class Front>
+  void spread_from_pseudo_source(Index v, Front& front) const
   {
     if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
     m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
     const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
     m_sector.for_each_sector_behind(
-      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v); });
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
-        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v);
+        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
       });
   }
 
@@ -136,15 +138,16 @@ private:
   }
 
   // The rays from v in a sector: windows on the edges opposite to v, and distances along the edges.
-  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source)
+  template <class Front>
+  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source, Front& front) const
   {
     const FT sigma = m_state.field.distance[v];
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
       const Index e = m_mesh.next(h), p = m_mesh.previous(h);
-      m_state.schedule(m_mesh.face(h));
-      m_state.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root,
-                            pseudo_source);
-      m_state.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source);
+      front.schedule(m_mesh.face(h));
+      front.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root,
+                          pseudo_source);
+      front.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source);
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
@@ -155,7 +158,7 @@ private:
       if (!(w.b0 < w.b1)) return;
       w.d0 = w.distance_at(w.b0);
       w.d1 = w.distance_at(w.b1);
-      m_state.add(g, w);
+      front.add(g, w);
     });
   }
 

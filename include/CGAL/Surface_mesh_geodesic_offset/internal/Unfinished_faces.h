@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Front_parts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,36 +24,55 @@ namespace internal {
 class Unfinished_faces
 {
 public:
-  explicit Unfinished_faces(std::size_t number_of_faces) : m_reached_in(number_of_faces, 0) {}
+  Unfinished_faces(std::size_t number_of_faces, Front_parts parts)
+    : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
+  {
+  }
 
   // The front has reached face f in this bucket; buckets never decrease.
   void add(Index f, std::size_t bucket)
   {
     // beyond the range of an index: early is always right
     const Index b = Index((std::min)(bucket, std::size_t((std::numeric_limits<Index>::max)() - 1)));
-    if (m_numbers.empty()) m_first = b;
-    if (b >= m_first + m_numbers.size()) m_numbers.resize(b - m_first + 1, 0);
-    ++m_numbers[b - m_first];
+    Counts& counts = m_counts[m_parts.of_face(f)];
+    if (counts.numbers.empty()) counts.first = b;
+    if (b >= counts.first + counts.numbers.size()) counts.numbers.resize(b - counts.first + 1, 0);
+    ++counts.numbers[b - counts.first];
     m_reached_in[f] = b;
   }
 
-  void remove(Index f) { --m_numbers[m_reached_in[f] - m_first]; }
+  void remove(Index f)
+  {
+    Counts& counts = m_counts[m_parts.of_face(f)];
+    --counts.numbers[m_reached_in[f] - counts.first];
+  }
 
   // The bucket in which the oldest of them was reached; `otherwise` if there is none.
   std::size_t oldest(std::size_t otherwise)
   {
-    while (!m_numbers.empty() && m_numbers.front() == 0)
+    for (Counts& counts : m_counts)
     {
-      m_numbers.pop_front();
-      ++m_first;
+      while (!counts.numbers.empty() && counts.numbers.front() == 0)
+      {
+        counts.numbers.pop_front();
+        ++counts.first;
+      }
+      if (!counts.numbers.empty()) otherwise = (std::min)(otherwise, counts.first);
     }
-    return m_numbers.empty() ? otherwise : (std::min)(otherwise, m_first);
+    return otherwise;
   }
 
 private:
+  // Of a part of the front.
+  struct alignas(64) Counts
+  {
+    std::deque<Index> numbers; // of unfinished faces, by bucket
+    std::size_t first = 0;     // bucket of the first number
+  };
+
+  Front_parts m_parts;
   std::vector<Index> m_reached_in; // per face
-  std::deque<Index> m_numbers;     // of unfinished faces, by bucket
-  std::size_t m_first = 0;         // bucket of the first number
+  std::vector<Counts> m_counts;
 };
 
 } // namespace internal

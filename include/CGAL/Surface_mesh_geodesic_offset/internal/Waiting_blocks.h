@@ -10,8 +10,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 
-#include <boost/config.hpp>
-
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -25,58 +23,70 @@ class Waiting_blocks
 {
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef Window_block<Window> Block;
+  typedef Window_arena<Window> Arena;
 
 public:
+  // Puts a block behind the windows of the list at a place.
+  void add(Window_list<FT>& list, Index place, const Block& block, Arena& arena)
+  {
+    if (!list.data)
+    { // a block is as good as another
+      list.data = block.data;
+      list.size = block.size;
+      list.size_class = block.size_class;
+      return;
+    }
+    if (place >= m_blocks.size()) m_blocks.resize(std::size_t(place) + 1 + place / 2);
+    Blocks& waiting = m_blocks[place];
+    if (waiting.number < most) waiting.block[waiting.number++] = block;
+    else append(list, block, arena);
+  }
+
+  // Puts those that wait into the list.
+  void append_to(Window_list<FT>& list, Index place, Arena& arena)
+  {
+    if (place >= m_blocks.size()) return;
+    Blocks& waiting = m_blocks[place];
+    if (waiting.number == 0) return;
+    std::size_t n = list.size;
+    for (Index i = 0; i < waiting.number; ++i) n += waiting.block[i].size;
+    Window_lists<FT>::reserve(list, n, arena);
+    for (Index i = 0; i < waiting.number; ++i) append(list, waiting.block[i], arena);
+    waiting.number = 0;
+  }
+
+  // Gives up those that wait; returns how many windows they were.
+  std::ptrdiff_t release(Index place, Arena& arena)
+  {
+    if (place >= m_blocks.size()) return 0;
+    Blocks& waiting = m_blocks[place];
+    std::ptrdiff_t n = 0;
+    for (; waiting.number > 0; --waiting.number)
+    {
+      const Block& block = waiting.block[waiting.number - 1];
+      n += block.size;
+      arena.release(block.data, block.size_class);
+    }
+    return n;
+  }
+
+private:
   // More are not often there at one time.
   static constexpr Index most = 3;
   struct Blocks
   {
     std::array<Block, most> block;
     Index number = 0;
-
-    std::size_t number_of_windows() const
-    {
-      std::size_t n = 0;
-      for (Index i = 0; i < number; ++i) n += block[i].size;
-      return n;
-    }
-    void release(Window_arena<Window>& arena)
-    {
-      for (Index i = 0; i < number; ++i) arena.release(block[i].data, block[i].size_class);
-      number = 0;
-    }
-    Window* copy_to(Window* out) const
-    {
-      for (Index i = 0; i < number; ++i) out = std::copy(block[i].data, block[i].data + block[i].size, out);
-      return out;
-    }
   };
 
-  // Those of the list at a place; null if there were never any.
-  Blocks* find(Index place) { return place < m_blocks.size() ? &m_blocks[place] : nullptr; }
-
-  // Puts a block behind the windows of a list.
-  void add(Window_lists<FT>& lists, Window_list<FT>& list, Index place, const Block& block)
+  static void append(Window_list<FT>& list, const Block& block, Arena& arena)
   {
-    if (place >= m_blocks.size()) m_blocks.resize(std::size_t(place) + 1 + place / 2);
-    Blocks& waiting = m_blocks[place];
-    if (waiting.number < most)
-    {
-      lists.count(block.size);
-      if (!lists.adopt(list, block)) waiting.block[waiting.number++] = block;
-      return;
-    }
-    lists.append(list, block.data, block.size);
-    lists.release(block);
+    Window_lists<FT>::reserve(list, list.size + block.size, arena);
+    std::copy(block.data, block.data + block.size, list.data + list.size);
+    list.size += block.size;
+    arena.release(block.data, block.size_class);
   }
 
-  // Says that those of a list will be asked for soon.
-  BOOST_FORCEINLINE void prefetch(Index place) const
-  {
-    if (place < m_blocks.size()) internal::prefetch(&m_blocks[place]);
-  }
-
-private:
   std::vector<Blocks> m_blocks;
 };
 

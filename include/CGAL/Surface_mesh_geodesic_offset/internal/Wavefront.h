@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_passing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Halfedge_taking.h>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Parallel_taking.h>
@@ -30,6 +31,7 @@ template <class Traits, class Concurrency_tag = Sequential_tag>
 class Wavefront
 {
   typedef Wavefront_state<typename Traits::FT> State;
+  typedef Halfedge_taking<Traits, Concurrency_tag> Taking;
 
 public:
   typedef typename Traits::FT FT;
@@ -38,8 +40,8 @@ public:
   Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
             const FT& maximum_distance, bool keep_lists, Geodesic_field<FT>& field,
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
-    : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field), m_spreading(m_state, initial, traits),
-      m_taking(m_state, initial.source_of, traits, tolerance)
+    : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field, Taking::parts()), m_passing(m_state),
+      m_spreading(m_state, initial, traits), m_taking(m_state, initial.source_of, traits, tolerance)
   {
   }
 
@@ -59,12 +61,12 @@ public:
     m_state.field.maximum = m_state.maximum;
     m_spreading.start(first_primitive);
     std::size_t settled = 1, asked = 1;
-    while (m_state.queue.advance())
+    while (m_state.advance())
     {
-      if (m_state.queue.current() > asked)
+      if (m_state.current() > asked)
       { // less one bucket, against rounding
-        asked = m_state.queue.current();
-        const FT final_up_to(double(asked - 1) * m_state.queue.width());
+        asked = m_state.current();
+        const FT final_up_to(double(asked - 1) * m_state.bucket_width());
         if (!goes_on(final_up_to, m_number_of_passed))
         {
           m_state.maximum = (std::min)(m_state.maximum, final_up_to);
@@ -72,43 +74,33 @@ public:
           break;
         }
       }
-      if (const std::size_t oldest = m_state.unfinished.oldest(m_state.queue.current()); oldest > settled)
+      if (const std::size_t oldest = m_state.unfinished.oldest(m_state.current()); oldest > settled)
       { // less one bucket, against rounding
-        consumer.settle(FT(double(oldest - 1) * m_state.queue.width()));
+        consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
         settled = oldest;
       }
-      Index i;
-      while (m_state.queue.pop_face(i)) try_to_finish(i);
+      m_taking.pass_faces(m_passing, m_passed);
       hand_over(consumer);
-      m_taking.step(m_spreading);
+      m_taking.take_all(m_spreading);
     }
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!(m_state.face_state[f] & State::FINISHED) && (is_update ? m_state.face_state[f] != 0 : is_reached(f))) finish(f);
+      if (!m_passing.is_finished(f) && (is_update ? m_state.face_state[f] != 0 : is_reached(f)))
+        m_passing.finish(f, m_passed);
     hand_over(consumer);
     for (FT& d : m_state.field.distance)
       if (d > m_state.maximum) d = Number_policy<FT>::infinity();
   }
 
-  const Wavefront_counts& counts() const { return m_state.counts; }
+  Wavefront_counts counts() const { return m_state.counts(); }
   const Window_merging<FT>& merging() const { return m_taking.merging(); }
   Merging_counts merging_counts() const { return m_taking.merging_counts(); }
 
   const FT& maximum() const { return m_state.maximum; }
 
   // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
-  bool has_bent_paths() const { return m_state.has_bent_paths; }
+  bool has_bent_paths() const { return m_state.has_bent_paths(); }
 
-  // No point of the face is farther than this: a corner's distance and the way from there.
-  FT largest_distance(Index f) const
-  {
-    FT bound = Number_policy<FT>::infinity();
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const FT &a = m_mesh[h].length, &b = m_mesh[m_mesh.previous(h)].length;
-      bound = lesser(bound, FT(m_state.field.distance[m_mesh.source(h)] + (certainly_less(a, b) ? b : a)));
-    }
-    return bound;
-  }
+  FT largest_distance(Index f) const { return m_passing.largest_distance(f); }
 
 private:
   bool is_reached(Index f) const
@@ -120,42 +112,15 @@ private:
     return false;
   }
 
-  void try_to_finish(Index f)
-  {
-    char& state = m_state.face_state[f];
-    if (state & State::FINISHED) return;
-    if (!(state & State::BOUNDED)) // the bound never grows
-    {
-      const FT bound = largest_distance(f);
-      const bool is_bounded = Number_policy<FT>::is_finite(bound);
-      const std::size_t done = is_bounded ? m_state.queue.bucket_of(bound) + 1 : m_state.queue.current() + 2;
-      if (done > m_state.queue.current())
-      {
-        if (is_bounded) state |= State::BOUNDED;
-        m_state.queue.push_face(done, f);
-        return;
-      }
-    }
-    finish(f);
-  }
-
-  void finish(Index f)
-  {
-    if (m_state.face_state[f] & State::SCHEDULED) m_state.unfinished.remove(f);
-    m_state.face_state[f] |= State::FINISHED;
-    m_passed.push_back(f);
-  }
-
   template <class Consumer>
   void hand_over(Consumer& consumer)
   {
     if (m_passed.empty()) return;
     consumer.take(m_passed);
-    for (Index f : m_passed)
-    {
-      if (m_keep) m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_taking.release(h);
-    }
+    if (m_keep)
+      for (Index f : m_passed)
+        m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
+    m_taking.release(m_passed);
     m_number_of_passed += m_passed.size();
     m_passed.clear();
   }
@@ -163,8 +128,9 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const bool m_keep;
   State m_state;
+  const Face_passing<FT> m_passing;
   Ray_spreading<Traits> m_spreading;
-  Halfedge_taking<Traits, Concurrency_tag> m_taking;
+  Taking m_taking;
   std::vector<Index> m_passed; // faces that the consumer has not taken yet
   std::size_t m_number_of_passed = 0;
 };

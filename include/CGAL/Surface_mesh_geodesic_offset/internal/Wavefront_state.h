@@ -39,13 +39,56 @@ public:
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
   enum Face_state : char { SCHEDULED = 1, FINISHED = 2, BOUNDED = 4 };
 
-  // The field says what is known already.
-  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field)
-    : mesh(mesh), maximum(maximum_distance), field(field), queue(0.25 * CGAL::to_double(mesh.mean_edge_length())),
-      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
-      unfinished(mesh.number_of_faces())
+  // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
+  struct alignas(64) Part
   {
-    field.lists = Window_lists<FT>(mesh.number_of_halfedges());
+    explicit Part(double bucket_width) : queue(bucket_width) {}
+
+    Bucket_queue queue;
+    Wavefront_counts counts;
+    bool has_bent_paths = false;
+    Output single;
+  };
+
+  // The field says what is known already.
+  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field,
+                  Front_parts parts = Front_parts())
+    : mesh(mesh), maximum(maximum_distance), field(field), parts(parts), vertex_state(mesh.number_of_vertices(), 0),
+      face_state(mesh.number_of_faces(), 0), unfinished(mesh.number_of_faces(), parts),
+      m_part(parts.number(), Part(0.25 * CGAL::to_double(mesh.mean_edge_length())))
+  {
+    field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
+  }
+
+  Part& part(Index i) { return m_part[i]; }
+
+  std::size_t current() const { return m_part.front().queue.current(); }
+  double bucket_width() const { return m_part.front().queue.width(); }
+
+  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
+  bool advance()
+  {
+    if (!any_part([](const Part& p) { return p.queue.has_events(); })) return false;
+    while (!any_part([](const Part& p) { return !p.queue.is_at_empty_bucket(); }))
+      for (Part& p : m_part) p.queue.move_on();
+    return true;
+  }
+
+  Wavefront_counts counts() const
+  {
+    Wavefront_counts sum;
+    for (const Part& p : m_part)
+    {
+      sum.windows_created += p.counts.windows_created;
+      sum.windows_propagated += p.counts.windows_propagated;
+    }
+    return sum;
+  }
+
+  // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
+  bool has_bent_paths() const
+  {
+    return any_part([](const Part& p) { return p.has_bent_paths; });
   }
 
   // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
@@ -71,10 +114,11 @@ public:
     field.root[v] = root;
     vertex_state[v] &= char(~(WAITS | IS_BENT));
     if (is_bent) vertex_state[v] |= IS_BENT;
-    has_bent_paths |= is_bent;
+    Part& p = m_part[parts.of_vertex(v)];
+    if (is_bent) p.has_bent_paths = true;
     if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
-    queue.push_vertex(queue.bucket_of(d), v);
+    p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
 
   // A face that the front has reached is looked at again when the front may have passed it.
@@ -82,6 +126,7 @@ public:
   {
     if (face_state[f]) return;
     face_state[f] = SCHEDULED;
+    Bucket_queue& queue = m_part[parts.of_face(f)].queue;
     unfinished.add(f, queue.current());
     queue.push_face(queue.current() + 2, f);
   }
@@ -89,21 +134,26 @@ public:
   // Adds a window to the list of g, trimmed by the distances of the ends of g.
   void add(Index g, Window& w)
   {
-    typedef typename Estimation<FT>::Estimate Estimate;
+    if (trim(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
+  }
+
+  // What the ends of g, at distances ds and dt, leave of a window; false if it is nothing.
+  bool trim(Index g, const FT& ds, const FT& dt, Window& w) const
+  {
     const FT& length = mesh[g].length;
-    const Estimate allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length));
-    const Window_pruning<FT> pruning(length, field.distance[mesh.source(g)], field.distance[mesh.target(g)], allowance);
-    if (pruning.trim(w)) append(g, w);
+    const auto allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length));
+    return Window_pruning<FT>(length, ds, dt, allowance).trim(w);
   }
 
   void append(Index g, const Window& w)
   {
-    auto cursor = m_single.start(g, takes_windows(g), 1);
-    if (!cursor.is_open()) return;
+    if (!takes_windows(g)) return;
+    Output& output = m_part[parts.of_halfedge(g)].single;
+    auto cursor = output.start(g, true, 1);
     cursor.next() = w;
     keep(cursor, maximum);
-    m_single.finish(cursor);
-    append(m_single);
+    output.finish(cursor);
+    append(output);
   }
 
   // A border or a face that the front has passed takes none.
@@ -121,32 +171,39 @@ public:
   {
     const std::size_t n = output.size();
     if (n == 0) return;
-    auto& list = field.list(output.halfedge());
-    field.lists.append(list, output.begin(), n);
-    counts.windows_created += n;
-    enqueue(output.halfedge(), list, queue.bucket_of(output.nearest()));
+    const Index h = output.halfedge();
+    auto& list = field.list(h);
+    field.lists.append(h, list, output.begin(), n);
+    enqueue(h, list, n, output.nearest());
   }
 
-  // Puts a halfedge into a bucket, or into the current one if that is later, unless it waits in an earlier one.
-  void enqueue(Index h, Window_list<FT>& list, std::size_t bucket)
+  // Puts a halfedge that has n more windows into the bucket of the nearest one, or into the current one if that is later,
+  // unless it waits in an earlier one.
+  void enqueue(Index h, Window_list<FT>& list, std::size_t n, const FT& nearest)
   {
-    bucket = (std::max)(bucket, queue.current());
+    Part& p = m_part[parts.of_halfedge(h)];
+    p.counts.windows_created += n;
+    const std::size_t bucket = (std::max)(p.queue.bucket_of(nearest), p.queue.current());
     if (bucket >= list.bucket) return;
     list.bucket = bucket;
-    queue.push_halfedge(bucket, h);
+    p.queue.push_halfedge(bucket, h);
   }
 
   const Unfolded_mesh<FT>& mesh;
   FT maximum;
   Geodesic_field<FT>& field;
-  Bucket_queue queue;
+  const Front_parts parts;
   std::vector<char> vertex_state, face_state;
-  bool has_bent_paths = false;
   Unfinished_faces unfinished;
-  Wavefront_counts counts;
 
 private:
-  Output m_single;
+  template <class Predicate>
+  bool any_part(const Predicate& predicate) const
+  {
+    return std::any_of(m_part.begin(), m_part.end(), predicate);
+  }
+
+  std::vector<Part> m_part;
 };
 
 } // namespace internal

@@ -1,101 +1,26 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of windows of each halfedge that the front has reached, in an arena with reuse.
+// The list of windows of each halfedge that the front has reached.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_LISTS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOW_LISTS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Front_parts.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_arena.h>
 
 #include <boost/config.hpp>
 
 #include <algorithm>
-#include <array>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// Blocks of 4, 8, 16, ... windows. A freed block is used again for the next list of its size.
-template <class Window>
-class Window_arena
-{
-public:
-  Window* allocate(Index size_class)
-  {
-    std::vector<Window*>& free_blocks = m_free[size_class];
-    if (!free_blocks.empty())
-    {
-      Window* block = free_blocks.back();
-      free_blocks.pop_back();
-      return block;
-    }
-    const std::size_t n = capacity(size_class);
-    if (m_left < n)
-    {
-      const std::size_t page = (std::max)(n, std::size_t(page_size));
-      m_pages.emplace_back(new Window[page]);
-      m_top = m_pages.back().get();
-      m_left = page;
-    }
-    Window* block = m_top;
-    m_top += n;
-    m_left -= n;
-    return block;
-  }
-
-  void release(Window* block, Index size_class) { m_free[size_class].push_back(block); }
-  std::size_t number_of_free_blocks(Index size_class) const { return m_free[size_class].size(); }
-
-  // Gives n free blocks to another arena.
-  void give(Window_arena& other, Index size_class, std::size_t n)
-  {
-    std::vector<Window*>& from = m_free[size_class];
-    const auto first = from.end() - std::ptrdiff_t(n);
-    other.m_free[size_class].insert(other.m_free[size_class].end(), first, from.end());
-    from.erase(first, from.end());
-  }
-
-  static constexpr Index number_of_size_classes = 28;
-  static std::size_t capacity(Index size_class) { return std::size_t(4) << size_class; }
-  static Index size_class(std::size_t n, Index least = 0)
-  {
-    while (capacity(least) < n) ++least;
-    return least;
-  }
-
-private:
-  enum { page_size = 8192 };
-  std::vector<std::unique_ptr<Window[]>> m_pages;
-  Window* m_top = nullptr;
-  std::size_t m_left = 0;
-  std::array<std::vector<Window*>, number_of_size_classes> m_free;
-};
-
-// Windows in a block of their own.
-template <class Window>
-struct Window_block
-{
-  Window* data = nullptr;
-  Index size = 0, size_class = 0;
-
-  // A copy of n > 0 windows in a block of an arena.
-  static Window_block copy(Window_arena<Window>& arena, const Window* first, std::size_t n)
-  {
-    Window_block block;
-    block.size = Index(n);
-    block.size_class = Window_arena<Window>::size_class(n);
-    block.data = arena.allocate(block.size_class);
-    std::copy(first, first + n, block.data);
-    return block;
-  }
-};
 
 // The first `taken` windows are sorted, disjoint and already propagated; the others wait.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
@@ -116,115 +41,102 @@ struct Window_list
   const Window* end() const { return data + size; }
 };
 
+// Each part of the front has its own lists, so that several threads may work on different parts at one time. Their blocks
+// come from an arena, which may be another one each time; each thread has its own.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
 class Window_lists
 {
 public:
   typedef Window_ Window;
   typedef Window_list<FT, Window> List;
+  typedef Window_arena<Window> Arena;
 
   Window_lists() = default;
-  explicit Window_lists(std::size_t number_of_halfedges) : m_list_of(number_of_halfedges, no_index) {}
+  explicit Window_lists(std::size_t number_of_halfedges, Front_parts parts = Front_parts())
+    : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number())
+  {
+  }
 
-  // The place of the list of a halfedge among all lists.
-  Index place(Index h) const { return m_list_of[h]; }
-
-  bool has(Index h) const { return h < m_list_of.size() && m_list_of[h] != no_index; }
+  bool has(Index h) const { return h < m_place.size() && m_place[h] != no_index; }
   const List& get(Index h) const
   {
     static const List empty;
-    return has(h) ? m_lists[m_list_of[h]] : empty;
+    return has(h) ? part_of(h).lists[m_place[h]] : empty;
   }
-  List& get(Index h) { return m_lists[m_list_of[h]]; }
+
+  // The list of a halfedge; null if it has none.
+  List* find(Index h) { return m_place[h] == no_index ? nullptr : &part_of(h).lists[m_place[h]]; }
 
   List& get_or_create(Index h)
   {
-    if (m_list_of[h] == no_index)
+    List* const list = find(h);
+    return list ? *list : create(h);
+  }
+
+  List& create(Index h)
+  {
+    Part& part = part_of(h);
+    if (part.free.empty())
     {
-      if (m_free_lists.empty())
-      {
-        m_list_of[h] = Index(m_lists.size());
-        m_lists.emplace_back();
-      }
-      else
-      {
-        m_list_of[h] = m_free_lists.back();
-        m_free_lists.pop_back();
-        m_lists[m_list_of[h]] = List();
-      }
+      m_place[h] = Index(part.lists.size());
+      part.lists.emplace_back();
+      return part.lists.back();
     }
-    return m_lists[m_list_of[h]];
+    m_place[h] = part.free.back();
+    part.free.pop_back();
+    return part.lists[m_place[h]] = List();
   }
 
-  // Writes n windows behind the last one.
-  void append(List& list, const Window* first, std::size_t n)
+  // The place of the list of a halfedge among those of its part.
+  Index place(Index h) const { return m_place[h]; }
+
+  // Writes n windows behind the last one of the list of a halfedge.
+  void append(Index h, List& list, const Window* first, std::size_t n) { append(h, list, first, n, m_arenas.front()); }
+  void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
   {
-    reserve(list, list.size + n);
-    std::copy(first, first + n, list.data + list.size);
-    list.size += Index(n);
-    count(std::ptrdiff_t(n));
+    write(list, first, n, arena);
+    count(h, std::ptrdiff_t(n));
   }
 
-  // Makes a block the list's own, if it has none; false if it has.
-  bool adopt(List& list, const Window_block<Window>& block)
+  // Replaces all windows of the list of a halfedge.
+  void assign(Index h, List& list, const std::vector<Window>& windows) { assign(h, list, windows, m_arenas.front()); }
+  void assign(Index h, List& list, const std::vector<Window>& windows, Arena& arena)
   {
-    if (list.data) return false;
-    list.data = block.data;
-    list.size = block.size;
-    list.size_class = block.size_class;
-    return true;
-  }
-
-  // Replaces all windows of a list.
-  void assign(List& list, const std::vector<Window>& windows)
-  {
-    count(-std::ptrdiff_t(list.size));
+    count(h, std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size));
     list.size = 0;
-    append(list, windows.data(), windows.size());
+    write(list, windows.data(), windows.size(), arena);
   }
 
-  void release(Index h)
+  void release(Index h) { release(h, m_arenas.front()); }
+  void release(Index h, Arena& arena)
   {
-    if (!has(h)) return;
-    List& list = get(h);
-    count(-std::ptrdiff_t(list.size));
-    if (list.data) release(Window_block<Window>{list.data, list.size, list.size_class});
-    m_free_lists.push_back(m_list_of[h]);
-    m_list_of[h] = no_index;
+    if (m_place[h] == no_index) return;
+    Part& part = part_of(h);
+    const List& list = part.lists[m_place[h]];
+    part.live -= list.size;
+    if (list.data) arena.release(list.data, list.size_class);
+    part.free.push_back(m_place[h]);
+    m_place[h] = no_index;
   }
 
-  // The same in two steps, of which the second one needs no halfedge.
-  Index detach(Index h)
+  static void reserve(List& list, std::size_t n, Arena& arena)
   {
-    const Index place = m_list_of[h];
-    m_list_of[h] = no_index;
-    return place;
-  }
-  void release_places(const std::vector<Index>& places)
-  {
-    m_free_lists.insert(m_free_lists.end(), places.begin(), places.end());
-  }
-  List& at(Index place) { return m_lists[place]; }
-
-  // Gives a block to the arena that has the fewest free ones of its size.
-  void release(const Window_block<Window>& block)
-  {
-    Window_arena<Window>* poorest = &m_arenas.front();
-    for (Window_arena<Window>& a : m_arenas)
-      if (a.number_of_free_blocks(block.size_class) < poorest->number_of_free_blocks(block.size_class)) poorest = &a;
-    poorest->release(block.data, block.size_class);
+    if (list.data && n <= Arena::capacity(list.size_class)) return;
+    const Index c = Arena::size_class(n, list.size_class);
+    Window* const data = arena.allocate(c);
+    std::copy(list.data, list.data + list.size, data);
+    if (list.data) arena.release(list.data, list.size_class);
+    list.data = data;
+    list.size_class = c;
   }
 
-  // Several threads may allocate blocks at one time if each has an arena of its own. The first one is that of the functions
-  // of this class. Blocks may go from one to another.
   void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
-  Window_arena<Window>& arena(std::size_t i) { return m_arenas[i]; }
+  Arena& arena(std::size_t i) { return m_arenas[i]; }
 
   // Threads that free more blocks than they need would leave the others without: the free ones are shared out again.
   void balance_arenas()
   {
     if (m_arenas.size() < 2) return;
-    typedef Window_arena<Window> Arena;
     for (Index c = 0; c < Arena::number_of_size_classes; ++c)
     {
       const auto has_less = [c](const Arena& a, const Arena& b) {
@@ -240,52 +152,56 @@ public:
     }
   }
 
-  // Says that there are more windows, or less.
-  void count(std::ptrdiff_t change)
+  // Says that there are more windows, or less, in the part of a halfedge.
+  void count(Index h, std::ptrdiff_t change)
   {
-    m_live += change;
-    if (m_live > m_peak) m_peak = m_live;
+    Part& part = part_of(h);
+    part.live += change;
+    if (part.live > part.peak) part.peak = part.live;
   }
+
+  std::size_t number_of_windows() const
+  {
+    std::ptrdiff_t n = 0;
+    for (const Part& p : m_part) n += p.live;
+    return std::size_t(n);
+  }
+
+  // The largest number so far; with several parts, of those at which it was asked to look.
+  std::size_t peak() const { return m_part.size() == 1 ? std::size_t(m_part.front().peak) : m_peak; }
+  void look_for_peak() { m_peak = (std::max)(m_peak, number_of_windows()); }
 
   // Says that a list will be asked for soon.
   BOOST_FORCEINLINE void prefetch(Index h) const
   {
-    if (h == no_index || m_list_of[h] == no_index) return;
-    const List& list = m_lists[m_list_of[h]];
-    prefetch(list.data, list.size);
+    if (h == no_index || m_place[h] == no_index) return;
+    const List& list = part_of(h).lists[m_place[h]];
+    internal::prefetch(list.data, (std::min)(list.size, Index(8)) * sizeof(Window));
   }
-  BOOST_FORCEINLINE static void prefetch(const Window* data, Index size)
-  {
-    internal::prefetch(data, (std::min)(size, Index(8)) * sizeof(Window));
-  }
-
-  // The same for what says where the lists are, and for what is said of them.
-  BOOST_FORCEINLINE void prefetch_place(Index h) const { internal::prefetch(&m_list_of[h]); }
-  BOOST_FORCEINLINE void prefetch_head(Index h) const
-  {
-    if (m_list_of[h] != no_index) internal::prefetch(&m_lists[m_list_of[h]]);
-  }
-
-  std::size_t number_of_windows() const { return m_live; }
-  std::size_t peak() const { return m_peak; }
 
 private:
-  void reserve(List& list, std::size_t n)
+  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
   {
-    if (list.data && n <= Window_arena<Window>::capacity(list.size_class)) return;
-    const Index c = Window_arena<Window>::size_class(n, list.size_class);
-    Window* data = m_arenas.front().allocate(c);
-    std::copy(list.data, list.data + list.size, data);
-    if (list.data) m_arenas.front().release(list.data, list.size_class);
-    list.data = data;
-    list.size_class = c;
+    reserve(list, list.size + n, arena);
+    std::copy(first, first + n, list.data + list.size);
+    list.size += Index(n);
   }
 
-  std::vector<Index> m_list_of; // per halfedge
-  std::vector<List> m_lists;
-  std::vector<Index> m_free_lists;
-  std::vector<Window_arena<Window>> m_arenas = std::vector<Window_arena<Window>>(1);
-  std::size_t m_live = 0, m_peak = 0;
+  struct alignas(64) Part
+  {
+    std::vector<List> lists;
+    std::vector<Index> free;
+    std::ptrdiff_t live = 0, peak = 0;
+  };
+
+  Part& part_of(Index h) { return m_part[m_parts.of_halfedge(h)]; }
+  const Part& part_of(Index h) const { return m_part[m_parts.of_halfedge(h)]; }
+
+  Front_parts m_parts;
+  std::vector<Index> m_place; // per halfedge
+  std::vector<Part> m_part = std::vector<Part>(1);
+  std::vector<Arena> m_arenas = std::vector<Arena>(1);
+  std::size_t m_peak = 0;
 };
 
 } // namespace internal

@@ -98,7 +98,7 @@ private:
   void sort_by_exit(Index h, const Certified_propagation& face, const std::vector<Window>& windows, double& best,
                     double& entry)
   {
-    auto& list = m_state.lists.get(h);
+    auto& list = *m_state.lists.find(h);
     const Index apex = m_state.unfolded.apex(h);
     m_exit.resize(windows.size());
     m_farthest = m_largest_radius = 0;

@@ -80,13 +80,14 @@ private:
 
   void take(Index h)
   {
-    if (!m_state.lists.has(h)) return;
-    auto& list = m_state.lists.get(h);
+    auto* const known = m_state.lists.find(h);
+    if (!known) return;
+    auto& list = *known;
     if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
     list.bucket = Window_list<double, Window>::not_queued;
     const std::vector<Window>& envelope =
       m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh.length(h));
-    m_state.lists.assign(list, envelope);
+    m_state.lists.assign(h, list, envelope);
     list.taken = list.size;
     for (Window* w = list.data; w != list.data + list.size; ++w) w->set_propagated();
     m_state.schedule(m_unfolded.face(h));

@@ -96,7 +96,7 @@ public:
     const std::size_t n = output.size();
     if (n == 0) return;
     auto& list = lists.get_or_create(output.halfedge());
-    lists.append(list, output.begin(), n);
+    lists.append(output.halfedge(), list, output.begin(), n);
     field.windows_created += n;
     const std::size_t bucket = (std::max)(queue.bucket_of(output.nearest()), queue.current());
     if (bucket >= list.bucket) return;
