@@ -32,23 +32,27 @@ public:
 
   explicit Traits_archetype(Calls& calls) : calls_(&calls) {}
 
-  class Construct_apex_2
+  class Construct_apices_2
   {
   public:
-    void operator()(const Point_3& p, const Point_3& q, const Point_3& r, double& length, double& x,
-                    double& y) const
+    void operator()(const Point_3& p, const Point_3& q, const Point_3& r, double (&length)[3], double (&x)[3],
+                    double (&y)[3]) const
     {
       ++calls_->apices;
-      const Vector_3 u = q - p, v = r - p;
-      length = std::sqrt(u.squared_length());
-      if (!(length > 0)) return;
-      x = u * v / length;
-      y = std::sqrt(CGAL::cross_product(u, v).squared_length()) / length;
+      const Point_3 points[] = {p, q, r, p, q};
+      for (int k = 0; k < 3; ++k)
+      {
+        const Vector_3 u = points[k + 1] - points[k], v = points[k + 2] - points[k];
+        length[k] = std::sqrt(u.squared_length());
+        if (!(length[k] > 0)) return;
+        x[k] = u * v / length[k];
+        y[k] = std::sqrt(CGAL::cross_product(u, v).squared_length()) / length[k];
+      }
     }
 
   private:
     friend class Traits_archetype;
-    explicit Construct_apex_2(Calls* calls) : calls_(calls) {}
+    explicit Construct_apices_2(Calls* calls) : calls_(calls) {}
     Calls* calls_;
   };
 
@@ -138,7 +142,7 @@ public:
     Calls* calls_;
   };
 
-  Construct_apex_2 construct_apex_2_object() const { return Construct_apex_2(calls_); }
+  Construct_apices_2 construct_apices_2_object() const { return Construct_apices_2(calls_); }
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(calls_); }
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const
   {

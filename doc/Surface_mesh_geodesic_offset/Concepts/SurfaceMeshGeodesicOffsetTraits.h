@@ -43,13 +43,14 @@ public:
   typedef unspecified_type Vector_3;
 
   /*!
-  Unfolds a face. An object of this type must provide the operator
-  `void operator()(Point_3 p, Point_3 q, Point_3 r, FT& length, FT& x, FT& y) const`
-  which computes, from \f$u = q - p\f$ and \f$v = r - p\f$, the length \f$|u|\f$ of the halfedge from `p` to `q`, and the apex
-  \f$(u \cdot v,\ |u \times v|) / |u|\f$ in its frame. If the length is not positive, `x` and `y` need not be set; a length or
-  a `y` that is not positive means that the face is degenerate.
+  Lays a face out in the plane, in the frames of its three halfedges. An object of this type must provide the operator
+  `void operator()(Point_3 p, Point_3 q, Point_3 r, FT (&length)[3], FT (&x)[3], FT (&y)[3]) const`
+  for the face with the halfedges from `p` to `q`, from `q` to `r` and from `r` to `p`. For each of them, with the vectors
+  \f$u\f$ along it and \f$v\f$ from its source to the third vertex, it computes the length \f$|u|\f$ and the apex
+  \f$(u \cdot v,\ |u \times v|) / |u|\f$ in its frame. A length or a `y` that is not positive means that the face is
+  degenerate; then the numbers that follow need not be set, which are 0 before.
   */
-  typedef unspecified_type Construct_apex_2;
+  typedef unspecified_type Construct_apices_2;
 
   /*!
   Changes the frame of an image. An object of this type must provide the operator
@@ -116,8 +117,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// @return an object of the type `Construct_apex_2`
-  Construct_apex_2 construct_apex_2_object() const;
+  /// @return an object of the type `Construct_apices_2`
+  Construct_apices_2 construct_apices_2_object() const;
   /// @return an object of the type `Change_frame_2`
   Change_frame_2 change_frame_2_object() const;
   /// @return an object of the type `Compare_entry_with_apex_2`

@@ -60,24 +60,42 @@ public:
   typedef typename K::Vector_3 Vector_3;
 
   /*!
-  Unfolds the apex of a face into the frame of one of its halfedges.
+  Lays a face out in the plane, once for each of its halfedges.
 
-  From \f$u = q - p\f$ and \f$v = r - p\f$: the length \f$|u|\f$ of the halfedge, and the apex
-  \f$(u \cdot v,\ |u \times v|) / |u|\f$. From the vectors, not from the three lengths: with needle faces the law of cosines
-  loses several digits. Exact if `FT` is.
+  From the halfedge vectors \f$u_0 = q - p\f$, \f$u_1 = r - q\f$, \f$u_2 = p - r\f$: the lengths \f$|u_k|\f$, and the apices
+  \f$(-u_k \cdot u_{k+2},\ A) / |u_k|\f$ with the indices modulo 3 and twice the area \f$A = |u_i \times u_{i+1}|\f$, of the
+  two shorter edges. From the vectors, not from the three lengths: with needle faces the law of cosines loses several digits.
+  Exact if `FT` is.
   */
-  class Construct_apex_2
+  class Construct_apices_2
   {
   public:
-    void operator()(const Point_3& p, const Point_3& q, const Point_3& r, FT& length, FT& x, FT& y) const
+    void operator()(const Point_3& p, const Point_3& q, const Point_3& r, FT (&length)[3], FT (&x)[3], FT (&y)[3]) const
     {
-      const FT u[3] = {q.x() - p.x(), q.y() - p.y(), q.z() - p.z()};
-      const FT v[3] = {r.x() - p.x(), r.y() - p.y(), r.z() - p.z()};
-      const FT n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-      length = root(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-      if (!CGAL::is_positive(length)) return;
-      x = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / length;
-      y = root(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / length;
+      const FT u[3][3] = {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()},
+                          {r.x() - q.x(), r.y() - q.y(), r.z() - q.z()},
+                          {p.x() - r.x(), p.y() - r.y(), p.z() - r.z()}};
+      const FT square[3] = {dot(u[0], u[0]), dot(u[1], u[1]), dot(u[2], u[2])};
+      const FT(&a)[3] = u[after_longest(square)], (&b)[3] = u[(after_longest(square) + 1) % 3];
+      const FT n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+      const FT area = root(dot(n, n));
+      for (int k = 0; k < 3; ++k)
+      {
+        length[k] = root(square[k]);
+        if (!CGAL::is_positive(length[k])) return;
+        x[k] = -dot(u[k], u[(k + 2) % 3]) / length[k];
+        y[k] = area / length[k];
+      }
+    }
+
+  private:
+    static FT dot(const FT (&u)[3], const FT (&v)[3]) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+    // From long edges that differ little the area would lose digits.
+    static int after_longest(const FT (&square)[3])
+    {
+      if constexpr (!Geodesic_offset::internal::Number_policy<FT>::is_inexact) return 0;
+      return square[0] >= square[1] ? (square[0] >= square[2] ? 1 : 0) : square[1] >= square[2] ? 2 : 0;
     }
   };
 
@@ -221,7 +239,7 @@ public:
     }
   };
 
-  Construct_apex_2 construct_apex_2_object() const { return Construct_apex_2(); }
+  Construct_apices_2 construct_apices_2_object() const { return Construct_apices_2(); }
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(); }
   Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }

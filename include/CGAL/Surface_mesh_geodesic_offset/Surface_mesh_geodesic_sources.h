@@ -82,7 +82,7 @@ protected:
 public:
   /// \name Construction
   /// Takes time linear in the size of the mesh, and some 250 bytes a vertex. If the indices of a large mesh scatter
-  /// neighbours, vertices and faces are numbered anew inside, which takes time O(n log n) and saves more later.
+  /// neighbours, vertices and faces are numbered anew inside, which takes little time and saves more later.
   /// @{
 
   /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.

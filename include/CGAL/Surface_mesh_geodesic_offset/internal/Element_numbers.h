@@ -9,21 +9,17 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_links.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Hilbert_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
-#include <CGAL/Hilbert_sort_median_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,8 +35,7 @@ public:
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  template <class VertexPointMap>
-  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& vpm)
+  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim)
     : m_tm(tm), m_vim(vim), m_fim(fim)
   {
     for (const vertex_descriptor v : vertices(tm))
@@ -48,7 +43,16 @@ public:
     for (const face_descriptor f : faces(tm)) m_faces_end = (std::max)(m_faces_end, std::size_t(get(fim, f)) + 1);
     if (m_vertices_end >= (std::size_t(1) << 29) || 3 * m_faces_end >= std::size_t(no_index))
       throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices");
-    if (is_scattered()) renumber(vpm);
+  }
+
+  // By the indices of the faces.
+  std::vector<Face_links> face_links() const { return internal::face_links(m_tm, m_vim, m_fim, m_faces_end); }
+
+  // Until then the numbers are the indices.
+  template <class VertexPointMap>
+  void renumber_if_scattered(const std::vector<Face_links>& links, const VertexPointMap& vpm)
+  {
+    if (is_scattered(links)) renumber(links, vpm);
   }
 
   // Above all numbers; not all below need be in use.
@@ -65,6 +69,10 @@ public:
     return 3 * of(f) + (h == first ? 0 : next(first, m_tm) == h ? 1 : 2);
   }
 
+  // By indices that are of the mesh.
+  Index of_vertex(Index index) const { return m_vertex.empty() ? index : m_vertex[index]; }
+  Index of_face(Index index) const { return m_face.empty() ? index : m_face[index]; }
+
   // The number by which the user knows a face.
   std::size_t index_in_mesh(face_descriptor f) const { return std::size_t(get(m_fim, f)); }
 
@@ -73,8 +81,7 @@ private:
   {
     worthwhile = 1 << 14, // faces: fewer stay in the caches anyway
     near = 1 << 10,       // numbers apart: then neighbours are likely to be in the caches together
-    sample = 1 << 12,     // faces
-    cell = 16             // vertices that are left in any order: sorting them costs more than it gives
+    sample = 1 << 12      // faces
   };
 
   template <class I>
@@ -83,36 +90,34 @@ private:
     return renumbered.empty() ? Index(i) : std::size_t(i) < renumbered.size() ? renumbered[std::size_t(i)] : no_index;
   }
 
-  // Whether the numbers of neighbours are often far apart, judged by some of the faces.
-  bool is_scattered() const
+  // Whether the indices of neighbours are often far apart, judged by some of the faces.
+  static bool is_scattered(const std::vector<Face_links>& links)
   {
-    if (m_faces_end < worthwhile) return false;
-    const auto are_near = [](std::size_t i, std::size_t j) { return (i < j ? j - i : i - j) < near; };
-    const std::size_t step = (std::max)(std::size_t(1), m_faces_end / sample);
-    std::size_t pairs = 0, far = 0, skip = 0;
-    for (const face_descriptor f : faces(m_tm))
+    if (links.size() < worthwhile) return false;
+    const auto are_far = [](std::size_t i, std::size_t j) { return (i < j ? j - i : i - j) >= near; };
+    const std::size_t step = (std::max)(std::size_t(1), links.size() / sample);
+    std::size_t pairs = 0, far = 0;
+    for (std::size_t f = 0; f < links.size(); f += step)
     {
-      if (skip-- != 0) continue;
-      skip = step - 1;
-      for (const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_tm), m_tm))
+      const Face_links& l = links[f];
+      if (!l.is_face()) continue;
+      for (int k = 0; k < 3; ++k)
       {
-        const halfedge_descriptor o = opposite(h, m_tm);
-        if (!is_border(o, m_tm)) far += !are_near(get(m_fim, f), get(m_fim, face(o, m_tm)));
-        far += !are_near(get(m_vim, source(h, m_tm)), get(m_vim, target(h, m_tm)));
-        pairs += 2;
+        far += l.beyond[k] != no_index && are_far(f, l.beyond[k]);
+        far += are_far(l.source[k], l.source[(k + 1) % 3]);
       }
+      pairs += 6;
     }
     return 4 * far > pairs;
   }
 
   template <class VertexPointMap>
-  void renumber(const VertexPointMap& vpm)
+  void renumber(const std::vector<Face_links>& links, const VertexPointMap& vpm)
   {
-    typedef Simple_cartesian<double> Kernel;
-    typedef std::pair<Kernel::Point_3, Index> Numbered_point;
-    typedef First_of_pair_property_map<Numbered_point> Point_map;
-    std::vector<Numbered_point> points;
+    std::vector<Hilbert_order::Point> points;
+    std::vector<Index> indices;
     points.reserve(m_vertices_end);
+    indices.reserve(m_vertices_end);
     const auto coordinate = [](const auto& x) {
       const double d = CGAL::to_double(x);
       return std::isfinite(d) ? d : 0.; // it is complained of later
@@ -120,26 +125,26 @@ private:
     for (const vertex_descriptor v : vertices(m_tm))
     {
       const auto& p = get(vpm, v);
-      points.emplace_back(Kernel::Point_3(coordinate(p.x()), coordinate(p.y()), coordinate(p.z())), Index(get(m_vim, v)));
+      points.push_back({coordinate(p.x()), coordinate(p.y()), coordinate(p.z())});
+      indices.push_back(Index(get(m_vim, v)));
     }
-    typedef Spatial_sort_traits_adapter_3<Kernel, Point_map> Sort_traits;
-    Hilbert_sort_median_3<Sort_traits, Sequential_tag>(Sort_traits(), cell)(points.begin(), points.end());
     m_vertex.assign(m_vertices_end, no_index);
-    for (std::size_t i = 0; i < points.size(); ++i) m_vertex[points[i].second] = Index(i);
+    const Hilbert_order order(points);
+    for (std::size_t i = 0; i < points.size(); ++i) m_vertex[indices[order[i]]] = Index(i);
     m_vertices_end = points.size();
 
     // faces by the lowest number of their vertices
     std::vector<Index> first(m_vertices_end + 1, 0);
-    const auto lowest = [&](face_descriptor f) {
-      Index low = no_index;
-      for (const vertex_descriptor v : vertices_around_face(halfedge(f, m_tm), m_tm)) low = (std::min)(low, of(v));
-      return low;
-    };
-    for (const face_descriptor f : faces(m_tm)) ++first[lowest(f) + 1];
-    for (std::size_t i = 1; i <= m_vertices_end; ++i) first[i] += first[i - 1];
     m_face.assign(m_faces_end, no_index);
+    for (std::size_t f = 0; f < links.size(); ++f)
+    {
+      const auto& v = links[f].source;
+      if (links[f].is_face()) ++first[(m_face[f] = (std::min)({m_vertex[v[0]], m_vertex[v[1]], m_vertex[v[2]]})) + 1];
+    }
+    for (std::size_t i = 1; i <= m_vertices_end; ++i) first[i] += first[i - 1];
     m_faces_end = first.back();
-    for (const face_descriptor f : faces(m_tm)) m_face[std::size_t(get(m_fim, f))] = first[lowest(f)]++;
+    for (Index& f : m_face)
+      if (f != no_index) f = first[f]++;
   }
 
   const TriangleMesh& m_tm;

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
@@ -167,7 +168,13 @@ private:
   void follow_ways_back()
   {
     const Path_tracing<FT> paths(m_mesh, initial, field);
-    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v) paths.find_way_back(v, field.back[v], field.root[v]);
+    constexpr Index ahead = 16;
+    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      if (v + ahead < m_mesh.number_of_vertices() && field.back[v + ahead].corner != no_index)
+        prefetch(&m_mesh[3 * m_mesh.face(field.back[v + ahead].corner)], 3 * sizeof(m_mesh[0]));
+      paths.find_way_back(v, field.back[v], field.root[v]);
+    }
   }
 
   // The ways back from vertices end at an image then, and lead on from there to nowhere.

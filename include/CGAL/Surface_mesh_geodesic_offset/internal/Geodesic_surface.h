@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 
 #include <array>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,20 +37,39 @@ struct Geodesic_surface
   typedef typename Traits::Point_3 Point_3;
   typedef typename Traits::Vector_3 Vector_3;
   typedef typename Traits::Triangle_mesh Triangle_mesh;
-  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
-  typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
+  typedef boost::graph_traits<Triangle_mesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef std::array<FT, 3> Barycentric_coordinates;
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                    const VertexPointMap& vpm, const Traits& traits = Traits())
-    : tm(tm), vpm(vpm), numbers(tm, vim, fim, vpm), unfolded(tm, numbers, vpm, Computation<Traits>::computing_traits(traits))
+    : tm(tm), vpm(vpm), numbers(tm, vim, fim)
   {
-    face_of.resize(unfolded.number_of_faces());
-    for (face_descriptor f : faces(tm)) face_of[index_of(f)] = f;
-    vertex_of.resize(unfolded.number_of_vertices());
-    for (vertex_descriptor v : vertices(tm)) vertex_of[index_of(v)] = v;
+    const std::vector<Face_links> links = numbers.face_links();
+    numbers.renumber_if_scattered(links, vpm);
+    face_of.resize(numbers.faces_end());
+    std::vector<Index> face_at(numbers.faces_end(), no_index);
+    for (face_descriptor f : faces(tm))
+    {
+      const Index i = index_of(f);
+      face_of[i] = f;
+      face_at[i] = Index(numbers.index_in_mesh(f));
+    }
+    vertex_of.resize(numbers.vertices_end());
+    std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
+    for (vertex_descriptor v : vertices(tm))
+    {
+      const Index i = index_of(v);
+      vertex_of[i] = v;
+      // others may have coordinates that no number can be made of
+      if (halfedge(v, tm) != Graph_traits::null_halfedge())
+        points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
+    }
+    unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits));
+    if (!unfolded.is_laid_out()) complain();
   }
 
   // Numbers of the unfolded mesh, for the user, and the other way round.
@@ -177,6 +198,16 @@ struct Geodesic_surface
   Unfolded_mesh<Number> unfolded;
   std::vector<face_descriptor> face_of;     // by number
   std::vector<vertex_descriptor> vertex_of; // by number
+
+private:
+  // Of the first face that can't be laid out.
+  void complain() const
+  {
+    for (face_descriptor f : faces(tm))
+      if (!unfolded.has_area(index_of(f)))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
+                                    " is degenerate or has a coordinate that is not finite");
+  }
 };
 
 } // namespace internal

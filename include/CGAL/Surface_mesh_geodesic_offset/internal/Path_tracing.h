@@ -73,6 +73,7 @@ public:
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
   void find_way_back(Index v, Way_back<FT>& back, Root& root) const
   {
+    if (back.corner == no_index || starts_within_face(v, back.corner)) return;
     const Path_start<FT> start = m_start.at_vertex(v);
     if (start.halfedge == no_index) return;
     const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
@@ -93,6 +94,17 @@ public:
 
 private:
   typedef Leg_end<FT> End;
+
+  // Whether a path from v that starts in the face of h is known not to lead to another corner of it, as most do not: at one
+  // glance, and therefore with more allowance than where that is decided.
+  bool starts_within_face(Index v, Index h) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return (void)v, (void)h, false;
+    const auto &next = m_mesh[m_mesh.next(h)], &previous = m_mesh[m_mesh.previous(h)];
+    const FT limit = m_field.distance[v] * (FT(1) + Number_policy<FT>::rounding(1024));
+    return m_field.distance[next.origin] + m_mesh[h].length > limit &&
+           m_field.distance[previous.origin] + previous.length > limit;
+  }
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
   struct Detour

@@ -11,16 +11,16 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Point_conversion.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
-#include <stdexcept>
-#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,56 +45,6 @@ struct Ray_at_vertex
   FT x = FT(0), y = FT(0);
 };
 
-// Fills origins and twins. Numbers: Element_numbers of the mesh.
-template <class FT, class TriangleMesh, class Numbers>
-void read_topology(const TriangleMesh& tm, const Numbers& numbers, std::vector<Unfolded_halfedge<FT>>& halfedges)
-{
-  halfedges.assign(3 * numbers.faces_end(), Unfolded_halfedge<FT>{FT(0), FT(0), FT(0), no_index, no_index});
-  for (auto f : faces(tm))
-  {
-    const Index fi = numbers.of(f);
-    auto h = halfedge(f, tm);
-    if (next(h, tm) == h || next(next(next(h, tm), tm), tm) != h)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
-                                  " is not a triangle");
-    for (Index k = 0; k < 3; ++k, h = next(h, tm))
-    {
-      Unfolded_halfedge<FT>& u = halfedges[3 * fi + k];
-      u.origin = numbers.of(source(h, tm));
-      const auto o = opposite(h, tm);
-      u.twin = is_border(o, tm) ? no_index : numbers.of_halfedge(o);
-    }
-  }
-}
-
-// Fills lengths and apices.
-template <class Traits, class TriangleMesh, class Numbers, class VPM>
-void lay_out_faces(const TriangleMesh& tm, const Numbers& numbers, const VPM& vpm, const Traits& traits,
-                   std::vector<Unfolded_halfedge<typename Traits::FT>>& halfedges)
-{
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Point_3 Point_3;
-  const auto construct_apex = traits.construct_apex_2_object();
-  for (auto f : faces(tm))
-  {
-    const Index fi = numbers.of(f);
-    std::array<Point_3, 3> p;
-    auto h = halfedge(f, tm);
-    for (int k = 0; k < 3; ++k, h = next(h, tm)) p[k] = converted_point<Point_3, FT>(get(vpm, source(h, tm)));
-    for (int k = 0; k < 3; ++k)
-    {
-      Unfolded_halfedge<FT>& e = halfedges[3 * fi + k];
-      construct_apex(p[k], p[(k + 1) % 3], p[(k + 2) % 3], e.length, e.apex_x, e.apex_y);
-      if (!(e.length > FT(0)) || !Number_policy<FT>::is_finite(e.length) || !(e.apex_y > FT(0)))
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
-                                    " is degenerate or has a coordinate that is not finite");
-    }
-  }
-  // one number for both sides of an edge: an exact number knows itself at once
-  for (std::size_t h = 0; h < halfedges.size(); ++h)
-    if (halfedges[h].twin < h) halfedges[h].length = halfedges[halfedges[h].twin].length;
-}
-
 template <class FT_>
 class Unfolded_mesh
 {
@@ -104,15 +54,25 @@ public:
 
   Unfolded_mesh() = default;
 
-  template <class TriangleMesh, class Numbers, class VPM, class Traits>
-  Unfolded_mesh(const TriangleMesh& tm, const Numbers& numbers, const VPM& vpm, const Traits& traits)
+  // numbers: Element_numbers; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
+  // there is none; points: of the vertices, by number.
+  template <class Numbers, class Traits>
+  Unfolded_mesh(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+                const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+    : m_corner(points.size(), no_index), m_can_bend(points.size(), 0)
   {
-    read_topology(tm, numbers, m_halfedges);
-    lay_out_faces(tm, numbers, vpm, traits, m_halfedges);
-    m_corner.assign(numbers.vertices_end(), no_index);
-    m_can_bend.assign(numbers.vertices_end(), 0);
-    find_corners();
-    for (const Halfedge& h : m_halfedges) m_longest_edge = (std::max)(m_longest_edge, h.length);
+    lay_out_faces(numbers, links, face_at, points, traits);
+    if (m_is_laid_out) find_corners();
+  }
+
+  // Otherwise there are faces of which has_area() is false, and the object is of no further use.
+  bool is_laid_out() const { return m_is_laid_out; }
+
+  bool has_area(Index face) const
+  {
+    bool result = true;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) result &= has_area(m_halfedges[h].length, m_halfedges[h].apex_y);
+    return result;
   }
 
   std::size_t number_of_faces() const { return m_halfedges.size() / 3; }
@@ -188,63 +148,152 @@ public:
   }
 
 private:
+  static bool has_area(const FT& length, const FT& apex_y)
+  {
+    return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
+  }
+
+  template <class Numbers, class Traits>
+  void lay_out_faces(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+                     const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+  {
+    constexpr std::size_t ahead = 32;
+    const auto construct_apices = traits.construct_apices_2_object();
+    m_halfedges.reserve(3 * face_at.size());
+    for (std::size_t i = 0; i < face_at.size(); ++i)
+    {
+      const Index f = face_at[i], h = Index(3 * i);
+      if (i + ahead < face_at.size() && face_at[i + ahead] < links.size())
+        prefetch(&links[face_at[i + ahead]], sizeof(Face_links));
+      if (f >= links.size())
+      {
+        m_halfedges.resize(h + 3, {FT(0), FT(0), FT(0), no_index, no_index});
+        continue;
+      }
+      const Face_links& l = links[f];
+      const Index v[3] = {numbers.of_vertex(l.source[0]), numbers.of_vertex(l.source[1]), numbers.of_vertex(l.source[2])};
+      FT length[3] = {FT(0), FT(0), FT(0)}, x[3] = {FT(0), FT(0), FT(0)}, y[3] = {FT(0), FT(0), FT(0)};
+      construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
+      for (int k = 0; k < 3; ++k)
+      {
+        m_is_laid_out &= has_area(length[k], y[k]);
+        m_longest_edge = (std::max)(m_longest_edge, length[k]);
+        m_corner[v[k]] = (std::min)(m_corner[v[k]], h + k);
+        const Index b = l.beyond[k];
+        Index twin = no_index;
+        if (b != no_index)
+        {
+          twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[(k + 1) % 3]);
+          // one number for both sides of an edge: an exact number knows itself at once
+          if constexpr (!Number_policy<FT>::is_inexact)
+            if (twin < h) length[k] = m_halfedges[twin].length;
+        }
+        m_halfedges.push_back({length[k], x[k], y[k], twin, v[k]});
+      }
+      ++m_number_of_faces;
+    }
+  }
+
+  // The corners around a vertex, from border to border or all around.
+  struct Fan
+  {
+    Index first; // if there is a border: the most clockwise one
+    Index size;
+    bool bends; // whether shortest paths can, at the vertex
+  };
+
   void find_corners()
   {
+    std::size_t corners = 0;
+    for (Index v = 0; v < m_corner.size(); ++v)
+    {
+      if (m_corner[v] == no_index) continue;
+      const Fan fan = fan_of(m_corner[v]);
+      m_corner[v] = fan.first;
+      m_can_bend[v] = fan.bends;
+      corners += fan.size;
+    }
+    if (corners != 3 * m_number_of_faces) find_more_fans();
+  }
+
+  void find_more_fans()
+  {
     std::vector<char> seen(m_halfedges.size(), 0);
+    const auto see = [&](const Fan& fan) {
+      Index c = fan.first;
+      for (Index i = 0; i < fan.size; ++i, c = corner_ccw(c)) seen[c] = 1;
+    };
+    for (const Index c : m_corner)
+      if (c != no_index) see(fan_of(c));
     for (Index h = 0; h < m_halfedges.size(); ++h)
     {
-      if (seen[h] || m_halfedges[h].origin == no_index) continue;
       const Index v = m_halfedges[h].origin;
-      Index first = h;
-      for (Index c = corner_cw(h); c != no_index && c != h; c = corner_cw(c)) first = c;
-      const bool on_border = corner_cw(first) == no_index;
-      if (!on_border) first = h;
-      const bool bends = visit_fan(first, on_border, seen);
-      if (m_corner[v] == no_index)
-      {
-        m_corner[v] = first;
-        m_can_bend[v] = bends;
-      }
-      else
-      {
-        m_more_fans.emplace_back(v, first);
-        m_can_bend[v] = 1;
-      }
+      if (seen[h] || v == no_index) continue;
+      const Fan fan = fan_of(h);
+      see(fan);
+      m_more_fans.emplace_back(v, fan.first);
+      m_can_bend[v] = 1;
     }
     std::sort(m_more_fans.begin(), m_more_fans.end());
   }
 
-  // Adds the corner angles as unit complex numbers: `residual` has an angle in [0, pi), and every half turn
-  // passed is counted. Returns whether shortest paths can bend at the fan's vertex.
-  bool visit_fan(Index first, bool on_border, std::vector<char>& seen) const
+  // Multiplies the apices as complex numbers: the angle of the product is the sum of the corner angles. As these are smaller
+  // than pi, it changes between the two half-planes at each half turn. How long it is does not matter.
+  Fan fan_of(Index first) const
   {
-    FT rc(1), rs(0);
-    int half_turns = 0, degree = 0;
+    FT x(1), y(0);
+    int half_turns = 0;
+    bool is_below = false; // with an angle in [pi, 2 pi)
+    Fan fan{first, 0, false};
     Index c = first;
     do
     {
-      seen[c] = 1;
-      ++degree;
-      FT cc, cs;
-      corner_direction(c, cc, cs);
-      const FT x = rc * cc - rs * cs, y = rc * cs + rs * cc;
-      rc = x;
-      rs = y;
-      if (CGAL::is_negative(rs) || (CGAL::is_zero(rs) && CGAL::is_negative(rc)))
-      {
-        rc = -rc;
-        rs = -rs;
-        ++half_turns;
-      }
+      const Halfedge& h = m_halfedges[c];
+      const FT real = x * h.apex_x - y * h.apex_y;
+      y = x * h.apex_y + y * h.apex_x;
+      x = real;
+      const Sign side = CGAL::sign(y);
+      const bool was_below = is_below;
+      is_below = side == ZERO ? CGAL::is_negative(x) : side == NEGATIVE;
+      half_turns += int(is_below != was_below);
+      keep_within_range(x, y);
+      ++fan.size;
       c = corner_ccw(c);
     } while (c != no_index && c != first);
-    const FT allowance = Number_policy<FT>::rounding(16. * degree);
+    const bool on_border = c == no_index;
+    if (on_border && twin(first) != no_index) return fan_of(first_on_border(first));
     const int limit = on_border ? 1 : 2;
-    if (half_turns != limit) return half_turns > limit;
-    return rs > allowance || CGAL::is_negative(rc);
+    if (half_turns != limit) fan.bends = half_turns > limit;
+    else
+    {
+      if (on_border)
+      {
+        x = -x;
+        y = -y;
+      }
+      const FT allowance = Number_policy<FT>::rounding(16. * fan.size);
+      fan.bends = CGAL::is_negative(x) || y > allowance * (x + y);
+    }
+    return fan;
   }
 
+  // So that its product with a length whose square is within the range of the numbers is within it, too.
+  static void keep_within_range(FT& x, FT& y)
+  {
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      const FT size = CGAL::abs(x) + CGAL::abs(y);
+      if (size > FT(small_size()) && size < FT(1 / small_size())) return;
+      x /= size;
+      y /= size;
+    }
+  }
+
+  static constexpr double small_size() { return std::is_same<FT, double>::value ? 0x1p-256 : 0x1p-32; }
+
   std::vector<Halfedge> m_halfedges;
+  std::size_t m_number_of_faces = 0; // gaps are not counted
+  bool m_is_laid_out = true;
   FT m_longest_edge = FT(0);
   std::vector<Index> m_corner;
   std::vector<char> m_can_bend;
