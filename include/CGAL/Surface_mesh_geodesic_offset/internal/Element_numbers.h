@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_links.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Hilbert_order.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Spatial_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -114,7 +114,7 @@ private:
   template <class VertexPointMap>
   void renumber(const std::vector<Face_links>& links, const VertexPointMap& vpm)
   {
-    std::vector<Hilbert_order::Point> points;
+    std::vector<Spatial_order::Point> points;
     std::vector<Index> indices;
     points.reserve(m_vertices_end);
     indices.reserve(m_vertices_end);
@@ -129,7 +129,7 @@ private:
       indices.push_back(Index(get(m_vim, v)));
     }
     m_vertex.assign(m_vertices_end, no_index);
-    const Hilbert_order order(points);
+    const Spatial_order order(points);
     for (std::size_t i = 0; i < points.size(); ++i) m_vertex[indices[order[i]]] = Index(i);
     m_vertices_end = points.size();
 
