@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
