@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Paired_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
@@ -66,25 +67,26 @@ public:
     const std::size_t n = windows.size();
     const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
     Way left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
+             Paired_exit<Traits>(face, m_traits, true),
              m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
     Way right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
+              Paired_exit<Traits>(face, m_traits, false),
               m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
     right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
     const Window* const w = windows.data();
     const Exit* const exit = m_exit.data();
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n;)
     {
-      if (exit[i] == NONE) continue;
-      ++number;
-      if (w[i].is_parallel())
-        propagate<true>(face, w[i], exit[i], i, left, right);
+      if (exit[i] == LEFT) i = leave_whole<true>(face, w, i, n, left);
+      else if (exit[i] == RIGHT) i = leave_whole<false>(face, w, i, n, right);
       else
-        propagate<false>(face, w[i], exit[i], i, left, right);
+      {
+        if (exit[i] != NONE) split(face, w[i], exit[i], m_apex_distance[i], left, right);
+        ++i;
+      }
     }
-    m_number = number;
     m_left.finish(left.output);
     m_right.finish(right.output);
   }
@@ -103,6 +105,7 @@ private:
   struct Way
   {
     Window_pruning<FT> pruning;
+    Paired_exit<Traits> exit;
     typename Output::Cursor output;
     const FT maximum;
   };
@@ -118,22 +121,90 @@ private:
     else return exit == BOTH;
   }
 
-  template <bool is_parallel>
-  BOOST_FORCEINLINE void propagate(const Window_propagation<Traits>& face, const Window& w, Exit exit, std::size_t i,
-                                   Way& left, Way& right)
+  // The windows from i on that leave through one edge with all their rays. Returns where they end.
+  template <bool is_left>
+  BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,
+                                         std::size_t n, Way& way) const
   {
-    if (exit == LEFT)
-      leave_left<is_parallel>(face, w, w.b1, w.d1, false, w.d1, left);
-    else if (exit == RIGHT)
-      leave_right<is_parallel>(face, w, w.b0, w.d0, false, w.d0, right);
+    const Exit* const exit = m_exit.data();
+    const Exit whole = is_left ? LEFT : RIGHT;
+    if (!way.output.is_open())
+    {
+      while (i < n && exit[i] == whole) ++i;
+      return i;
+    }
+    for (; i < n && exit[i] == whole; ++i)
+    {
+      if (w[i].is_parallel())
+        leave_whole<true, is_left>(face, w[i], way);
+      else
+        leave_whole<false, is_left>(face, w[i], way);
+    }
+    return i;
+  }
+
+  template <bool is_parallel, bool is_left>
+  static BOOST_FORCEINLINE void leave_whole(const Window_propagation<Traits>& face, const Window& w, Way& way)
+  {
+    if constexpr (Pairs_ends<Traits>::value)
+    {
+      Window_pairs<FT> p(w);
+      if (BOOST_LIKELY((way.exit.template child<is_parallel, is_left>(p))))
+      {
+        const FT b0 = p.b.first(), b1 = p.b.second(), d0 = p.d.first(), d1 = p.d.second();
+        if (way.pruning.is_filtered(is_left ? b0 : b1, is_left ? d0 : d1)) return;
+        Window& child = way.output.next();
+        if (BOOST_UNLIKELY(!way.pruning.leaves_all(p.b, p.d)))
+        {
+          p.put(child);
+          take_origin(w, child);
+          if (way.pruning.trim(child)) Wavefront_state<FT>::keep(way.output, way.maximum);
+          return;
+        }
+        if (!way.pruning.is_wide(b0, b1)) return;
+        const FT x = p.image.first();
+        const FT nearest = !is_parallel && b0 < x && x < b1 ? FT(p.sigma - p.image.second()) : lesser(d1, d0);
+        if (certainly_less(way.maximum, nearest)) return;
+        p.put(child);
+        take_origin(w, child);
+        way.output.keep(nearest);
+        return;
+      }
+    }
+    leave_in_parts<is_parallel, is_left>(face, w, way);
+  }
+
+  // By one load and one store.
+  static void take_origin(const Window& w, Window& child)
+  {
+    const Root root = w.root;
+    const Index bits = w.bits;
+    child.root = root;
+    child.bits = bits;
+  }
+
+  template <bool is_parallel, bool is_left>
+  static BOOST_NOINLINE void leave_in_parts(const Window_propagation<Traits>& face, const Window& w, Way& way)
+  {
+    if constexpr (is_left)
+      leave_left<is_parallel>(face, w, w.b1, w.d1, false, w.d1, way);
     else
-      split<is_parallel>(face, w, exit, m_apex_distance[i], left, right);
+      leave_right<is_parallel>(face, w, w.b0, w.d0, false, w.d0, way);
+  }
+
+  void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
+                               Way& left, Way& right)
+  {
+    if (w.is_parallel())
+      split<true>(face, w, exit, d_apex, left, right);
+    else
+      split<false>(face, w, exit, d_apex, left, right);
   }
 
   // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the side of the
   // best ray's entry, the rays that enter before it.
   template <bool is_parallel>
-  BOOST_FORCEINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
+  BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
                                Way& left, Way& right)
   {
     const FT split = face.entry_of_apex(w);
@@ -187,6 +258,7 @@ private:
     bool covered = false;
     Exit* const exits = m_exit.data();
     const Window* const begin = windows.data();
+    std::size_t number = n;
     FT farthest(0);
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -194,6 +266,7 @@ private:
       if (w.is_propagated())
       {
         exits[i] = NONE;
+        --number;
         continue;
       }
       if constexpr (!is_exact) farthest = (std::max)(farthest, w.d1);
@@ -215,6 +288,7 @@ private:
         }
       }
     }
+    m_number = number;
     m_farthest = farthest;
     if (nearest)
     {
