@@ -91,8 +91,8 @@ inline FT square_root(const FT& x)
 template <>
 inline double square_root<double>(const double& x)
 {
-  const __m128d zero = _mm_setzero_pd(), least = _mm_max_sd(_mm_set_sd(x), zero);
-  return _mm_cvtsd_f64(_mm_sqrt_sd(zero, least));
+  const __m128d y = _mm_max_sd(_mm_set_sd(x), _mm_setzero_pd()); // 0 of what is no number
+  return _mm_cvtsd_f64(_mm_sqrt_sd(y, y));
 }
 #endif
 
