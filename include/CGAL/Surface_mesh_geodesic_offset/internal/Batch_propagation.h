@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Paired_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Way_out.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
 
@@ -66,12 +67,10 @@ public:
     const FT maximum = m_state.maximum;
     const std::size_t n = windows.size();
     const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
-    Way left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
-             Paired_exit<Traits>(face, m_traits, true),
-             m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
-    Way right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
-              Paired_exit<Traits>(face, m_traits, false),
-              m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
+    Left left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
+              m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
+    Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
+                m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
     right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
@@ -79,8 +78,8 @@ public:
     const Exit* const exit = m_exit.data();
     for (std::size_t i = 0; i < n;)
     {
-      if (exit[i] == LEFT) i = leave_whole<true>(face, w, i, n, left);
-      else if (exit[i] == RIGHT) i = leave_whole<false>(face, w, i, n, right);
+      if (exit[i] == LEFT) i = leave_whole(face, w, i, n, left);
+      else if (exit[i] == RIGHT) i = leave_whole(face, w, i, n, right);
       else
       {
         if (exit[i] != NONE) split(face, w[i], exit[i], m_apex_distance[i], left, right);
@@ -101,14 +100,8 @@ public:
 private:
   typedef typename Estimation<FT>::Estimate Estimate;
 
-  // Out of the face, through one of the two other edges.
-  struct Way
-  {
-    Window_pruning<FT> pruning;
-    Paired_exit<Traits> exit;
-    typename Output::Cursor output;
-    const FT maximum;
-  };
+  typedef Way_out<Traits, true> Left;
+  typedef Way_out<Traits, false> Right;
 
   // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
   // are exact for all rays.
@@ -122,78 +115,30 @@ private:
   }
 
   // The windows from i on that leave through one edge with all their rays. Returns where they end.
-  template <bool is_left>
+  template <class Way>
   BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,
                                          std::size_t n, Way& way) const
   {
     const Exit* const exit = m_exit.data();
-    const Exit whole = is_left ? LEFT : RIGHT;
-    if (!way.output.is_open())
+    const Exit whole = Way::is_left ? LEFT : RIGHT;
+    if (!way.is_open())
     {
       while (i < n && exit[i] == whole) ++i;
       return i;
     }
+    const Paired_exit<Traits, Way::is_left> edge(face, m_traits);
     for (; i < n && exit[i] == whole; ++i)
     {
       if (w[i].is_parallel())
-        leave_whole<true, is_left>(face, w[i], way);
+        way.template take_whole<true>(face, edge, w[i]);
       else
-        leave_whole<false, is_left>(face, w[i], way);
+        way.template take_whole<false>(face, edge, w[i]);
     }
     return i;
   }
 
-  template <bool is_parallel, bool is_left>
-  static BOOST_FORCEINLINE void leave_whole(const Window_propagation<Traits>& face, const Window& w, Way& way)
-  {
-    if constexpr (Pairs_ends<Traits>::value)
-    {
-      Window_pairs<FT> p(w);
-      if (BOOST_LIKELY((way.exit.template child<is_parallel, is_left>(p))))
-      {
-        const FT b0 = p.b.first(), b1 = p.b.second(), d0 = p.d.first(), d1 = p.d.second();
-        if (way.pruning.is_filtered(is_left ? b0 : b1, is_left ? d0 : d1)) return;
-        Window& child = way.output.next();
-        if (BOOST_UNLIKELY(!way.pruning.leaves_all(p.b, p.d)))
-        {
-          p.put(child);
-          take_origin(w, child);
-          if (way.pruning.trim(child)) Wavefront_state<FT>::keep(way.output, way.maximum);
-          return;
-        }
-        if (!way.pruning.is_wide(b0, b1)) return;
-        const FT x = p.image.first();
-        const FT nearest = !is_parallel && b0 < x && x < b1 ? FT(p.sigma - p.image.second()) : lesser(d1, d0);
-        if (certainly_less(way.maximum, nearest)) return;
-        p.put(child);
-        take_origin(w, child);
-        way.output.keep(nearest);
-        return;
-      }
-    }
-    leave_in_parts<is_parallel, is_left>(face, w, way);
-  }
-
-  // By one load and one store.
-  static void take_origin(const Window& w, Window& child)
-  {
-    const Root root = w.root;
-    const Index bits = w.bits;
-    child.root = root;
-    child.bits = bits;
-  }
-
-  template <bool is_parallel, bool is_left>
-  static BOOST_NOINLINE void leave_in_parts(const Window_propagation<Traits>& face, const Window& w, Way& way)
-  {
-    if constexpr (is_left)
-      leave_left<is_parallel>(face, w, w.b1, w.d1, false, w.d1, way);
-    else
-      leave_right<is_parallel>(face, w, w.b0, w.d0, false, w.d0, way);
-  }
-
-  void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
-                               Way& left, Way& right)
+  void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex, Left& left,
+             Right& right)
   {
     if (w.is_parallel())
       split<true>(face, w, exit, d_apex, left, right);
@@ -205,7 +150,7 @@ private:
   // best ray's entry, the rays that enter before it.
   template <bool is_parallel>
   BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
-                               Way& left, Way& right)
+                            Left& left, Right& right)
   {
     const FT split = face.entry_of_apex(w);
     const Estimate at_split = estimate(split), at_entry = estimate(m_entry);
@@ -215,31 +160,9 @@ private:
     const FT end = to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
     const FT begin = from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
     if (exit != FROM_APEX && CGAL::possibly(estimate(end) > estimate(w.b0)))
-      leave_left<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex, left);
+      left.template take<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex);
     if (exit != UP_TO_APEX && CGAL::possibly(estimate(begin) < estimate(w.b1)))
-      leave_right<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex, right);
-  }
-
-  template <bool is_parallel>
-  static BOOST_FORCEINLINE void leave_left(const Window_propagation<Traits>& face, const Window& w, const FT& end,
-                                           const FT& d_end, bool to_apex, const FT& d_apex, Way& way)
-  {
-    if (!way.output.is_open()) return;
-    Window& child = way.output.next();
-    if (face.template left_child<is_parallel>(w, end, d_end, to_apex, d_apex, child) &&
-        !way.pruning.is_filtered(child.b0, child.d0) && way.pruning.trim(child))
-      Wavefront_state<FT>::keep(way.output, way.maximum);
-  }
-
-  template <bool is_parallel>
-  static BOOST_FORCEINLINE void leave_right(const Window_propagation<Traits>& face, const Window& w, const FT& begin,
-                                            const FT& d_begin, bool from_apex, const FT& d_apex, Way& way)
-  {
-    if (!way.output.is_open()) return;
-    Window& child = way.output.next();
-    if (face.template right_child<is_parallel>(w, begin, d_begin, from_apex, d_apex, child) &&
-        !way.pruning.is_filtered(child.b1, child.d1) && way.pruning.trim(child))
-      Wavefront_state<FT>::keep(way.output, way.maximum);
+      right.template take<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex);
   }
 
   // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows

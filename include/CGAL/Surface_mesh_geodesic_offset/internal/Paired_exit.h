@@ -38,14 +38,14 @@ struct Pairs_ends
 };
 
 // One of the two other edges of a face, for windows that leave through it with all their rays.
-template <class Traits, bool pairs_ends = Pairs_ends<Traits>::value>
+template <class Traits, bool is_left, bool pairs_ends = Pairs_ends<Traits>::value>
 class Paired_exit
 {
   typedef typename Traits::FT FT;
   typedef Number_pair<FT> Pair;
 
 public:
-  Paired_exit(const Window_propagation<Traits>& face, const Traits& traits, bool is_left)
+  Paired_exit(const Window_propagation<Traits>& face, const Traits& traits)
     : m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object()),
       m_c(is_left ? face.cl : face.cr), m_s(is_left ? face.sl : face.sr),
       m_turn(is_left ? Pair(face.sl, FT(-face.sl)) : Pair(FT(-face.sr), face.sr)),
@@ -55,7 +55,7 @@ public:
   }
 
   // The child, in place. False if it is not one of the usual case: then left_child() or right_child() of the face tells.
-  template <bool is_parallel, bool is_left>
+  template <bool is_parallel>
   BOOST_FORCEINLINE bool child(Window_pairs<FT>& w) const
   {
     const Pair x = w.image.both_first(), y = w.image.both_second(), sigma(w.sigma), b = w.b, d = w.d;
@@ -83,11 +83,11 @@ private:
   const Pair m_entry_length, m_apex;
 };
 
-template <class Traits>
-class Paired_exit<Traits, false>
+template <class Traits, bool is_left>
+class Paired_exit<Traits, is_left, false>
 {
 public:
-  Paired_exit(const Window_propagation<Traits>&, const Traits&, bool) {}
+  Paired_exit(const Window_propagation<Traits>&, const Traits&) {}
 };
 
 } // namespace internal
