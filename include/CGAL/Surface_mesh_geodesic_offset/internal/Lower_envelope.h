@@ -45,17 +45,21 @@ public:
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     m_least_overlap = -m_max_gap;
     m_order.start(first, taken, last);
-    for (const Window *const *i = m_order.begin(), *const *const end = m_order.end(); i != end; ++i)
+    const Window* const* i = m_order.begin();
+    const Window* const* const end = m_order.end();
+    Window later;
+    for (;;)
     {
-      const Window& w = **i;
-      while (m_order.has_later_before(w)) add(m_order.pop_later());
+      const Window* w = &later;
+      if (i != end && !m_order.has_later_before(**i)) w = *i++;
+      else if (m_order.has_later()) later = m_order.pop_later();
+      else break;
       if constexpr (!Estimation<FT>::leaves_open)
       {
-        if (!m_envelope.empty() && follows(w, i + 1, end)) continue;
+        if (follows(*w, i, end)) continue;
       }
-      add(w);
+      add(*w);
     }
-    while (m_order.has_later()) add(m_order.pop_later());
     return m_envelope;
   }
 
@@ -122,6 +126,7 @@ private:
   // [next, end): the windows that come behind it.
   BOOST_FORCEINLINE bool follows(const Window& w, const Window* const* next, const Window* const* end)
   {
+    if (m_envelope.empty()) return false;
     Window& a = m_envelope.back();
     const FT overlap = a.b1 - w.b0;
     if (overlap < m_least_overlap)
@@ -157,6 +162,12 @@ private:
       a.b1 = place.t;
       a.d1 = place.d;
       push_rest(w, place.t, place.d, next, end);
+      return true;
+    }
+    if (at_low == LARGER && at_high == SMALLER && a_ends_first && !tie.may_tie_twice(low, high))
+    { // it is farther
+      cut_back(low, a_low);
+      m_envelope.push_back(w);
       return true;
     }
     if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
