@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
 #include <CGAL/Exact_rational.h>
@@ -47,6 +48,8 @@ program ends. Rays that pass the apex of a face at a distance beyond all roundin
 template <class K, class TriangleMesh>
 class Surface_mesh_geodesic_offset_traits
 {
+  typedef Geodesic_offset::internal::Number_pair<typename K::FT> Pair;
+
   static_assert(Geodesic_offset::internal::has_square_roots<typename K::FT>(),
                 "Surface_mesh_geodesic_offset: distances need square roots. The FT of this kernel has none. Take a kernel "
                 "with a floating point type, as Exact_predicates_inexact_constructions_kernel, or one with exact square "
@@ -123,6 +126,28 @@ public:
       y = c * y - s * x;
       x = t;
     }
+
+#ifndef DOXYGEN_RUNNING
+    // The same for an image in a pair, with c twice, and with s and -s.
+    BOOST_FORCEINLINE void operator()(Pair& image, FT& sigma, bool is_parallel, const Pair& o, const Pair& c,
+                                      const Pair& s) const
+    {
+      if (is_parallel)
+      {
+        const Pair shift = image * o;
+        sigma = sigma - (shift.first() + shift.second());
+      }
+      else
+        image = image - o;
+      (*this)(image, c, s);
+    }
+
+    // The same if the origin remains.
+    BOOST_FORCEINLINE void operator()(Pair& image, const Pair& c, const Pair& s) const
+    {
+      image = c * image + s * image.swapped();
+    }
+#endif
   };
 
   /*!
@@ -208,7 +233,24 @@ public:
       if (t > length) t = length;
       return true;
     }
+
+#ifndef DOXYGEN_RUNNING
+    // The same for two rays at once, with floating point numbers and b not negative. False if one of them does not meet the
+    // edge, or if its length is more than doubled: t and distance are meaningless then.
+    BOOST_FORCEINLINE bool operator()(const Pair& x, const Pair& y, const Pair& sigma, bool is_parallel, const Pair& b,
+                                      const Pair& d, const Pair& c, const Pair& s, const Pair& length, Pair& t,
+                                      Pair& distance) const
+    {
+      const Pair den = s * (is_parallel ? x : x - b) - c * y, sb = s * b;
+      const Pair inverse = Pair(FT(-1)) / den; // negative, and so are y and the growth
+      const Pair growth = sb * inverse;
+      t = b * y * inverse;
+      distance = is_parallel ? d - growth : d + (sigma - d) * growth;
+      return ((sb < den) & (t <= length)).bits() == 3;
+    }
+#endif
   };
+
   /*!
   The distance that a window gives to a point \f$p\f$ in its rays: \f$\sigma + |p - (X, Y)|\f$ for \f$W = 1\f$,
   \f$\sigma - (X, Y) \cdot p\f$ for \f$W = 0\f$. Exact if `FT` is.
@@ -223,6 +265,15 @@ public:
       const FT u = px - x, v = py - y;
       return sigma + root(u * u + v * v);
     }
+
+#ifndef DOXYGEN_RUNNING
+    // The same for two interval windows at once.
+    BOOST_FORCEINLINE Pair operator()(const Pair& x, const Pair& y, const Pair& sigma, const Pair& px, const Pair& py) const
+    {
+      const Pair u = px - x, v = py - y;
+      return sigma + square_root(u * u + v * v);
+    }
+#endif
   };
 
   /*!

@@ -9,7 +9,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Paired_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Way_out.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
 
@@ -65,26 +67,25 @@ public:
     const FT maximum = m_state.maximum;
     const std::size_t n = windows.size();
     const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
-    Way left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
-             m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
-    Way right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
-              m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
+    Left left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
+              m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
+    Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
+                m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
     right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
     const Window* const w = windows.data();
     const Exit* const exit = m_exit.data();
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n;)
     {
-      if (exit[i] == NONE) continue;
-      ++number;
-      if (w[i].is_parallel())
-        propagate<true>(face, w[i], exit[i], i, left, right);
+      if (exit[i] == LEFT) i = leave_whole(face, w, i, n, left);
+      else if (exit[i] == RIGHT) i = leave_whole(face, w, i, n, right);
       else
-        propagate<false>(face, w[i], exit[i], i, left, right);
+      {
+        if (exit[i] != NONE) split(face, w[i], exit[i], m_apex_distance[i], left, right);
+        ++i;
+      }
     }
-    m_number = number;
     m_left.finish(left.output);
     m_right.finish(right.output);
   }
@@ -99,13 +100,8 @@ public:
 private:
   typedef typename Estimation<FT>::Estimate Estimate;
 
-  // Out of the face, through one of the two other edges.
-  struct Way
-  {
-    Window_pruning<FT> pruning;
-    typename Output::Cursor output;
-    const FT maximum;
-  };
+  typedef Way_out<Traits, true> Left;
+  typedef Way_out<Traits, false> Right;
 
   // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
   // are exact for all rays.
@@ -118,23 +114,43 @@ private:
     else return exit == BOTH;
   }
 
-  template <bool is_parallel>
-  BOOST_FORCEINLINE void propagate(const Window_propagation<Traits>& face, const Window& w, Exit exit, std::size_t i,
-                                   Way& left, Way& right)
+  // The windows from i on that leave through one edge with all their rays. Returns where they end.
+  template <class Way>
+  BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,
+                                         std::size_t n, Way& way) const
   {
-    if (exit == LEFT)
-      leave_left<is_parallel>(face, w, w.b1, w.d1, false, w.d1, left);
-    else if (exit == RIGHT)
-      leave_right<is_parallel>(face, w, w.b0, w.d0, false, w.d0, right);
+    const Exit* const exit = m_exit.data();
+    const Exit whole = Way::is_left ? LEFT : RIGHT;
+    if (!way.is_open())
+    {
+      while (i < n && exit[i] == whole) ++i;
+      return i;
+    }
+    const Paired_exit<Traits, Way::is_left> edge(face, m_traits);
+    for (; i < n && exit[i] == whole; ++i)
+    {
+      if (w[i].is_parallel())
+        way.template take_whole<true>(face, edge, w[i]);
+      else
+        way.template take_whole<false>(face, edge, w[i]);
+    }
+    return i;
+  }
+
+  void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex, Left& left,
+             Right& right)
+  {
+    if (w.is_parallel())
+      split<true>(face, w, exit, d_apex, left, right);
     else
-      split<is_parallel>(face, w, exit, m_apex_distance[i], left, right);
+      split<false>(face, w, exit, d_apex, left, right);
   }
 
   // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the side of the
   // best ray's entry, the rays that enter before it.
   template <bool is_parallel>
-  BOOST_FORCEINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
-                               Way& left, Way& right)
+  BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
+                            Left& left, Right& right)
   {
     const FT split = face.entry_of_apex(w);
     const Estimate at_split = estimate(split), at_entry = estimate(m_entry);
@@ -144,31 +160,9 @@ private:
     const FT end = to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
     const FT begin = from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
     if (exit != FROM_APEX && CGAL::possibly(estimate(end) > estimate(w.b0)))
-      leave_left<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex, left);
+      left.template take<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex);
     if (exit != UP_TO_APEX && CGAL::possibly(estimate(begin) < estimate(w.b1)))
-      leave_right<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex, right);
-  }
-
-  template <bool is_parallel>
-  static BOOST_FORCEINLINE void leave_left(const Window_propagation<Traits>& face, const Window& w, const FT& end,
-                                           const FT& d_end, bool to_apex, const FT& d_apex, Way& way)
-  {
-    if (!way.output.is_open()) return;
-    Window& child = way.output.next();
-    if (face.template left_child<is_parallel>(w, end, d_end, to_apex, d_apex, child) &&
-        !way.pruning.is_filtered(child.b0, child.d0) && way.pruning.trim(child))
-      Wavefront_state<FT>::keep(way.output, way.maximum);
-  }
-
-  template <bool is_parallel>
-  static BOOST_FORCEINLINE void leave_right(const Window_propagation<Traits>& face, const Window& w, const FT& begin,
-                                            const FT& d_begin, bool from_apex, const FT& d_apex, Way& way)
-  {
-    if (!way.output.is_open()) return;
-    Window& child = way.output.next();
-    if (face.template right_child<is_parallel>(w, begin, d_begin, from_apex, d_apex, child) &&
-        !way.pruning.is_filtered(child.b1, child.d1) && way.pruning.trim(child))
-      Wavefront_state<FT>::keep(way.output, way.maximum);
+      right.template take<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex);
   }
 
   // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
@@ -187,6 +181,7 @@ private:
     bool covered = false;
     Exit* const exits = m_exit.data();
     const Window* const begin = windows.data();
+    std::size_t number = n;
     FT farthest(0);
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -194,6 +189,7 @@ private:
       if (w.is_propagated())
       {
         exits[i] = NONE;
+        --number;
         continue;
       }
       if constexpr (!is_exact) farthest = (std::max)(farthest, w.d1);
@@ -215,6 +211,7 @@ private:
         }
       }
     }
+    m_number = number;
     m_farthest = farthest;
     if (nearest)
     {

@@ -43,18 +43,23 @@ public:
     m_length = length;
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
+    m_least_overlap = -m_max_gap;
     m_order.start(first, taken, last);
-    for (const Window* const* i = m_order.begin(); i != m_order.end(); ++i)
+    const Window* const* i = m_order.begin();
+    const Window* const* const end = m_order.end();
+    Window later;
+    for (;;)
     {
-      const Window& w = **i;
-      while (m_order.has_later_before(w)) add(m_order.pop_later());
+      const Window* w = &later;
+      if (i != end && !m_order.has_later_before(**i)) w = *i++;
+      else if (m_order.has_later()) later = m_order.pop_later();
+      else break;
       if constexpr (!Estimation<FT>::leaves_open)
       {
-        if (!m_envelope.empty() && follows(w, i + 1 != m_order.end() ? i[1]->b0 : m_length)) continue;
+        if (follows(*w, i, end)) continue;
       }
-      add(w);
+      add(*w);
     }
-    while (m_order.has_later()) add(m_order.pop_later());
     return m_envelope;
   }
 
@@ -118,12 +123,13 @@ private:
   }
 
   // The usual cases of two windows that follow each other, without all that may happen else. False if it is another one.
-  // `next` is where the next window begins.
-  BOOST_FORCEINLINE bool follows(const Window& w, const FT& next)
+  // [next, end): the windows that come behind it.
+  BOOST_FORCEINLINE bool follows(const Window& w, const Window* const* next, const Window* const* end)
   {
+    if (m_envelope.empty()) return false;
     Window& a = m_envelope.back();
     const FT overlap = a.b1 - w.b0;
-    if (overlap < -m_max_gap)
+    if (overlap < m_least_overlap)
     {
       m_envelope.push_back(w);
       return true;
@@ -139,32 +145,44 @@ private:
     }
     const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
     const Window_tie<Traits> tie(m_traits, a, w);
-    const FT a_low = tie.at(a, low), a_high = a_ends_first ? a.d1 : tie.at(a, high);
-    const FT w_high = a_ends_first ? tie.at(w, high) : w.d1;
+    FT a_low, a_high = a.d1, w_high = w.d1;
+    if (BOOST_LIKELY(a_ends_first))
+      tie.at(low, high, a_low, w_high);
+    else
+    {
+      a_low = tie.at(a, low);
+      a_high = tie.at(a, high);
+    }
     const Comparison_result at_low = tie.compare(a_low, w.d0), at_high = tie.compare(w_high, a_high);
     if (at_low == SMALLER && at_high == SMALLER)
     { // they tie once
       if (!a_ends_first) return false;
-      FT t, d;
-      tie.find(low, a_low - w.d0, high, a_high - w_high, t, d);
-      if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
-      a.b1 = t;
-      a.d1 = d;
-      push_rest(w, t, d, next);
+      const auto place = tie.find(low, a_low - w.d0, high, a_high - w_high);
+      if (!(place.t - a.b0 > m_min_width) || !(w.b1 - place.t > m_min_width)) return false;
+      a.b1 = place.t;
+      a.d1 = place.d;
+      push_rest(w, place.t, place.d, next, end);
+      return true;
+    }
+    if (at_low == LARGER && at_high == SMALLER && a_ends_first && !tie.may_tie_twice(low, high))
+    { // it is farther
+      cut_back(low, a_low);
+      m_envelope.push_back(w);
       return true;
     }
     if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
     { // the envelope's is nearer
-      if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next);
+      if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next, end);
       return true;
     }
     return false;
   }
 
   // What is left of a window behind the last one of the envelope.
-  void push_rest(const Window& w, FT t, FT d, const FT& next)
+  BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
+                                   const Window* const* end)
   {
-    if (t <= next && (!m_order.has_later() || t <= m_order.first_later().b0))
+    if ((next == end || t <= (*next)->b0) && (!m_order.has_later() || t <= m_order.first_later().b0))
     {
       m_envelope.push_back(w);
       m_envelope.back().b0 = t;
@@ -294,7 +312,7 @@ private:
   const Traits& m_traits;
   std::vector<Window> m_envelope;
   Window_order<FT, Window> m_order;
-  FT m_length, m_min_width, m_max_gap;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap;
 };
 
 } // namespace internal

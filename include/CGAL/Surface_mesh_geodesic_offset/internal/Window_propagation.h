@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
@@ -40,12 +41,10 @@ public:
     apex_y = e.apex_y;
     left_length = mesh[mesh.previous(h)].length;
     right_length = mesh[mesh.next(h)].length;
-    cl = apex_x / left_length;
-    sl = apex_y / left_length;
+    (Number_pair<FT>::of(e.apex_x, e.apex_y) / Number_pair<FT>(left_length)).put(cl, sl);
     // the angle at q from the vectors at q: from the difference length - apex_x it would lose all digits on a tiny edge
     const auto& n = mesh[mesh.next(h)];
-    cr = n.apex_x / length;
-    sr = n.apex_y / length;
+    (Number_pair<FT>::of(n.apex_x, n.apex_y) / Number_pair<FT>(length)).put(cr, sr);
   }
 
   // Distance at the apex, which must be in the window's cone.

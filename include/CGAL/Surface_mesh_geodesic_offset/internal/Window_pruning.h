@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
 #include <boost/config.hpp>
@@ -51,7 +52,7 @@ public:
   // Of the halfedge: its length and the distances of its source and its target.
   Window_pruning(const FT& length, const FT& d_source, const FT& d_target, const Estimate& allowance)
     : m_length(estimate(length)), m_min_width(estimate(FT(Number_policy<FT>::rounding(8) * length))),
-      m_by_source(estimate(d_source) + allowance), m_by_target(estimate(d_target) + allowance)
+      m_by(estimate(d_source) + allowance, estimate(d_target) + allowance), m_ends(Estimate(0), m_length)
   {
   }
 
@@ -67,10 +68,22 @@ public:
   // the ends of the halfedge, and the trimming against the same two vertices. False if nothing is left.
   BOOST_FORCEINLINE bool trim(Window<FT>& w) const
   {
-    const bool at_source = CGAL::certainly(m_by_source + estimate(w.b0) < estimate(w.d0));
-    const bool at_target = CGAL::certainly(m_by_target + (m_length - estimate(w.b1)) < estimate(w.d1));
+    const bool at_source = CGAL::certainly(by_source() + estimate(w.b0) < estimate(w.d0));
+    const bool at_target = CGAL::certainly(by_target() + (m_length - estimate(w.b1)) < estimate(w.d1));
     if (Estimation<FT>::leaves_open || at_source || at_target) return cut(w, at_source, at_target);
-    return CGAL::possibly(estimate(w.b1) - estimate(w.b0) > m_min_width);
+    return is_wide(w.b0, w.b1);
+  }
+
+  // Whether neither vertex takes anything of a window with the ends b and the distances d there, for floating point numbers.
+  BOOST_FORCEINLINE bool leaves_all(const Number_pair<FT>& b, const Number_pair<FT>& d) const
+  {
+    return (m_by + (m_ends + b.with_second_negated()) < d).bits() == 0;
+  }
+
+  // Whether anything is left but what rounding may have made.
+  BOOST_FORCEINLINE bool is_wide(const FT& b0, const FT& b1) const
+  {
+    return CGAL::possibly(estimate(b1) - estimate(b0) > m_min_width);
   }
 
   // The third case: the far vertex is at least as near to the end (t, 0) of the window, at distance d, that is next to the
@@ -83,14 +96,14 @@ public:
   }
 
 private:
-  bool cut(Window<FT>& w, bool at_source, bool at_target) const
+  BOOST_NOINLINE bool cut(Window<FT>& w, bool at_source, bool at_target) const
   {
     Estimate b0 = estimate(w.b0), b1 = estimate(w.b1);
-    if (CGAL::certainly(m_by_source + b1 <= estimate(w.d1))) return false;
-    if (CGAL::certainly(m_by_target + (m_length - b0) <= estimate(w.d0))) return false;
+    if (CGAL::certainly(by_source() + b1 <= estimate(w.d1))) return false;
+    if (CGAL::certainly(by_target() + (m_length - b0) <= estimate(w.d0))) return false;
     if (at_source)
     {
-      const Estimate t = tie_with_end(w, estimate(w.x), estimate(w.sigma), m_by_source);
+      const Estimate t = tie_with_end(w, estimate(w.x), estimate(w.sigma), by_source());
       if (CGAL::certainly(t >= b1)) return false;
       if (CGAL::certainly(t > b0))
       {
@@ -103,7 +116,7 @@ private:
     {
       const Estimate x = estimate(w.x), from_target = w.is_parallel() ? Estimate(-x) : Estimate(m_length - x);
       const Estimate of_target = w.is_parallel() ? Estimate(estimate(w.sigma) - x * m_length) : Estimate(0);
-      const Estimate t = m_length - tie_with_end(w, from_target, of_target, m_by_target);
+      const Estimate t = m_length - tie_with_end(w, from_target, of_target, by_target());
       if (CGAL::certainly(t <= b0)) return false;
       if (CGAL::certainly(t < b1))
       {
@@ -115,7 +128,11 @@ private:
     return CGAL::possibly(b1 - b0 > m_min_width);
   }
 
-  Estimate m_length, m_min_width, m_by_source, m_by_target;
+  Estimate by_source() const { return m_by.first(); }
+  Estimate by_target() const { return m_by.second(); }
+
+  Estimate m_length, m_min_width;
+  Number_pair<Estimate> m_by, m_ends; // of the source and the target: the path by way of it, and its place
   Estimate m_far_x, m_far_yy, m_by_far;
 };
 

@@ -8,13 +8,28 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 
 #include <boost/config.hpp>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
+
+// Whether the functor for distances takes pairs, beyond what the concept says, of floating point numbers.
+template <class Traits>
+struct Pairs_distances
+{
+  typedef typename Traits::FT FT;
+  typedef const Number_pair<FT>& Pair;
+
+  static constexpr bool value =
+    std::is_floating_point<FT>::value &&
+    std::is_invocable_r<Number_pair<FT>, const typename Traits::Compute_distance_2&, Pair, Pair, Pair, Pair, Pair>::value;
+};
 
 // One tie of two windows a and b.
 template <class Traits>
@@ -31,6 +46,26 @@ public:
   }
 
   FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
+
+  // Of a at ta, and of b at tb.
+  BOOST_FORCEINLINE void at(const FT& ta, const FT& tb, FT& da, FT& db) const
+  {
+    if constexpr (Pairs_distances<Traits>::value)
+    {
+      if (BOOST_LIKELY(!((m_a.bits | m_b.bits) & 1u)))
+      {
+        typedef Number_pair<FT> Pair;
+        const Pair d = m_distance(Pair(m_a.x, m_b.x), Pair(m_a.y, m_b.y), Pair(m_a.sigma, m_b.sigma), Pair(ta, tb),
+                                  Pair(FT(0)));
+        da = d.first();
+        db = d.second();
+        return;
+      }
+    }
+    da = at(m_a, ta);
+    db = at(m_b, tb);
+  }
+
   Comparison_result compare(const FT& d, const FT& e) const { return m_compare(d, e, m_scale); }
 
   // The point of the halfedge's line that is collinear with both images.
@@ -53,33 +88,35 @@ public:
 
   // The point t between u and v, where the difference g of the two distances has opposite signs, and the distance there: the
   // closed form first, then a bracketed iteration where the closed form lost digits.
-  BOOST_FORCEINLINE void find(const FT& u, const FT& gu, const FT& v, const FT& gv, FT& t, FT& d) const
+  struct Place
   {
-    if (closed_form(u, v, t))
-    {
-      d = at(m_a, t);
-      const FT other = at(m_b, t);
-      if (compare(d, other) == EQUAL) return;
-      const FT g = d - other;
-      if ((g > 0) == (gu > 0))
-        iterate(t, g, v, gv, t, d);
-      else
-        iterate(u, gu, t, g, t, d);
-    }
-    else
-      iterate(u, gu, v, gv, t, d);
+    FT t, d;
+  };
+  BOOST_FORCEINLINE Place find(const FT& u, const FT& gu, const FT& v, const FT& gv) const
+  {
+    Place p;
+    if (BOOST_UNLIKELY(!closed_form(u, v, p.t))) return Window_tie(*this).iterate(u, gu, v, gv);
+    FT other;
+    at(p.t, p.t, p.d, other);
+    if (BOOST_LIKELY(compare(p.d, other) == EQUAL)) return p;
+    // of a copy, so that this object can be in registers
+    const FT g = p.d - other;
+    return (g > 0) == (gu > 0) ? Window_tie(*this).iterate(p.t, g, v, gv) : Window_tie(*this).iterate(u, gu, p.t, g);
   }
 
 private:
-  void iterate(FT u, FT gu, FT v, FT gv, FT& t, FT& d) const
+  BOOST_NOINLINE Place iterate(FT u, FT gu, FT v, FT gv) const
   {
+    Place p;
     for (int i = 0; i < 80; ++i)
     {
+      FT& t = p.t;
       t = i % 3 == 2 ? FT(0.5) * (u + v) : FT(u + (v - u) * (gu / (gu - gv)));
       if (!(t > u && t < v)) t = FT(0.5) * (u + v);
-      d = at(m_a, t);
-      const FT other = at(m_b, t), g = d - other;
-      if (compare(d, other) == EQUAL || !(t > u && t < v)) return;
+      FT other;
+      at(t, t, p.d, other);
+      const FT g = p.d - other;
+      if (compare(p.d, other) == EQUAL || !(t > u && t < v)) break;
       if ((g > 0) == (gu > 0))
       {
         u = t;
@@ -91,12 +128,13 @@ private:
         gv = g;
       }
     }
+    return p;
   }
 
   // point / point, with k = sigma_b - sigma_a:   |t - A| - |t - B| = k
   //   k = 0: linear.  Otherwise (m t + n)^2 = 4 k^2 |t - B|^2 with m t + n = |t - A|^2 - |t - B|^2 - k^2.
   // point / parallel:    (c - u t)^2 = |t - A|^2     parallel / parallel: linear
-  bool closed_form(const FT& u, const FT& v, FT& t) const
+  BOOST_FORCEINLINE bool closed_form(const FT& u, const FT& v, FT& t) const
   {
     const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
     FT qa, qb, qc; // qa t^2 + 2 qb t + qc = 0
@@ -215,8 +253,9 @@ private:
       if (m_first_sign == 0) m_first_sign = s;
       if (previous * s < 0)
       {
-        m_tie.find(from, g_from, to, g_to, m_ties[m_number], m_distances[m_number]);
-        ++m_number;
+        const auto place = m_tie.find(from, g_from, to, g_to);
+        m_ties[m_number] = place.t;
+        m_distances[m_number++] = place.d;
       }
       previous = s;
     }
