@@ -19,7 +19,11 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Paired_exit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_ties.h>
+
 #include <cmath>
+#include <limits>
 #include <map>
 #include <iterator>
 #include <string>
@@ -308,6 +312,74 @@ void long_numbers()
   }
 }
 
+// Pairs round as single numbers do, and nothing is true of what is no number.
+template <class FT>
+void pairs_are_two_numbers()
+{
+  using CGAL::Geodesic_offset::internal::Number_pair;
+  typedef Number_pair<FT> Pair;
+  const FT nan = std::numeric_limits<FT>::quiet_NaN(), infinity = std::numeric_limits<FT>::infinity();
+  const std::vector<FT> numbers{FT(0), FT(-0.), FT(1) / 3, FT(-7) / 11, FT(1e10) / 7, FT(-3e-20) / 7, infinity, -infinity, nan};
+  const auto same = [](FT a, FT b)
+  { return a != a ? b != b : a == b && std::signbit(a) == std::signbit(b); };
+  const auto check = [&](const Pair& p, FT first, FT second)
+  { CHECK(same(p.first(), first) && same(p.second(), second)); };
+  for (FT a : numbers)
+    for (FT b : numbers)
+      for (FT c : numbers)
+      {
+        const Pair p(a, b), q(c, a);
+        check(p + q, a + c, b + a);
+        check(p - q, a - c, b - a);
+        check(p * q, a * c, b * a);
+        check(p / q, a / c, b / a);
+        if (a == a && b == b)
+          check(square_root(p), CGAL::Geodesic_offset::internal::square_root<FT>(a),
+                CGAL::Geodesic_offset::internal::square_root<FT>(b));
+        CHECK((p < q).bits() == unsigned(a < c) + 2 * unsigned(b < a));
+        CHECK((p <= q).bits() == unsigned(a <= c) + 2 * unsigned(b <= a));
+        CHECK(((p < q) & (q < p)).bits() == 0);
+        check(p.swapped(), b, a);
+        check(p.both_first(), a, a);
+        check(p.both_second(), b, b);
+        CGAL::Geodesic_offset::internal::Window<FT> w{a, b, c, a, b, c, a, {}, 0};
+        check(Pair::of(w.x, w.y), a, b);
+        q.put(w.b0, w.b1);
+        check(Pair(w.b0, w.b1), c, a);
+      }
+  const Pair negated = Pair(FT(1), FT(0)).with_second_negated();
+  check(negated, FT(1), FT(-0.));
+  CHECK(CGAL::Geodesic_offset::internal::square_root<FT>(FT(-1)) == 0);
+}
+
+// Our traits take pairs of floating point numbers, and the concept does not ask for them. With pairs that are not in one
+// register, as those of long double, the distances are the same.
+void pairs()
+{
+  using namespace CGAL::Geodesic_offset::internal;
+  typedef CGAL::Simple_cartesian<long double> Longer_kernel;
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Longer_kernel, test::Surface_mesh> Longer_traits;
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Long_kernel, test::Surface_mesh> Long_traits;
+  typedef Traits_archetype<test::Surface_mesh> Archetype;
+  static_assert(Pairs_ends<Traits>::value && Pairs_distances<Traits>::value, "of double");
+  static_assert(Pairs_ends<Longer_traits>::value && Pairs_distances<Longer_traits>::value, "of long double");
+  static_assert(!Pairs_ends<Long_traits>::value && !Pairs_distances<Long_traits>::value, "not of CGAL::Gmpfr");
+  static_assert(!Pairs_ends<Archetype>::value && !Pairs_distances<Archetype>::value, "beyond the concept");
+  pairs_are_two_numbers<double>();
+  pairs_are_two_numbers<float>();
+  pairs_are_two_numbers<long double>();
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 6, 1), 1), icosphere(3), torus(12, 8), saddle_fan()})
+  {
+    const Data data(soup);
+    const std::vector<double> expected = distances_from<Kernel>(data.mesh, data.vertices[0]);
+    const std::vector<long double> distances = distances_from<Longer_kernel>(data.mesh, data.vertices[0]);
+    Worst_error worst(1e-13, bounding_box_diagonal(data.mesh));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
+  }
+}
+
 } // namespace
 
 int main()
@@ -318,6 +390,7 @@ int main()
     {"needles", needles},
     {"side tests near zero", side_tests_near_zero},
     {"concept archetype", concept_archetype},
-    {"long numbers", long_numbers}};
+    {"long numbers", long_numbers},
+    {"pairs", pairs}};
   return run_tests("test_kernels", tests);
 }

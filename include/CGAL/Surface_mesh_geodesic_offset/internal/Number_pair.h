@@ -11,12 +11,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
 
-#include <CGAL/number_utils.h>
-
-#include <boost/config.hpp>
-
-#include <utility>
-
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -32,7 +26,6 @@ public:
     Test(bool first, bool second) : m_bits(unsigned(first) | unsigned(second) << 1) {}
     unsigned bits() const { return m_bits; } // bit 0: of the first; bit 1: of the second
     friend Test operator&(Test a, Test b) { return Test(a.m_bits & b.m_bits); }
-    friend Test operator|(Test a, Test b) { return Test(a.m_bits | b.m_bits); }
 
   private:
     explicit Test(unsigned bits) : m_bits(bits) {}
@@ -82,10 +75,6 @@ public:
   {
     return Test(a.m_first <= b.m_first, a.m_second <= b.m_second);
   }
-  friend Number_pair abs(const Number_pair& a)
-  {
-    return Number_pair(FT(CGAL::abs(a.m_first)), FT(CGAL::abs(a.m_second)));
-  }
   friend Number_pair square_root(const Number_pair& a)
   {
     return Number_pair(internal::square_root<FT>(a.m_first), internal::square_root<FT>(a.m_second));
@@ -95,7 +84,7 @@ private:
   FT m_first, m_second;
 };
 
-#ifdef __SSE2__
+#ifdef CGAL_GEODESIC_OFFSET_HAS_SSE2
 template <>
 class Number_pair<double>
 {
@@ -106,7 +95,6 @@ public:
     explicit Test(__m128d lanes) : m_lanes(lanes) {}
     unsigned bits() const { return unsigned(_mm_movemask_pd(m_lanes)); }
     friend Test operator&(Test a, Test b) { return Test(_mm_and_pd(a.m_lanes, b.m_lanes)); }
-    friend Test operator|(Test a, Test b) { return Test(_mm_or_pd(a.m_lanes, b.m_lanes)); }
 
   private:
     __m128d m_lanes;
@@ -132,8 +120,7 @@ public:
   friend Number_pair operator/(Number_pair a, Number_pair b) { return Number_pair(_mm_div_pd(a.m_lanes, b.m_lanes)); }
   friend Test operator<(Number_pair a, Number_pair b) { return Test(_mm_cmplt_pd(a.m_lanes, b.m_lanes)); }
   friend Test operator<=(Number_pair a, Number_pair b) { return Test(_mm_cmple_pd(a.m_lanes, b.m_lanes)); }
-  friend Number_pair abs(Number_pair a) { return Number_pair(_mm_andnot_pd(_mm_set1_pd(-0.), a.m_lanes)); }
-  friend Number_pair square_root(Number_pair a) // of what is no number: 0, as for a single one
+  friend Number_pair square_root(Number_pair a)
   {
     return Number_pair(_mm_sqrt_pd(_mm_max_pd(a.m_lanes, _mm_setzero_pd())));
   }

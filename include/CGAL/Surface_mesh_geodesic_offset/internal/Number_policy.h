@@ -15,8 +15,9 @@
 #include <limits>
 #include <type_traits>
 
-#ifdef __SSE2__
+#if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
+#define CGAL_GEODESIC_OFFSET_HAS_SSE2
 #endif
 
 namespace CGAL {
@@ -86,12 +87,12 @@ inline FT square_root(const FT& x)
   return CGAL::is_positive(x) ? FT(CGAL::sqrt(x)) : FT(0);
 }
 
-#ifdef __SSE2__
+#ifdef CGAL_GEODESIC_OFFSET_HAS_SSE2
 // The same without branches, and without the call that reports errors.
 template <>
 inline double square_root<double>(const double& x)
 {
-  const __m128d y = _mm_max_sd(_mm_set_sd(x), _mm_setzero_pd()); // 0 of what is no number
+  const __m128d y = _mm_max_sd(_mm_set_sd(x), _mm_setzero_pd());
   return _mm_cvtsd_f64(_mm_sqrt_sd(y, y));
 }
 #endif

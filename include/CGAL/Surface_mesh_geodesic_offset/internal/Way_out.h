@@ -28,7 +28,7 @@ struct Way_out
 
   bool is_open() const { return output.is_open(); }
 
-  // A window of which only the rays on one side of `bound` leave here, where its distance is d_bound; at_apex: those up to the
+  // A window of which the rays on one side of `bound`, where its distance is d_bound, leave here; at_apex: those up to the
   // apex, where the distance is d_apex.
   template <bool is_parallel>
   BOOST_FORCEINLINE void take(const Window_propagation<Traits>& face, const Window& w, const FT& bound, const FT& d_bound,
