@@ -78,11 +78,11 @@ public:
   std::size_t number_of_halfedges() const { return m_ring[m_begin].halfedges.size(); }
   std::size_t number_of_vertices() const { return m_ring[m_begin].vertices.size(); }
 
-  // The halfedge that is next, unless others come first; no_index if there is none in this bucket.
-  Index next_halfedge() const
+  // The halfedge that is next, or i halfedges later, unless others come first; no_index if there is none in this bucket.
+  Index next_halfedge(std::size_t i = 0) const
   {
     const std::vector<Index>& h = m_ring[m_begin].halfedges;
-    return h.empty() ? no_index : h.back();
+    return i < h.size() ? h[h.size() - 1 - i] : no_index;
   }
 
   bool pop_face(Index& f) { return pop(&Bucket::faces, f); }

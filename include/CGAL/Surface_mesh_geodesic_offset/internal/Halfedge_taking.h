@@ -67,11 +67,8 @@ public:
   {
     Bucket_queue& queue = m_state.part(0).queue;
     for (Index i;;)
-      if (queue.pop_halfedge(i))
-      {
-        m_state.field.lists.prefetch(queue.next_halfedge());
+      if (m_state.pop_halfedge(queue, i))
         take(i);
-      }
       else if (queue.pop_vertex(i))
         spreading.spread_from_pseudo_source(i, m_state);
       else

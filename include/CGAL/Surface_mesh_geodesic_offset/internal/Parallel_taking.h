@@ -17,7 +17,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Waiting_blocks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Worker_team.h>
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,7 +37,8 @@ class Halfedge_taking<Traits, Parallel_tag>
 public:
   Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                   const Merging_tolerance<FT>& tolerance)
-    : m_state(state), m_team(Worker_team::possible_size()), m_part(state.parts.number(), Part(state))
+    : m_state(state), m_team(Worker_team::possible_size()), m_part(state.parts.number(), Part(state)),
+      m_order(m_part.size())
   {
     m_state.field.lists.set_number_of_arenas(m_team.size());
     for (unsigned i = 0; i < m_team.size(); ++i)
@@ -48,8 +51,7 @@ public:
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
   void pass_faces(const Face_passing<FT>& passing, std::vector<Index>& passed)
   {
-    std::size_t n = 0;
-    for (Index i = 0; i < m_part.size(); ++i) n += m_state.part(i).queue.number_of_faces();
+    const std::size_t n = count([](const Bucket_queue& q) { return q.number_of_faces(); });
     if (n == 0) return;
     for_each_part(n >= 64, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
     for (Part& p : m_part)
@@ -71,12 +73,8 @@ public:
   {
     while (true)
     {
-      std::size_t halfedges = 0, vertices = 0;
-      for (Index i = 0; i < m_part.size(); ++i)
-      {
-        halfedges += m_state.part(i).queue.number_of_halfedges();
-        vertices += m_state.part(i).queue.number_of_vertices();
-      }
+      const std::size_t halfedges = count([](const Bucket_queue& q) { return q.number_of_halfedges(); });
+      const std::size_t vertices = halfedges > 0 ? 0 : count([](const Bucket_queue& q) { return q.number_of_vertices(); });
       if (halfedges + vertices == 0) return;
       // rounds of less work take less time than other threads need to notice them
       const bool is_worth_help = halfedges > 0 ? halfedges >= 8 : vertices >= 16;
@@ -110,11 +108,26 @@ private:
     std::vector<Index> passed, given_up; // faces
   };
 
+  // How many things wait in all parts. The team begins with the last items: those parts with the most work, so that all
+  // threads end at about the same time.
+  template <class Number>
+  std::size_t count(const Number& number)
+  {
+    std::size_t sum = 0;
+    for (Index i = 0; i < m_part.size(); ++i)
+    {
+      m_order[i] = {number(m_state.part(i).queue), i};
+      sum += m_order[i].first;
+    }
+    std::sort(m_order.begin(), m_order.end());
+    return sum;
+  }
+
   template <class Function>
   void for_each_part(bool is_worth_help, const Function& f)
   {
-    m_team.for_each(Index(m_part.size()), is_worth_help, [&f](unsigned worker, Index first, Index last) {
-      for (Index i = first; i < last; ++i) f(worker, i);
+    m_team.for_each(Index(m_part.size()), is_worth_help, [this, &f](unsigned worker, Index first, Index last) {
+      for (Index i = last; i > first; --i) f(worker, this->m_order[i - 1].second);
     });
   }
 
@@ -137,11 +150,8 @@ private:
   {
     Bucket_queue& queue = m_state.part(part).queue;
     Index h;
-    while (queue.pop_halfedge(h))
-    {
-      m_state.field.lists.prefetch(queue.next_halfedge());
+    while (m_state.pop_halfedge(queue, h))
       take(h, m_part[part], m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker));
-    }
   }
 
   void take(Index h, Part& part, State_part& state_part, Halfedge_batch<Traits>& batch, Arena& arena)
@@ -209,6 +219,7 @@ private:
   Wavefront_state<FT>& m_state;
   Worker_team m_team;
   std::vector<Part> m_part;
+  std::vector<std::pair<std::size_t, Index>> m_order; // how much work there is in a part
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
   unsigned m_rounds = 0;
 };

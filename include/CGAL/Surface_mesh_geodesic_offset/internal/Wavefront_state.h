@@ -91,6 +91,18 @@ public:
     return any_part([](const Part& p) { return p.has_bent_paths; });
   }
 
+  // Takes a halfedge out of the queue. What will be needed of the next ones is asked for.
+  BOOST_FORCEINLINE bool pop_halfedge(Bucket_queue& queue, Index& h) const
+  {
+    if (!queue.pop_halfedge(h)) return false;
+    field.lists.prefetch(queue.next_halfedge());
+    field.lists.prefetch_list(queue.next_halfedge(1));
+    if (const Index g = queue.next_halfedge(2); g != no_index)
+      prefetch(&mesh[3 * mesh.face(g)], 3 * sizeof(typename Unfolded_mesh<FT>::Halfedge));
+    field.lists.prefetch_place(queue.next_halfedge(3));
+    return true;
+  }
+
   // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
   // shortest paths bend becomes a pseudo-source once the front is there. A bent path has gone round the end of a window that
   // misses v by rounding: a straight one that is as long tells the direction better.

@@ -171,12 +171,21 @@ public:
   std::size_t peak() const { return m_part.size() == 1 ? std::size_t(m_part.front().peak) : m_peak; }
   void look_for_peak() { m_peak = (std::max)(m_peak, number_of_windows()); }
 
-  // Says that a list will be asked for soon.
+  // Says that a list will be asked for soon: its windows; earlier, what says where these are; and earlier, where that is.
   BOOST_FORCEINLINE void prefetch(Index h) const
   {
     if (h == no_index || m_place[h] == no_index) return;
     const List& list = part_of(h).lists[m_place[h]];
     internal::prefetch(list.data, (std::min)(list.size, Index(8)) * sizeof(Window));
+  }
+
+  BOOST_FORCEINLINE void prefetch_list(Index h) const
+  {
+    if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
+  }
+  BOOST_FORCEINLINE void prefetch_place(Index h) const
+  {
+    if (h != no_index) internal::prefetch(&m_place[h]);
   }
 
 private:
