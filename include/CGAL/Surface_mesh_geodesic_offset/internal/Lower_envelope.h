@@ -225,8 +225,9 @@ private:
 
   // Overlapping windows with different images: the overlap goes to the nearer one, piece by piece, by turns from tie to
   // tie. The last owner keeps its tail beyond the overlap, and so does the other one.
-  void resolve(const Window a, const Window& w)
+  void resolve(const Window& last, const Window& w)
   {
+    const Window a = last;
     const Window_ties<Traits> ties(m_traits, a, w);
     const int n = ties.number();
     bool a_owns = ties.first_is_nearer();
@@ -253,8 +254,9 @@ private:
 
   // The same if distances are only estimated: each keeps all but those parts where the other one is certainly nearer. Ties
   // on all of the overlap go to the first.
-  void share(const Window a, const Window& w)
+  void share(const Window& last, const Window& w)
   {
+    const Window a = last;
     if (same_distances(a, w))
     {
       keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
@@ -299,8 +301,9 @@ private:
     m_order.push_later(part(w, from, d_from, to, d_to));
   }
 
-  static Window part(Window w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
+  static Window part(const Window& whole, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
+    Window w = whole;
     w.b0 = from;
     w.d0 = d_from;
     w.b1 = to;

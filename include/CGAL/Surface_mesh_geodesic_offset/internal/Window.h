@@ -38,9 +38,9 @@ struct Root
 //   w = 0, parallel-source window, (x, y) a unit vector:   D(p) = sigma - (x, y) . p
 //
 // All rays of a window are shortest among the paths with the same face sequence; [b0, b1] is the interval and
-// d0, d1 are the distances at its ends. One cache line for double.
+// d0, d1 are the distances at its ends. One cache line for double, and in one.
 template <class FT>
-struct Window
+struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
 {
   FT x, y, sigma;
   FT b0, b1, d0, d1;
