@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_arena.h>
 
@@ -92,6 +93,7 @@ public:
   {
     if (!m_state.takes_windows(g)) return;
     if (!m_state.trim(g, distance(m_state.mesh.source(g)), distance(m_state.mesh.target(g)), w)) return;
+    if (certainly_less(m_state.maximum, minimum(w))) return;
     m_box[m_state.parts.of_halfedge(g)].single_windows.push_back({g, w});
   }
 
