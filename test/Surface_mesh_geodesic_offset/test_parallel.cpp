@@ -213,6 +213,26 @@ void compare_tags(Query_case& c, unsigned seed, std::size_t points)
   compare(c, seed, parallel.front(), sequential);
 }
 
+// Nothing beyond the maximum distance is propagated, and nobody is asked about it.
+void up_to_maximum(Query_case& c)
+{
+  Report::instance().set_context(c.name + ", up to a maximum distance");
+  Random random(3);
+  Geodesic geodesic(c.mesh);
+  c.random_source(random).add_to(geodesic);
+  geodesic.build();
+  const double largest = largest_vertex_distance(geodesic, c.mesh);
+  for (const double part : {0.15, 0.4, 0.75})
+  {
+    const auto maximum = CGAL::parameters::maximum_distance(part * largest);
+    geodesic.build(maximum);
+    const double created = double(geodesic.statistics().windows_created);
+    geodesic.build<CGAL::Parallel_tag>(maximum);
+    CHECK_DETAIL(double(geodesic.statistics().windows_created) <= 1.001 * created + 4,
+                 values(double(geodesic.statistics().windows_created), created));
+  }
+}
+
 // Builds of several objects at one time, each with threads of its own, as TBB has them.
 void several_at_once(Query_case& c)
 {
@@ -273,6 +293,7 @@ int main(int argc, char* argv[])
       tests.emplace_back(c->name, [&c, seed] { compare_tags(*c, seed, 30); });
   Query_case large("large torus", rotated(torus(is_small ? 60 : 260, is_small ? 40 : 150), 4));
   tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30); });
+  tests.emplace_back("up to a maximum distance", [&] { up_to_maximum(large); });
   tests.emplace_back("several at once", [&] { several_at_once(*cases.back()); });
 #if !defined(__SANITIZE_THREAD__)
   tests.emplace_back("within tasks", [&] { within_tasks(large); });

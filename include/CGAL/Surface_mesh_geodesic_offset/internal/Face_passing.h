@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -57,6 +59,10 @@ public:
   }
 
 private:
+  // Buckets ahead. A face with a much longer edge than most is looked at again there, so that no bucket is made for each
+  // step along that edge.
+  static constexpr std::size_t farthest = 1 << 12;
+
   // Puts the face into a later bucket, if it must wait.
   bool waits_on(Index f, Bucket_queue& queue) const
   {
@@ -66,8 +72,9 @@ private:
     const bool is_bounded = Number_policy<FT>::is_finite(bound);
     const std::size_t done = is_bounded ? queue.bucket_of(bound) + 1 : queue.current() + 2;
     if (done <= queue.current()) return false;
-    if (is_bounded) state |= State::BOUNDED;
-    queue.push_face(done, f);
+    const std::size_t next = (std::min)(done, queue.current() + farthest);
+    if (is_bounded && next == done) state |= State::BOUNDED;
+    queue.push_face(next, f);
     return true;
   }
 
