@@ -31,30 +31,51 @@ private:
   const std::size_t m_before;
 };
 
-// The size stands before each block, which stays aligned for all types but over-aligned ones.
+// The size stands before each block, in as many bytes as it is aligned to.
 constexpr std::size_t heap_header = alignof(std::max_align_t);
+
+inline void* counted(void* block, std::size_t n, std::size_t header)
+{
+  if (!block) throw std::bad_alloc();
+  *static_cast<std::size_t*>(block) = n;
+  Heap_count::now += n;
+  if (Heap_count::now > Heap_count::peak) Heap_count::peak = Heap_count::now;
+  return static_cast<char*>(block) + header;
+}
+
+inline void free_counted(void* p, std::size_t header)
+{
+  if (!p) return;
+  char* const block = static_cast<char*>(p) - header;
+  Heap_count::now -= *reinterpret_cast<std::size_t*>(block);
+  std::free(block);
+}
 
 } // namespace benchmark
 
 // Not inlined: compilers pair them with each other only as functions.
 BOOST_NOINLINE void* operator new(std::size_t n)
 {
-  char* const block = static_cast<char*>(std::malloc(n + benchmark::heap_header));
-  if (!block) throw std::bad_alloc();
-  *reinterpret_cast<std::size_t*>(block) = n;
-  benchmark::Heap_count::now += n;
-  if (benchmark::Heap_count::now > benchmark::Heap_count::peak) benchmark::Heap_count::peak = benchmark::Heap_count::now;
-  return block + benchmark::heap_header;
+  return benchmark::counted(std::malloc(n + benchmark::heap_header), n, benchmark::heap_header);
 }
 
-BOOST_NOINLINE void operator delete(void* p) noexcept
-{
-  if (!p) return;
-  char* const block = static_cast<char*>(p) - benchmark::heap_header;
-  benchmark::Heap_count::now -= *reinterpret_cast<std::size_t*>(block);
-  std::free(block);
-}
-
+BOOST_NOINLINE void operator delete(void* p) noexcept { benchmark::free_counted(p, benchmark::heap_header); }
 BOOST_NOINLINE void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+
+// For over-aligned types, as windows are. The size to allocate is to be a multiple of the alignment.
+BOOST_NOINLINE void* operator new(std::size_t n, std::align_val_t alignment)
+{
+  const std::size_t a = static_cast<std::size_t>(alignment);
+  return benchmark::counted(std::aligned_alloc(a, (n + 2 * a - 1) / a * a), n, a);
+}
+
+BOOST_NOINLINE void operator delete(void* p, std::align_val_t alignment) noexcept
+{
+  benchmark::free_counted(p, static_cast<std::size_t>(alignment));
+}
+BOOST_NOINLINE void operator delete(void* p, std::size_t, std::align_val_t alignment) noexcept
+{
+  operator delete(p, alignment);
+}
 
 #endif // GEODESIC_OFFSET_BENCHMARK_COUNTED_HEAP_H
