@@ -213,7 +213,7 @@ void compare_tags(Query_case& c, unsigned seed, std::size_t points)
   compare(c, seed, parallel.front(), sequential);
 }
 
-// Nothing beyond the maximum distance is propagated, and nobody is asked about it.
+// Several threads go on no farther beyond the maximum distance than one does.
 void up_to_maximum(Query_case& c)
 {
   Report::instance().set_context(c.name + ", up to a maximum distance");

@@ -108,12 +108,6 @@ private:
   enum Exit : int { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
   static constexpr bool is_exact = !Number_policy<FT>::is_inexact;
 
-  static bool covers_apex(Exit exit)
-  {
-    if constexpr (is_exact) return exit >= UP_TO_APEX && exit <= FROM_APEX;
-    else return exit == BOTH;
-  }
-
   // The windows from i on that leave through one edge with all their rays. Returns where they end.
   template <class Way>
   BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,

@@ -41,7 +41,6 @@ public:
   }
 
   std::size_t current() const { return m_current; }
-  double front() const { return double(m_current) * m_width; }
   double width() const { return m_width; }
 
   void push_halfedge(std::size_t bucket, Index h)

@@ -10,8 +10,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Face_links.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Spatial_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Spatial_order.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_arena.h>
 
@@ -91,10 +90,8 @@ public:
   // The ends of g must be the last two vertices that were updated.
   void add(Index g, Window& w)
   {
-    if (!m_state.takes_windows(g)) return;
-    if (!m_state.trim(g, distance(m_state.mesh.source(g)), distance(m_state.mesh.target(g)), w)) return;
-    if (certainly_less(m_state.maximum, minimum(w))) return;
-    m_box[m_state.parts.of_halfedge(g)].single_windows.push_back({g, w});
+    if (m_state.admits(g, distance(m_state.mesh.source(g)), distance(m_state.mesh.target(g)), w))
+      m_box[m_state.parts.of_halfedge(g)].single_windows.push_back({g, w});
   }
 
   // Windows go into a block of the arena.

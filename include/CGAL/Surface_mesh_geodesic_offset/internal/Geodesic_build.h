@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
 
@@ -172,7 +171,7 @@ private:
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
     {
       if (v + ahead < m_mesh.number_of_vertices() && field.back[v + ahead].corner != no_index)
-        prefetch(&m_mesh[3 * m_mesh.face(field.back[v + ahead].corner)], 3 * sizeof(m_mesh[0]));
+        m_mesh.prefetch_face(field.back[v + ahead].corner);
       paths.find_way_back(v, field.back[v], field.root[v]);
     }
   }

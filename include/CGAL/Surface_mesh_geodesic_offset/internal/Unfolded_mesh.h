@@ -81,6 +81,9 @@ public:
 
   const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
 
+  // Says that the face of h will be asked for soon.
+  void prefetch_face(Index h) const { prefetch(&m_halfedges[3 * face(h)], 3 * sizeof(Halfedge)); }
+
   // without comparisons, of which compilers make branches that could not be foreseen
   static Index next(Index h) { return h + 1 - 3 * (h % 3 >> 1); }
   static Index previous(Index h) { return h + 2 - 3 * ((h % 3 + 1) >> 1); }

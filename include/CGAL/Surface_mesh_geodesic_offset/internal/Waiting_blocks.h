@@ -10,7 +10,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -81,9 +80,7 @@ private:
 
   static void append(Window_list<FT>& list, const Block& block, Arena& arena)
   {
-    Window_lists<FT>::reserve(list, list.size + block.size, arena);
-    std::copy(block.data, block.data + block.size, list.data + list.size);
-    list.size += block.size;
+    Window_lists<FT>::write(list, block.data, block.size, arena);
     arena.release(block.data, block.size_class);
   }
 

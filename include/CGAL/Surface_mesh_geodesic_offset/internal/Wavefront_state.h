@@ -97,8 +97,7 @@ public:
     if (!queue.pop_halfedge(h)) return false;
     field.lists.prefetch(queue.next_halfedge());
     field.lists.prefetch_list(queue.next_halfedge(1));
-    if (const Index g = queue.next_halfedge(2); g != no_index)
-      prefetch(&mesh[3 * mesh.face(g)], 3 * sizeof(typename Unfolded_mesh<FT>::Halfedge));
+    if (const Index g = queue.next_halfedge(2); g != no_index) mesh.prefetch_face(g);
     field.lists.prefetch_place(queue.next_halfedge(3));
     return true;
   }
@@ -146,15 +145,17 @@ public:
   // Adds a window to the list of g, trimmed by the distances of the ends of g.
   void add(Index g, Window& w)
   {
-    if (trim(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
+    if (admits(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
   }
 
-  // What the ends of g, at distances ds and dt, leave of a window; false if it is nothing.
-  bool trim(Index g, const FT& ds, const FT& dt, Window& w) const
+  // Whether g takes a window, trimmed by the ends of g, at distances ds and dt: if something is left of it, and not beyond
+  // the maximum.
+  bool admits(Index g, const FT& ds, const FT& dt, Window& w) const
   {
+    if (!takes_windows(g)) return false;
     const FT& length = mesh[g].length;
     const auto allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length));
-    return Window_pruning<FT>(length, ds, dt, allowance).trim(w);
+    return Window_pruning<FT>(length, ds, dt, allowance).trim(w) && !certainly_less(maximum, minimum(w));
   }
 
   void append(Index g, const Window& w)

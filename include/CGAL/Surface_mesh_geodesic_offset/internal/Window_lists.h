@@ -130,6 +130,14 @@ public:
     list.size_class = c;
   }
 
+  // Writes behind the last window, without counting.
+  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
+  {
+    reserve(list, list.size + n, arena);
+    std::copy(first, first + n, list.data + list.size);
+    list.size += Index(n);
+  }
+
   void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
   Arena& arena(std::size_t i) { return m_arenas[i]; }
 
@@ -189,13 +197,6 @@ public:
   }
 
 private:
-  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
-  {
-    reserve(list, list.size + n, arena);
-    std::copy(first, first + n, list.data + list.size);
-    list.size += Index(n);
-  }
-
   struct alignas(64) Part
   {
     std::vector<List> lists;
