@@ -139,12 +139,24 @@ private:
     // rays that two windows share, as those along the border of a pseudo-source's sector, are found twice
     if (overlap <= m_min_width && a_ends_first)
     {
-      if (CGAL::is_positive(overlap) && !cut_end(a, w.b0)) return false;
+      if (!cut_end(a, w.b0, overlap)) return false;
       m_envelope.push_back(w);
       return true;
     }
-    const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
     const Window_tie<Traits> tie(m_traits, a, w);
+    const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
+    FT t;
+    if (tie.has_straight_bisector(t))
+    {
+      if (t > low && t < high) return a_ends_first && share_at(a, w, t, tie.at(a, t), next, end);
+      if (t <= low) return a_ends_first && begin_at(w, tie.at(a, low));
+      if (t >= high)
+      {
+        if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, tie.at(w, high), next, end);
+        return true;
+      }
+      return false;
+    }
     FT a_low, a_high = a.d1, w_high = w.d1;
     if (BOOST_LIKELY(a_ends_first))
       tie.at(low, high, a_low, w_high);
@@ -158,24 +170,35 @@ private:
     { // they tie once
       if (!a_ends_first) return false;
       const auto place = tie.find(low, a_low - w.d0, high, a_high - w_high);
-      if (!(place.t - a.b0 > m_min_width) || !(w.b1 - place.t > m_min_width)) return false;
-      a.b1 = place.t;
-      a.d1 = place.d;
-      push_rest(w, place.t, place.d, next, end);
-      return true;
+      return share_at(a, w, place.t, place.d, next, end);
     }
     if (at_low == LARGER && at_high == SMALLER && a_ends_first && !tie.may_tie_twice(low, high))
-    { // it is farther
-      cut_back(low, a_low);
-      m_envelope.push_back(w);
-      return true;
-    }
+      return begin_at(w, a_low); // the envelope's is farther
     if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
     { // the envelope's is nearer
       if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next, end);
       return true;
     }
     return false;
+  }
+
+  // The last one of the envelope up to t, and w from there on.
+  BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
+                                  const Window* const* end)
+  {
+    if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
+    a.b1 = t;
+    a.d1 = d;
+    push_rest(w, t, d, next, end);
+    return true;
+  }
+
+  // All of w, and the last one of the envelope, whose distance is d there, up to where it begins.
+  BOOST_FORCEINLINE bool begin_at(const Window& w, const FT& d)
+  {
+    cut_back(w.b0, d);
+    m_envelope.push_back(w);
+    return true;
   }
 
   // What is left of a window behind the last one of the envelope.
@@ -192,11 +215,12 @@ private:
       m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
-  bool cut_end(Window& a, const FT& t) const
+  // Cuts off the overlap with a window that begins at t, which is not more than rounding, if any.
+  BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap) const
   {
-    if (!(t - a.b0 > m_min_width)) return false;
-    a.b1 = t;
-    a.d1 = a.distance_at(t);
+    if (!(t - a.b0 > m_min_width)) return !CGAL::is_positive(overlap);
+    if (BOOST_UNLIKELY(overlap > Number_policy<FT>::rounding(1) * a.d1)) a.d1 = a.distance_at(t);
+    a.b1 = lesser(a.b1, t);
     return true;
   }
 

@@ -79,6 +79,17 @@ public:
     return true;
   }
 
+  // Whether the distances tie on a straight line, as those of two images with one sigma do, and the image of a is nearer
+  // before t, that of b behind it. No digits are lost but those that the images lack.
+  BOOST_FORCEINLINE bool has_straight_bisector(FT& t) const
+  {
+    if (((m_a.bits | m_b.bits) & 1u) || m_a.sigma != m_b.sigma) return false;
+    const FT x = m_b.x - m_a.x, y = m_b.y - m_a.y;
+    if (!CGAL::is_positive(x)) return false;
+    t = (x * (m_a.x + m_b.x) + y * (m_a.y + m_b.y)) / (2 * x);
+    return true;
+  }
+
   // Whether it lies between u and v: only then are there two ties where the signs at u and v are the same.
   bool may_tie_twice(const FT& u, const FT& v) const
   {
