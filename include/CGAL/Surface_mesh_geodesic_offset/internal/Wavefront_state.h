@@ -199,6 +199,7 @@ public:
     const std::size_t bucket = (std::max)(p.queue.bucket_of(nearest), p.queue.current());
     if (bucket >= list.bucket) return;
     list.bucket = bucket;
+    mesh.prefetch_face(h); // into the outer caches at least
     p.queue.push_halfedge(bucket, h);
   }
 
