@@ -185,9 +185,8 @@ public:
     if (h == no_index || m_place[h] == no_index) return;
     const List& list = part_of(h).lists[m_place[h]];
     // without a loop, of which the number of turns could not be foreseen
-    for (std::size_t i = 0; i < 4; ++i) prefetch_element(list.data, i);
-    if (list.size > 4)
-      for (std::size_t i = 4; i < 8; ++i) prefetch_element(list.data, i);
+    internal::prefetch(list.data, 4 * sizeof(Window));
+    if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
   }
 
   BOOST_FORCEINLINE void prefetch_list(Index h) const

@@ -60,7 +60,7 @@ private:
       m_envelope.push_back(w);
       return true;
     }
-    if (difference_of_images(a, w) <= merging(w)) return false;
+    if (may_merge(a, w)) return false;
     const bool a_ends_first = a.b1 < w.b1;
     if (overlap <= 0x1p-36 * m_length && a_ends_first)
     { // rays that both share, but for rounding outward at each face
@@ -68,8 +68,8 @@ private:
       return true;
     }
     const double high = a_ends_first ? a.b1 : w.b1;
-    const double a_low = a.distance_at(w.b0), a_high = a_ends_first ? a.d1 : a.distance_at(high);
-    const double w_high = a_ends_first ? w.distance_at(high) : w.d1;
+    const Number_pair<double> d = a_ends_first ? Window::distances_at(a, w.b0, w, high) : a.distances_at({w.b0, high});
+    const double a_low = d.first(), a_high = a_ends_first ? a.d1 : d.second(), w_high = a_ends_first ? d.second() : w.d1;
     const Certified_tie tie(a, w, m_length);
     const double at_low = a_low - w.d0, at_high = a_high - w_high;
     if (a_ends_first && (std::max)(std::abs(at_low), std::abs(at_high)) <= 4 * tie.margin() && !tie.may_turn(w.b0, high))
@@ -132,6 +132,13 @@ private:
 
   // Lengths are in units of the longest edge, so no shortest path is longer.
   static constexpr double farthest = 0x1p34;
+
+  // The coordinate that mostly tells them apart first.
+  BOOST_FORCEINLINE bool may_merge(const Window& a, const Window& w) const
+  {
+    const double most = merging(w);
+    return std::abs((a.x - w.x) + (a.x_low - w.x_low)) <= most && difference_of_images(a, w) <= most;
+  }
 
   // How much the distances of two windows may differ anywhere, infinity if they are of different kinds.
   double difference_of_images(const Window& a, const Window& b) const

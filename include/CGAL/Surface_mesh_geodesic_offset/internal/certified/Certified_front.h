@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_batch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_envelope.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
 
 #include <algorithm>
 #include <vector>
@@ -41,7 +42,7 @@ public:
       while (m_state.queue.pop_face(i)) m_state.try_to_finish(i);
       if (m_state.queue.pop_halfedge(i))
       {
-        m_state.lists.prefetch(m_state.queue.next_halfedge());
+        m_state.prefetch_next();
         take(i);
       }
       else if (m_state.queue.pop_vertex(i))

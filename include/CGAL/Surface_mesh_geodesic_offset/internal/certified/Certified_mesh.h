@@ -69,6 +69,9 @@ public:
   const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
   double length(Index h) const { return m_halfedges[h].length.high; }
 
+  // Says that the face of h will be asked for soon.
+  void prefetch_face(Index h) const { prefetch(&m_halfedges[3 * Unfolded_mesh<double>::face(h)], 3 * sizeof(Halfedge)); }
+
   // The third vertex of the face in the frame of h, and the same from the target of h.
   Double_double_2 apex(Index h) const
   {

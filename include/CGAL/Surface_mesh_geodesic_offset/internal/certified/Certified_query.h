@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
 
 #include <algorithm>
 #include <utility>

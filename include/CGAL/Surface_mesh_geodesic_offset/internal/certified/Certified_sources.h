@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Initial_windows.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
 
 #include <algorithm>
 #include <cmath>

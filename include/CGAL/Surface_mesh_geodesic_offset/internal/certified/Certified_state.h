@@ -87,6 +87,21 @@ public:
     append(m_single);
   }
 
+  // Says that the next halfedges of the queue will be taken soon.
+  void prefetch_next() const
+  {
+    lists.prefetch(queue.next_halfedge());
+    lists.prefetch_list(queue.next_halfedge(1));
+    if (const Index g = queue.next_halfedge(2); g != no_index) prefetch_face(g);
+    lists.prefetch_place(queue.next_halfedge(3));
+  }
+
+  void prefetch_face(Index h) const
+  {
+    mesh.prefetch_face(h);
+    unfolded.prefetch_face(h);
+  }
+
   // A border or a face that the front has passed takes none.
   bool takes_windows(Index g) const { return g != no_index && m_face_state[g / 3] != FINISHED; }
 
@@ -101,6 +116,7 @@ public:
     const std::size_t bucket = (std::max)(queue.bucket_of(output.nearest()), queue.current());
     if (bucket >= list.bucket) return;
     list.bucket = bucket;
+    prefetch_face(output.halfedge());
     queue.push_halfedge(bucket, output.halfedge());
   }
 

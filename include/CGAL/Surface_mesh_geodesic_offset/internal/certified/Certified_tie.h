@@ -82,17 +82,20 @@ public:
     double t;
     if (m_a.is_parallel() || m_b.is_parallel() || !closed_form(u, v, t)) return false;
     // one step of Newton's iteration, and as far aside as certainty needs
-    const double xa = (t - m_a.x) - m_a.x_low, xb = (t - m_b.x) - m_b.x_low;
-    const double ra = std::sqrt(xa * xa + m_a.y * m_a.y), rb = std::sqrt(xb * xb + m_b.y * m_b.y);
+    typedef Number_pair<double> Pair;
+    const Pair x = (Pair(t) - Pair(m_a.x, m_b.x)) - Pair(m_a.x_low, m_b.x_low), y(m_a.y, m_b.y);
+    const Pair r = square_root(x * x + y * y);
+    const double xa = x.first(), xb = x.second(), ra = r.first(), rb = r.second();
     const double inverse = ra * rb / (xa * rb - xb * ra); // of the derivative, xa / ra - xb / rb
     t -= ((m_a.sigma - m_b.sigma) + (ra - rb)) * inverse;
     const double aside = 3 * m_margin * inverse;
     of_a.t = t + aside;
     of_b.t = t - aside;
     if (!(u < of_b.t && of_a.t < v)) return false;
-    of_a.distance = m_a.distance_at(of_a.t);
-    of_b.distance = m_b.distance_at(of_b.t);
-    return of_a.distance - m_b.distance_at(of_a.t) > m_margin && of_b.distance - m_a.distance_at(of_b.t) > m_margin &&
+    const Pair of_first = m_a.distances_at({of_a.t, of_b.t}), of_second = m_b.distances_at({of_a.t, of_b.t});
+    of_a.distance = of_first.first();
+    of_b.distance = of_second.second();
+    return of_a.distance - of_second.first() > m_margin && of_b.distance - of_first.second() > m_margin &&
            slope(of_a.t) == POSITIVE && slope(of_b.t) == POSITIVE;
   }
 

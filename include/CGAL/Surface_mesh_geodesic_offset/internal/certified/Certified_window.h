@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
 
@@ -65,12 +66,28 @@ struct Certified_window
     return sigma + std::sqrt(u * u + v * v);
   }
 
+  // At two points of the halfedge.
+  Number_pair<double> distances_at(const Number_pair<double>& t) const
+  {
+    typedef Number_pair<double> Pair;
+    if (is_parallel()) return Pair(sigma) - Pair(x) * t;
+    return Pair(sigma) + radii(t, Pair(x), Pair(x_low), Pair(y + y_low));
+  }
+
+  // Of a at u, and of b at v.
+  static Number_pair<double> distances_at(const Certified_window& a, double u, const Certified_window& b, double v)
+  {
+    typedef Number_pair<double> Pair;
+    if ((a.bits | b.bits) & 1u) return Pair(a.distance_at(u), b.distance_at(v));
+    return Pair(a.sigma, b.sigma) +
+           radii(Pair(u, v), Pair(a.x, b.x), Pair(a.x_low, b.x_low), Pair(a.y + a.y_low, b.y + b.y_low));
+  }
+
   void set_interval(double from, double to)
   {
-    b0 = from;
-    b1 = to;
-    d0 = distance_at(from);
-    d1 = distance_at(to);
+    const Number_pair<double> t(from, to);
+    t.put(b0, b1);
+    distances_at(t).put(d0, d1);
   }
 
   double error_of_image() const { return image_error * (is_parallel() ? 1. : std::abs(x) + std::abs(y) + 1.); }
@@ -89,6 +106,16 @@ struct Certified_window
   {
     if (!is_parallel() && b0 < x && x < b1) return sigma - y;
     return (std::min)(d0, d1);
+  }
+
+private:
+  typedef const Number_pair<double>& Pair;
+
+  // From points of the halfedge to images.
+  static Number_pair<double> radii(Pair t, Pair x, Pair x_low, Pair y)
+  {
+    const Number_pair<double> u = (t - x) - x_low;
+    return square_root(u * u + y * y);
   }
 };
 

@@ -106,38 +106,6 @@ struct Double_double_2
   Double_double x, y;
 };
 
-// Brings vectors into a frame whose x axis has a given unit direction. The error is at most 32 u^2 of the vector's length.
-class Rotation
-{
-public:
-  explicit Rotation(const Double_double_2& axis)
-    : m_x(axis.x.high), m_y(axis.y.high), m_x_low(axis.x.low), m_y_low(axis.y.low)
-  {
-  }
-
-  Double_double_2 operator()(const Double_double_2& v) const
-  {
-    const Split_double x(v.x.high), y(v.y.high);
-    const Double_double xx = two_product(m_x, x), yy = two_product(m_y, y), xy = two_product(m_x, y),
-                        yx = two_product(m_y, x);
-    const double x_low = (m_x.value * v.x.low + m_x_low * v.x.high) + (m_y.value * v.y.low + m_y_low * v.y.high);
-    const double y_low = (m_x.value * v.y.low + m_x_low * v.y.high) - (m_y.value * v.x.low + m_y_low * v.x.high);
-    return {sum(xx, yy, x_low), sum(xy, -yx, y_low)};
-  }
-
-private:
-  static Double_double sum(const Double_double& a, const Double_double& b, double low)
-  {
-    const Double_double s = two_sum(a.high, b.high);
-    return two_sum(s.high, s.low + ((a.low + b.low) + low));
-  }
-
-  Split_double m_x, m_y;
-  double m_x_low, m_y_low;
-};
-
-inline Double_double_2 in_frame(const Double_double_2& axis, const Double_double_2& v) { return Rotation(axis)(v); }
-
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL
