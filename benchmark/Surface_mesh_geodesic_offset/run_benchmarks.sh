@@ -64,7 +64,7 @@ run flat_meshes.md "$bin/flat_meshes"
 run bounded_error.md "$bin/bounded_error" --limit "$limit"
 rm -f "$results"/{certified_bounds,window_counts,point_source_against_smsp}.md
 if [ ${#meshes[@]} -gt 0 ]; then
-  run certified_bounds.md "$bin/certified_bounds" --repeat 3 "${meshes[@]}"
+  run certified_bounds.md "$bin/certified_bounds" --repeat 9 "${meshes[@]}"
   run window_counts.md "$bin/window_counts" "${meshes[@]}"
   run point_source_against_smsp.md "$bin/point_source_against_smsp" "${meshes[@]}"
 fi

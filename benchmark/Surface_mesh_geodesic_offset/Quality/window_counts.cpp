@@ -77,7 +77,8 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
     const internal::Window_pruning<double> pruning(length, distance[unfolded.source(h)], distance[unfolded.target(h)],
                                                    allowance);
     windows.clear();
-    const auto add = [&](Window w) {
+    const auto add = [&](const Window& whole) {
+      Window w = whole;
       if (pruning.trim(w)) windows.push_back(w);
     };
     build.field.kept.for_each(h, distance, build.field.root, add);
