@@ -44,6 +44,7 @@ public:
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     m_least_overlap = -m_max_gap;
+    m_rounding = Number_policy<FT>::rounding(1);
     m_order.start(first, taken, last);
     const Window* const* i = m_order.begin();
     const Window* const* const end = m_order.end();
@@ -155,7 +156,7 @@ private:
         if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, tie.at(w, high), next, end);
         return true;
       }
-      return false;
+      return false; // t is no number
     }
     FT a_low, a_high = a.d1, w_high = w.d1;
     if (BOOST_LIKELY(a_ends_first))
@@ -182,7 +183,7 @@ private:
     return false;
   }
 
-  // The last one of the envelope up to t, and w from there on.
+  // The last one of the envelope up to t, and w from there on; false, and nothing, if either is too narrow.
   BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
                                   const Window* const* end)
   {
@@ -215,11 +216,12 @@ private:
       m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
-  // Cuts off the overlap with a window that begins at t, which is not more than rounding, if any.
+  // Cuts off the overlap with a window that begins at t, which is not more than rounding, if any; false, and nothing, if too
+  // little is left. The distance at the end changes by less than the overlap: where that is within its rounding, it stays.
   BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap) const
   {
     if (!(t - a.b0 > m_min_width)) return !CGAL::is_positive(overlap);
-    if (BOOST_UNLIKELY(overlap > Number_policy<FT>::rounding(1) * a.d1)) a.d1 = a.distance_at(t);
+    if (BOOST_UNLIKELY(overlap > m_rounding * a.d1)) a.d1 = a.distance_at(t);
     a.b1 = lesser(a.b1, t);
     return true;
   }
@@ -339,7 +341,7 @@ private:
   const Traits& m_traits;
   std::vector<Window> m_envelope;
   Window_order<FT, Window> m_order;
-  FT m_length, m_min_width, m_max_gap, m_least_overlap;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_rounding;
 };
 
 } // namespace internal

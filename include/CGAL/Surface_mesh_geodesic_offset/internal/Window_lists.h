@@ -184,7 +184,7 @@ public:
   {
     if (h == no_index || m_place[h] == no_index) return;
     const List& list = part_of(h).lists[m_place[h]];
-    // without a loop, of which the number of turns could not be foreseen
+    // by one branch, not by a loop of which the number of turns could not be foreseen
     internal::prefetch(list.data, 4 * sizeof(Window));
     if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
   }

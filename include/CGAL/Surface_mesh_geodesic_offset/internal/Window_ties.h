@@ -79,8 +79,8 @@ public:
     return true;
   }
 
-  // Whether the distances tie on a straight line, as those of two images with one sigma do, and the image of a is nearer
-  // before t, that of b behind it. No digits are lost but those that the images lack.
+  // Whether the distances tie on a straight line, as those of two images with one sigma do, so that a is nearer before t and
+  // b behind it; not if that is the other way round. No digits are lost but those that the images lack.
   BOOST_FORCEINLINE bool has_straight_bisector(FT& t) const
   {
     if (((m_a.bits | m_b.bits) & 1u) || m_a.sigma != m_b.sigma) return false;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 
 #include <boost/config.hpp>

@@ -69,7 +69,6 @@ struct Certified_window
   // At two points of the halfedge.
   Number_pair<double> distances_at(const Number_pair<double>& t) const
   {
-    typedef Number_pair<double> Pair;
     if (is_parallel()) return Pair(sigma) - Pair(x) * t;
     return Pair(sigma) + radii(t, Pair(x), Pair(x_low), Pair(y + y_low));
   }
@@ -77,7 +76,6 @@ struct Certified_window
   // Of a at u, and of b at v.
   static Number_pair<double> distances_at(const Certified_window& a, double u, const Certified_window& b, double v)
   {
-    typedef Number_pair<double> Pair;
     if ((a.bits | b.bits) & 1u) return Pair(a.distance_at(u), b.distance_at(v));
     return Pair(a.sigma, b.sigma) +
            radii(Pair(u, v), Pair(a.x, b.x), Pair(a.x_low, b.x_low), Pair(a.y + a.y_low, b.y + b.y_low));
@@ -109,12 +107,12 @@ struct Certified_window
   }
 
 private:
-  typedef const Number_pair<double>& Pair;
+  typedef Number_pair<double> Pair;
 
   // From points of the halfedge to images.
-  static Number_pair<double> radii(Pair t, Pair x, Pair x_low, Pair y)
+  static Pair radii(const Pair& t, const Pair& x, const Pair& x_low, const Pair& y)
   {
-    const Number_pair<double> u = (t - x) - x_low;
+    const Pair u = (t - x) - x_low;
     return square_root(u * u + y * y);
   }
 };

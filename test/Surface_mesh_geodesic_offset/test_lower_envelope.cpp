@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Lower envelopes of random windows on one halfedge, against the nearest of all windows at random points: images of one
+// sigma and of several, parallel rays, windows within others, that touch, that are there twice, in order and in any order,
+// and added to an envelope that was propagated before.
+
+#include "test_check.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Lower_envelope.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, CGAL::Surface_mesh<Kernel::Point_3>> Traits;
+typedef CGAL::Geodesic_offset::internal::Window<double> Window;
+typedef CGAL::Geodesic_offset::internal::Lower_envelope<Traits> Envelope;
+typedef std::vector<Window> Windows;
+
+class Random
+{
+public:
+  explicit Random(unsigned seed) : m_engine(seed) {}
+  double operator()(double from, double to) { return std::uniform_real_distribution<double>(from, to)(m_engine); }
+  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(m_engine); }
+
+private:
+  std::mt19937 m_engine;
+};
+
+void set_interval(Window& w, double b0, double b1)
+{
+  w.b0 = b0;
+  w.b1 = b1;
+  w.d0 = w.distance_at(b0);
+  w.d1 = w.distance_at(b1);
+}
+
+// Windows of sources about `away` from the halfedge, whose sigmas are few; sometimes of the image or at the end of another.
+Windows random_windows(Random& random, int number, double length, double away)
+{
+  Windows windows;
+  for (int i = 0; i < number; ++i)
+  {
+    Window w;
+    const bool is_again = i > 0 && random.below(8) == 0;
+    if (is_again) w = windows[std::size_t(random.below(i))];
+    else
+    {
+      const int origin = random.below(3);
+      const bool is_parallel = random.below(10) == 0;
+      const double angle = random(-1.2, 1.2);
+      w.x = is_parallel ? std::sin(angle) : random(-1, 2) * length;
+      w.y = is_parallel ? -std::cos(angle) : -away * random(0.9, 1.1);
+      w.sigma = is_parallel ? away : 0.05 * origin * away;
+      w.root = CGAL::Geodesic_offset::internal::Root(0, CGAL::Source_side::NONE);
+      w.bits = Window::make_bits(is_parallel, origin == 0 ? CGAL::Geodesic_offset::internal::no_index : unsigned(origin));
+    }
+    double b0 = random(0, length), b1 = random(0, length);
+    if (i > 0 && random.below(3) == 0) b0 = windows[std::size_t(random.below(i))].b1;
+    if (b0 > b1) std::swap(b0, b1);
+    if (!(b1 - b0 > 1e-6 * length)) continue;
+    set_interval(w, b0, b1);
+    windows.push_back(w);
+  }
+  return windows;
+}
+
+Windows in_order(const Windows& windows)
+{
+  const auto begins_first = [](const Window& a, const Window& b) { return a.b0 < b.b0; };
+  Windows sorted;
+  for (const Window& w : windows) sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), w, begins_first), w);
+  return sorted;
+}
+
+double nearest(const Windows& windows, double t)
+{
+  double d = std::numeric_limits<double>::infinity();
+  for (const Window& w : windows)
+    if (w.b0 <= t && t <= w.b1) d = (std::min)(d, w.distance_at(t));
+  return d;
+}
+
+void check_envelope(Random& random, const Windows& envelope, const Windows& all, double length)
+{
+  double largest = length; // of all lengths that were rounded
+  for (const Window& w : all) largest = (std::max)({largest, std::abs(w.x), std::abs(w.y), w.sigma, w.d0, w.d1});
+  for (std::size_t i = 0; i < envelope.size(); ++i)
+  {
+    const Window& w = envelope[i];
+    CHECK(w.b0 < w.b1);
+    CHECK(i == 0 || envelope[i - 1].b1 <= w.b0);
+    CHECK(std::abs(w.distance_at(w.b0) - w.d0) <= 1e-14 * largest);
+    CHECK(std::abs(w.distance_at(w.b1) - w.d1) <= 1e-14 * largest);
+  }
+  for (int i = 0; i < 50; ++i)
+  {
+    const double t = random(0, length), expected = nearest(all, t), d = nearest(envelope, t);
+    CHECK(d == expected || std::abs(d - expected) <= 1e-14 * largest);
+  }
+}
+
+void test_random(unsigned seed)
+{
+  Random random(seed);
+  const std::vector<unsigned> source_of(1, 0);
+  const Traits traits;
+  Envelope envelope(source_of, traits);
+  const double length = std::exp2(random(-3, 3)), away = length * std::exp2(random(-4, 10));
+  Windows all = random_windows(random, 1 + random.below(12), length, away);
+  if (random.below(2) == 0) all = in_order(all);
+  const Window* const end = all.data() + all.size();
+  Windows list = envelope(all.data(), all.data(), end, length);
+  check_envelope(random, list, all, length);
+
+  // more, to what was propagated
+  const std::size_t taken = list.size();
+  for (Window& w : list) w.set_propagated();
+  const Windows more = random_windows(random, 1 + random.below(6), length, away);
+  list.insert(list.end(), more.begin(), more.end());
+  all.insert(all.end(), more.begin(), more.end());
+  const Windows both = envelope(list.data(), list.data() + taken, list.data() + list.size(), length);
+  check_envelope(random, both, all, length);
+  // what was propagated has not become more
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < taken; ++i) before += list[i].b1 - list[i].b0;
+  for (const Window& w : both) after += w.is_propagated() ? w.b1 - w.b0 : 0;
+  CHECK(after <= before * (1 + 1e-12));
+}
+
+} // namespace
+
+int main()
+{
+  for (unsigned seed = 1; seed <= 4000; ++seed)
+  {
+    test::Report::instance().set_context("seed " + std::to_string(seed));
+    test_random(seed);
+  }
+  return test::Report::instance().finish("test_lower_envelope");
+}
