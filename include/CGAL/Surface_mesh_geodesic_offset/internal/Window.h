@@ -40,7 +40,7 @@ struct Root
 // All rays of a window are shortest among the paths with the same face sequence; [b0, b1] is the interval and
 // d0, d1 are the distances at its ends. One cache line for double, and in one.
 template <class FT>
-struct alignas(sizeof(FT) == 8 ? 64 : 0) Window
+struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
 {
   FT x, y, sigma;
   FT b0, b1, d0, d1;
