@@ -95,10 +95,7 @@ public:
   BOOST_FORCEINLINE bool pop_halfedge(Bucket_queue& queue, Index& h) const
   {
     if (!queue.pop_halfedge(h)) return false;
-    field.lists.prefetch(queue.next_halfedge());
-    field.lists.prefetch_list(queue.next_halfedge(1));
-    if (const Index g = queue.next_halfedge(2); g != no_index) mesh.prefetch_face(g);
-    field.lists.prefetch_place(queue.next_halfedge(3));
+    field.lists.prefetch_next(queue, [this](Index g) { this->mesh.prefetch_face(g); });
     return true;
   }
 

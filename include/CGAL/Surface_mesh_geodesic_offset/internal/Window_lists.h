@@ -179,6 +179,17 @@ public:
   std::size_t peak() const { return m_part.size() == 1 ? std::size_t(m_part.front().peak) : m_peak; }
   void look_for_peak() { m_peak = (std::max)(m_peak, number_of_windows()); }
 
+  // Says that the next halfedges of a queue will be taken soon. prefetch_face(h) says it of the face of h.
+  template <class Queue, class Prefetch_face>
+  BOOST_FORCEINLINE void prefetch_next(const Queue& queue, const Prefetch_face& prefetch_face) const
+  {
+    prefetch(queue.next_halfedge());
+    prefetch_list(queue.next_halfedge(1));
+    if (const Index h = queue.next_halfedge(2); h != no_index) prefetch_face(h);
+    prefetch_place(queue.next_halfedge(3));
+  }
+
+private:
   // Says that a list will be asked for soon: its windows; earlier, what says where these are; and earlier, where that is.
   BOOST_FORCEINLINE void prefetch(Index h) const
   {
@@ -198,7 +209,6 @@ public:
     if (h != no_index) internal::prefetch(&m_place[h]);
   }
 
-private:
   struct alignas(64) Part
   {
     std::vector<List> lists;

@@ -90,10 +90,7 @@ public:
   // Says that the next halfedges of the queue will be taken soon.
   void prefetch_next() const
   {
-    lists.prefetch(queue.next_halfedge());
-    lists.prefetch_list(queue.next_halfedge(1));
-    if (const Index g = queue.next_halfedge(2); g != no_index) prefetch_face(g);
-    lists.prefetch_place(queue.next_halfedge(3));
+    lists.prefetch_next(queue, [this](Index g) { prefetch_face(g); });
   }
 
   void prefetch_face(Index h) const
