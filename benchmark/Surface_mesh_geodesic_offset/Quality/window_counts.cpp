@@ -86,7 +86,7 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
       build.field.kept.for_each(twin, distance, build.field.root,
                                 [&](const Window& w) { add(seen_from_behind(w, length)); });
     const Window* const first = windows.data();
-    number += envelope(first, first, first + windows.size(), length).size();
+    number += envelope(first, first + windows.size(), length).size();
   }
   return number;
 }

@@ -40,6 +40,11 @@ public:
   // What is to be told to the apex.
   struct Arrival
   {
+    Arrival(const FT& distance, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source, bool is_bent)
+      : distance(distance), back(back), root(root), pseudo_source(pseudo_source), is_bent(is_bent)
+    {
+    }
+
     FT distance;
     Ray_at_vertex<FT> back;
     Root root;
@@ -51,6 +56,9 @@ public:
   // distance given to the apex through the halfedge so far, and where its ray enters.
   void operator()(Index h, const std::vector<Window>& windows, FT& split_distance, FT& split_entry)
   {
+    const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
+    m_state.field.lists.prefetch_place(beyond_left); // where the children will go
+    m_state.field.lists.prefetch_place(beyond_right);
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
     m_arrivals.clear();
     m_apex = m_mesh.apex(h);
@@ -66,7 +74,6 @@ public:
     const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across);
     const FT maximum = m_state.maximum;
     const std::size_t n = windows.size();
-    const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
     Left left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
               m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
     Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
@@ -229,7 +236,7 @@ private:
     const FT d = before + length;
     if (!(d < m_known - m_known * Number_policy<FT>::rounding(64)) || !Number_policy<FT>::is_finite(m_known)) return;
     const Index pseudo_source = m_state.field.back[corner].corner == no_index ? no_index : corner;
-    m_arrivals.push_back(Arrival{d, {m_previous, x, y}, m_state.field.root[corner], pseudo_source, false});
+    m_arrivals.emplace_back(d, Ray_at_vertex<FT>{m_previous, x, y}, m_state.field.root[corner], pseudo_source, false);
     m_known = d;
   }
 
@@ -284,7 +291,7 @@ private:
                    const Window& w, bool is_bent = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_arrivals.push_back(Arrival{d, back, w.root, w.pseudo_source(), is_bent});
+    m_arrivals.emplace_back(d, back, w.root, w.pseudo_source(), is_bent);
     if (d < m_known) m_known = d;
   }
 

@@ -24,10 +24,16 @@ template <class FT>
 struct alignas(64) Front_box
 {
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef typename Wavefront_state<FT>::Output Output;
 
   // As for Wavefront_state::update_vertex().
   struct Arrival
   {
+    Arrival(Index vertex, const FT& distance, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source, bool is_bent)
+      : vertex(vertex), distance(distance), back(back), root(root), pseudo_source(pseudo_source), is_bent(is_bent)
+    {
+    }
+
     Index vertex;
     FT distance;
     Ray_at_vertex<FT> back;
@@ -38,6 +44,11 @@ struct alignas(64) Front_box
   // Windows for a halfedge, and the distance of their nearest point.
   struct Windows
   {
+    Windows(Window_arena<Window>& arena, const Output& output)
+      : halfedge(output.halfedge()), nearest(output.nearest()), block(arena, output.begin(), output.size())
+    {
+    }
+
     Index halfedge;
     FT nearest;
     Window_block<Window> block;
@@ -77,35 +88,47 @@ public:
   void update_vertex(Index v, const FT& d, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source,
                      bool is_bent = false)
   {
-    m_box[m_state.parts.of_vertex(v)].arrivals.push_back({v, d, back, root, pseudo_source, is_bent});
+    box(m_state.parts.of_vertex(v)).arrivals.emplace_back(v, d, back, root, pseudo_source, is_bent);
     m_last[1] = m_last[0];
     m_last[0] = {v, d};
   }
 
   void schedule(Index f)
   {
-    if (!m_state.face_state[f]) m_box[m_state.parts.of_face(f)].faces.push_back(f);
+    if (!m_state.face_state[f]) box(m_state.parts.of_face(f)).faces.push_back(f);
   }
 
   // The ends of g must be the last two vertices that were updated.
   void add(Index g, Window& w)
   {
     if (m_state.admits(g, distance(m_state.mesh.source(g)), distance(m_state.mesh.target(g)), w))
-      m_box[m_state.parts.of_halfedge(g)].single_windows.push_back({g, w});
+      box(m_state.parts.of_halfedge(g)).single_windows.push_back({g, w});
   }
 
   // Windows go into a block of the arena.
   void append(const Output& output, Window_arena<Window>& arena)
   {
     if (output.size() == 0) return;
-    const Index h = output.halfedge();
-    m_box[m_state.parts.of_halfedge(h)].windows.push_back(
-      {h, output.nearest(), Window_block<Window>::copy(arena, output.begin(), output.size())});
+    box(m_state.parts.of_halfedge(output.halfedge())).windows.emplace_back(arena, output);
   }
 
   Box& box_for(Index part) { return m_box[part]; }
 
+  // The parts that were told something, by bits, since it was last asked.
+  Index take_told()
+  {
+    const Index told = m_told;
+    m_told = 0;
+    return told;
+  }
+
 private:
+  Box& box(Index part)
+  {
+    m_told |= Index(1) << part;
+    return m_box[part];
+  }
+
   FT distance(Index v) const
   {
     FT d = m_state.field.distance[v];
@@ -122,6 +145,7 @@ private:
 
   const Wavefront_state<FT>& m_state;
   std::vector<Box> m_box;
+  Index m_told = 0;
   Update m_last[2];
 };
 

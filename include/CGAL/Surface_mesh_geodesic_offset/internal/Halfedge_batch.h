@@ -34,15 +34,14 @@ public:
   {
   }
 
-  // The windows [first, taken) were propagated before, those in [taken, last) are new. The result is their lower envelope,
-  // valid until the next call; `split` as for Batch_propagation.
-  const std::vector<Window>& operator()(Index h, Window* first, Window* taken, Window* last, FT& split_distance,
-                                        FT& split_entry)
+  // The lower envelope of the windows of a halfedge, valid until the next call.
+  const std::vector<Window>& operator()(Index h, Window_list<FT>& list)
   {
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
-    for (Window* w = first; w != taken; ++w) w->set_propagated();
-    const std::vector<Window>& envelope = m_merging(m_envelope(first, taken, last, m_mesh[h].length));
-    m_propagate(h, envelope, split_distance, split_entry);
+    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
+    const std::vector<Window>& envelope =
+      m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end()));
+    m_propagate(h, envelope, list.split_distance, list.split_entry);
     return envelope;
   }
 

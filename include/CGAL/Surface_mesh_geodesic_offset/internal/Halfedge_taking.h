@@ -58,8 +58,7 @@ public:
   // Gives up the lists of faces that the front has passed.
   void release(const std::vector<Index>& faces)
   {
-    for (Index f : faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_state.field.lists.release(h);
+    m_state.field.lists.release_faces(faces, m_state.field.lists.arena(0));
   }
 
   // Works on all halfedges and vertices of the bucket.
@@ -85,10 +84,9 @@ private:
     Window_list<FT>* const known = m_state.field.lists.find(h);
     if (!known) return;
     Window_list<FT>& list = *known;
-    if (list.bucket != m_state.current() || list.taken == list.size) return;
+    if (list.bucket != m_state.current() || !list.has_new()) return;
     list.bucket = Window_list<FT>::not_queued;
-    const std::vector<Window>& envelope =
-      m_batch(h, list.data, list.data + list.taken, list.data + list.size, list.split_distance, list.split_entry);
+    const std::vector<Window>& envelope = m_batch(h, list);
     m_state.field.lists.assign(h, list, envelope);
     list.taken = list.size;
     m_state.schedule(m_state.mesh.face(h));

@@ -34,10 +34,11 @@ public:
   // `source_of[primitive]` tells which windows may merge: those of one source.
   Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
-  // The windows [first, taken) are sorted and disjoint, those in [taken, last) are in any order, on a halfedge of
-  // the given length. The result is sorted and disjoint, valid until the next call. With numbers whose order may stay open,
-  // neighbours may overlap where both may be the nearer one.
-  const std::vector<Window>& operator()(const Window* first, const Window* taken, const Window* last, const FT& length)
+  // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
+  // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where both
+  // may be the nearer one.
+  const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
+                                        const Window* more = nullptr, const Window* more_last = nullptr)
   {
     m_envelope.clear();
     m_length = length;
@@ -45,7 +46,7 @@ public:
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     m_least_overlap = -m_max_gap;
     m_rounding = Number_policy<FT>::rounding(1);
-    m_order.start(first, taken, last);
+    m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
     const Window* const* const end = m_order.end();
     Window later;

@@ -14,7 +14,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Front_mail.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Halfedge_taking.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Waiting_blocks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Worker_team.h>
 
 #include <algorithm>
@@ -38,7 +37,7 @@ public:
   Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                   const Merging_tolerance<FT>& tolerance)
     : m_state(state), m_team(Worker_team::possible_size()), m_part(state.parts.number(), Part(state)),
-      m_order(m_part.size())
+      m_told(m_part.size())
   {
     m_state.field.lists.set_number_of_arenas(m_team.size());
     for (unsigned i = 0; i < m_team.size(); ++i)
@@ -46,7 +45,7 @@ public:
   }
 
   // Enough for threads to find work, few enough for short rounds.
-  static Front_parts parts() { return Front_parts(16); }
+  static Front_parts parts() { return Front_parts(8); }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
   void pass_faces(const Face_passing<FT>& passing, std::vector<Index>& passed)
@@ -82,7 +81,9 @@ public:
         this->give_up(i, worker);
         if (halfedges > 0) this->take_halfedges(i, worker);
         else this->spread(i, spreading);
+        this->m_told[i] = this->m_part[i].sender.take_told();
       });
+      find_receivers();
       for_each_part(is_worth_help, [this](unsigned worker, Index i) { this->receive(i, worker); });
       m_state.field.lists.look_for_peak();
       if ((++m_rounds & 15u) == 0) m_state.field.lists.balance_arenas();
@@ -104,29 +105,41 @@ private:
     explicit Part(const Wavefront_state<FT>& state) : sender(state) {}
 
     Front_sender<FT> sender;
-    Waiting_blocks<FT> waiting;
     std::vector<Index> passed, given_up; // faces
   };
 
-  // How many things wait in all parts. The team begins with the last items: those parts with the most work, so that all
-  // threads end at about the same time.
+  // How many things wait in all parts, and in which. The team begins with the last items: those parts with the most work, so
+  // that all threads end at about the same time.
   template <class Number>
   std::size_t count(const Number& number)
   {
     std::size_t sum = 0;
+    m_order.clear();
     for (Index i = 0; i < m_part.size(); ++i)
     {
-      m_order[i] = {number(m_state.part(i).queue), i};
-      sum += m_order[i].first;
+      const std::size_t n = number(m_state.part(i).queue);
+      sum += n;
+      if (n > 0 || !m_part[i].given_up.empty()) m_order.emplace_back(n, i);
+      else m_told[i] = 0;
     }
     std::sort(m_order.begin(), m_order.end());
     return sum;
   }
 
+  // The parts that were told something.
+  void find_receivers()
+  {
+    Index told = 0;
+    for (Index t : m_told) told |= t;
+    m_order.clear();
+    for (Index i = 0; i < m_part.size(); ++i)
+      if (told >> i & 1u) m_order.emplace_back(0, i);
+  }
+
   template <class Function>
   void for_each_part(bool is_worth_help, const Function& f)
   {
-    m_team.for_each(Index(m_part.size()), is_worth_help, [this, &f](unsigned worker, Index first, Index last) {
+    m_team.for_each(Index(m_order.size()), is_worth_help, [this, &f](unsigned worker, Index first, Index last) {
       for (Index i = last; i > first; --i) f(worker, this->m_order[i - 1].second);
     });
   }
@@ -135,14 +148,7 @@ private:
   void give_up(Index part, unsigned worker)
   {
     Window_lists<FT>& lists = m_state.field.lists;
-    Arena& arena = lists.arena(worker);
-    for (Index f : m_part[part].given_up)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (lists.has(h))
-        {
-          lists.count(h, -m_part[part].waiting.release(lists.place(h), arena));
-          lists.release(h, arena);
-        }
+    lists.release_faces(m_part[part].given_up, lists.arena(worker));
     m_part[part].given_up.clear();
   }
 
@@ -160,12 +166,9 @@ private:
     Window_list<FT>* const known = lists.find(h);
     if (!known) return;
     Window_list<FT>& list = *known;
-    if (list.bucket != state_part.queue.current()) return;
-    part.waiting.append_to(list, lists.place(h), arena);
-    if (list.taken == list.size) return;
+    if (list.bucket != state_part.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<FT>::not_queued;
-    const std::vector<Window>& envelope =
-      batch(h, list.data, list.data + list.taken, list.data + list.size, list.split_distance, list.split_entry);
+    const std::vector<Window>& envelope = batch(h, list);
     lists.assign(h, list, envelope, arena);
     list.taken = list.size;
     const auto& propagated = batch.propagated();
@@ -188,24 +191,23 @@ private:
   void receive(Index part, unsigned worker)
   {
     Arena& arena = m_state.field.lists.arena(worker);
-    for (Part& from : m_part)
+    for (Index i = 0; i < m_part.size(); ++i)
     {
-      Front_box<FT>& box = from.sender.box_for(part);
+      if (!(m_told[i] >> part & 1u)) continue;
+      Front_box<FT>& box = m_part[i].sender.box_for(part);
       for (Index f : box.faces) m_state.schedule(f);
       for (const auto& a : box.arrivals)
         m_state.update_vertex(a.vertex, a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
-      for (const auto& w : box.windows) append(w, m_part[part].waiting, arena);
+      for (const auto& w : box.windows) append(w, arena);
       for (const auto& w : box.single_windows) append(w, arena);
       box.clear();
     }
   }
 
-  void append(const typename Front_box<FT>::Windows& w, Waiting_blocks<FT>& waiting, Arena& arena)
+  void append(const typename Front_box<FT>::Windows& w, Arena& arena)
   {
-    Window_lists<FT>& lists = m_state.field.lists;
     Window_list<FT>& list = m_state.field.list(w.halfedge, arena);
-    lists.count(w.halfedge, w.block.size);
-    waiting.add(list, lists.place(w.halfedge), w.block, arena);
+    m_state.field.lists.append(w.halfedge, list, w.block, arena);
     m_state.enqueue(w.halfedge, list, w.block.size, w.nearest);
   }
 
@@ -220,6 +222,7 @@ private:
   Worker_team m_team;
   std::vector<Part> m_part;
   std::vector<std::pair<std::size_t, Index>> m_order; // how much work there is in a part
+  std::vector<Index> m_told; // which parts each has told something, by bits
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
   unsigned m_rounds = 0;
 };

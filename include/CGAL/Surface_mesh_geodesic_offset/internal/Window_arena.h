@@ -83,15 +83,17 @@ struct Window_block
   Window* data = nullptr;
   Index size = 0, size_class = 0;
 
+  const Window* begin() const { return data; }
+  const Window* end() const { return data + size; }
+
+  Window_block() = default;
+
   // A copy of n > 0 windows in a block of an arena.
-  static Window_block copy(Window_arena<Window>& arena, const Window* first, std::size_t n)
+  Window_block(Window_arena<Window>& arena, const Window* first, std::size_t n)
+    : size(Index(n)), size_class(Window_arena<Window>::size_class(n))
   {
-    Window_block block;
-    block.size = Index(n);
-    block.size_class = Window_arena<Window>::size_class(n);
-    block.data = arena.allocate(block.size_class);
-    std::copy(first, first + n, block.data);
-    return block;
+    data = arena.allocate(size_class);
+    std::copy(first, first + n, data);
   }
 };
 

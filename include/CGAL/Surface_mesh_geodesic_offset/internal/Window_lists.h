@@ -24,7 +24,7 @@ namespace internal {
 
 // The first `taken` windows are sorted, disjoint and already propagated; the others wait.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
-struct Window_list
+struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window_list
 {
   typedef Window_ Window;
   static constexpr std::size_t not_queued = ~std::size_t(0);
@@ -36,7 +36,9 @@ struct Window_list
   std::size_t bucket = not_queued;
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": the best distance given to the
   FT split_entry = FT(0);                            // apex through this halfedge, and where its ray enters
+  Window_block<Window> waiting;                      // more of those that wait
 
+  bool has_new() const { return taken != size || waiting.data; }
   const Window* begin() const { return data; }
   const Window* end() const { return data + size; }
 };
@@ -98,12 +100,32 @@ public:
     count(h, std::ptrdiff_t(n));
   }
 
+  // Puts a block behind the windows of the list of a halfedge, if it can without a copy of anything.
+  void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
+  {
+    count(h, std::ptrdiff_t(block.size));
+    if (!list.data)
+    { // a block is as good as another
+      list.data = block.data;
+      list.size = block.size;
+      list.size_class = block.size_class;
+      return;
+    }
+    if (list.waiting.data)
+    {
+      write(list, list.waiting.data, list.waiting.size, arena);
+      arena.release(list.waiting.data, list.waiting.size_class);
+    }
+    list.waiting = block;
+  }
+
   // Replaces all windows of the list of a halfedge.
   void assign(Index h, List& list, const std::vector<Window>& windows) { assign(h, list, windows, m_arenas.front()); }
   void assign(Index h, List& list, const std::vector<Window>& windows, Arena& arena)
   {
-    count(h, std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size));
+    count(h, std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size + list.waiting.size));
     list.size = 0;
+    drop_waiting(list, arena);
     write(list, windows.data(), windows.size(), arena);
   }
 
@@ -112,11 +134,21 @@ public:
   {
     if (m_place[h] == no_index) return;
     Part& part = part_of(h);
-    const List& list = part.lists[m_place[h]];
-    part.live -= list.size;
+    List& list = part.lists[m_place[h]];
+    part.live -= list.size + list.waiting.size;
+    drop_waiting(list, arena);
     if (list.data) arena.release(list.data, list.size_class);
     part.free.push_back(m_place[h]);
     m_place[h] = no_index;
+  }
+
+  // Of all halfedges of faces. Their lists have not been asked for long: they are fetched all together.
+  void release_faces(const std::vector<Index>& faces, Arena& arena)
+  {
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) prefetch_list(h);
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) release(h, arena);
   }
 
   static void reserve(List& list, std::size_t n, Arena& arena)
@@ -189,6 +221,15 @@ public:
     prefetch_place(queue.next_halfedge(3));
   }
 
+  BOOST_FORCEINLINE void prefetch_place(Index h) const
+  {
+    if (h != no_index) internal::prefetch(&m_place[h]);
+  }
+  BOOST_FORCEINLINE void prefetch_list(Index h) const
+  {
+    if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
+  }
+
 private:
   // Says that a list will be asked for soon: its windows; earlier, what says where these are; and earlier, where that is.
   BOOST_FORCEINLINE void prefetch(Index h) const
@@ -198,15 +239,14 @@ private:
     // by one branch, not by a loop of which the number of turns could not be foreseen
     internal::prefetch(list.data, 4 * sizeof(Window));
     if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
+    if (list.waiting.data) internal::prefetch(list.waiting.data, 4 * sizeof(Window));
   }
 
-  BOOST_FORCEINLINE void prefetch_list(Index h) const
+  static void drop_waiting(List& list, Arena& arena)
   {
-    if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
-  }
-  BOOST_FORCEINLINE void prefetch_place(Index h) const
-  {
-    if (h != no_index) internal::prefetch(&m_place[h]);
+    if (!list.waiting.data) return;
+    arena.release(list.waiting.data, list.waiting.size_class);
+    list.waiting = Window_block<Window>();
   }
 
   struct alignas(64) Part

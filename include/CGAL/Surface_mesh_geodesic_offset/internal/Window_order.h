@@ -21,13 +21,19 @@ template <class FT, class Window>
 class Window_order
 {
 public:
-  // The windows [first, taken) are sorted, those in [taken, last) are in any order.
-  void start(const Window* first, const Window* taken, const Window* last)
+  // The windows [first, last), and [more, more_last) behind them. Those that begin at one point keep their order.
+  void start(const Window* first, const Window* last, const Window* more, const Window* more_last)
   {
     m_later.clear();
-    m_size = std::size_t(last - first);
+    m_size = std::size_t(last - first) + std::size_t(more_last - more);
     if (m_order.size() < m_size) m_order.resize(2 * m_size);
-    sort(first, taken, last);
+    const Window** end = m_order.data();
+    int runs = Estimation<FT>::leaves_open ? most_runs : 0;
+    if (merge_runs(first, last, end, runs) && merge_runs(more, more_last, end, runs)) return;
+    end = m_order.data();
+    while (first != last) *end++ = first++;
+    while (more != more_last) *end++ = more++;
+    std::stable_sort(m_order.data(), end, [](const Window* a, const Window* b) { return key(*a) < key(*b); });
   }
 
   const Window* const* begin() const { return m_order.data(); }
@@ -57,48 +63,33 @@ private:
 
   static decltype(auto) key(const Window& w) { return Estimation<FT>::key(w.b0); }
 
-  static bool comes_first(const Window* a, const Window* b)
+  // Children of a batch come in order, so there is mostly a run or two; trimming may have moved some of them. False if there
+  // are too many.
+  bool merge_runs(const Window* first, const Window* last, const Window**& end, int& runs) const
   {
-    const Key ka = key(*a), kb = key(*b);
-    return ka < kb || (!(kb < ka) && a < b);
+    for (; first != last; ++runs)
+    {
+      if (runs == most_runs) return false;
+      const Window* const run = run_end(first, last);
+      end = merge(end, first, run);
+      first = run;
+    }
+    return true;
   }
 
-  // Children of a batch come in order, so the list is mostly one run or two; trimming may have moved some of them.
-  void sort(const Window* first, const Window* taken, const Window* last)
+  // Merges a run into those that are sorted already, from the back: where it begins behind them, nothing moves.
+  const Window** merge(const Window** end, const Window* first, const Window* last) const
   {
-    const Window* second = taken == first ? run_end(first, last) : taken;
-    if (Estimation<FT>::leaves_open || (second != last && run_end(second, last) != last))
+    const Window** const new_end = end + (last - first);
+    const Window** out = new_end;
+    const Window* const* const begin = m_order.data();
+    while (first != last)
     {
-      const Window** const order = m_order.data();
-      for (std::size_t i = 0; i < m_size; ++i) order[i] = first + i;
-      if (Estimation<FT>::leaves_open || m_size > 48)
-        std::sort(order, order + m_size, comes_first);
-      else
-        insertion_sort(order, order + m_size);
-      return;
+      const FT& b = last[-1].b0;
+      while (end != begin && b < end[-1]->b0) *--out = *--end;
+      *--out = --last;
     }
-    const Window **out = m_order.data(), *i = first, *j = second;
-    while (i != second && j != last)
-    {
-      const bool takes_second = j->b0 < i->b0; // without a branch, which could not be foreseen
-      *out++ = takes_second ? j : i;
-      j += takes_second;
-      i += !takes_second;
-    }
-    while (i != second) *out++ = i++;
-    while (j != last) *out++ = j++;
-  }
-
-  // For a short list of a few sorted runs.
-  static void insertion_sort(const Window** first, const Window** last)
-  {
-    for (const Window** i = first + 1; i < last; ++i)
-    {
-      const Window* const w = *i;
-      const Window** j = i;
-      for (; j != first && w->b0 < j[-1]->b0; --j) *j = j[-1];
-      *j = w;
-    }
+    return new_end;
   }
 
   static const Window* run_end(const Window* first, const Window* last)
@@ -109,6 +100,7 @@ private:
     return first;
   }
 
+  enum { most_runs = 8 };
   std::vector<const Window*> m_order;
   std::size_t m_size = 0;
   std::vector<Window> m_later;

@@ -28,12 +28,12 @@ class Certified_envelope
 public:
   typedef Certified_window Window;
 
-  // As Lower_envelope: [first, taken) has been swept before. The result is sorted by b0, valid until the next call.
-  const std::vector<Window>& operator()(const Window* first, const Window* taken, const Window* last, double length)
+  // As Lower_envelope. The result is sorted by b0, valid until the next call.
+  const std::vector<Window>& operator()(const Window* first, const Window* last, double length)
   {
     m_length = length;
     m_envelope.clear();
-    m_order.start(first, taken, last);
+    m_order.start(first, last, nullptr, nullptr);
     for (const Window* const* i = m_order.begin(); i != m_order.end(); ++i)
     {
       const Window& w = **i;

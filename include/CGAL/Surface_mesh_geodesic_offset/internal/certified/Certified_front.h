@@ -86,8 +86,7 @@ private:
     auto& list = *known;
     if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
     list.bucket = Window_list<double, Window>::not_queued;
-    const std::vector<Window>& envelope =
-      m_envelope(list.data, list.data + list.taken, list.data + list.size, m_mesh.length(h));
+    const std::vector<Window>& envelope = m_envelope(list.begin(), list.end(), m_mesh.length(h));
     m_state.lists.assign(h, list, envelope);
     list.taken = list.size;
     for (Window* w = list.data; w != list.data + list.size; ++w) w->set_propagated();
