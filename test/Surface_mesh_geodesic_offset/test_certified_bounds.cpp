@@ -258,7 +258,6 @@ void sweeps()
     std::vector<Certified_window> all, swept;
     for (int round = 0; round < 3; ++round)
     {
-      const std::size_t taken = swept.size();
       for (std::size_t i = 0, n = 1 + uniform_index(random, 3); i < n; ++i)
       {
         Certified_window w{};
@@ -272,7 +271,7 @@ void sweeps()
         all.push_back(w);
         swept.push_back(w);
       }
-      const auto& result = sweep(swept.data(), swept.data() + taken, swept.data() + swept.size(), 1.);
+      const auto& result = sweep(swept.data(), swept.data() + swept.size(), 1.);
       swept.assign(result.begin(), result.end());
       for (Certified_window& w : swept) w.set_propagated();
       CHECK(std::is_sorted(swept.begin(), swept.end(),

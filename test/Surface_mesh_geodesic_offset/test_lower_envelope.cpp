@@ -121,17 +121,22 @@ void test_random(unsigned seed)
   Windows all = random_windows(random, 1 + random.below(12), length, away);
   if (random.below(2) == 0) all = in_order(all);
   const Window* const end = all.data() + all.size();
-  Windows list = envelope(all.data(), all.data(), end, length);
+  Windows list = envelope(all.data(), end, length);
   check_envelope(random, list, all, length);
 
   // more, to what was propagated
   const std::size_t taken = list.size();
   for (Window& w : list) w.set_propagated();
   const Windows more = random_windows(random, 1 + random.below(6), length, away);
-  list.insert(list.end(), more.begin(), more.end());
   all.insert(all.end(), more.begin(), more.end());
-  const Windows both = envelope(list.data(), list.data() + taken, list.data() + list.size(), length);
+  const Windows apart = envelope(list.data(), list.data() + taken, length, more.data(), more.data() + more.size());
+  list.insert(list.end(), more.begin(), more.end());
+  const Windows both = envelope(list.data(), list.data() + list.size(), length);
   check_envelope(random, both, all, length);
+  // the same from two places as from one
+  CHECK(apart.size() == both.size());
+  for (std::size_t i = 0; i < (std::min)(apart.size(), both.size()); ++i)
+    CHECK(apart[i].b0 == both[i].b0 && apart[i].b1 == both[i].b1 && apart[i].d0 == both[i].d0 && apart[i].d1 == both[i].d1);
   // what was propagated has not become more
   double before = 0, after = 0;
   for (std::size_t i = 0; i < taken; ++i) before += list[i].b1 - list[i].b0;

@@ -44,7 +44,7 @@ public:
       m_batches.push_back(std::make_unique<Halfedge_batch<Traits>>(state, source_of, traits, tolerance));
   }
 
-  // Enough for threads to find work, few enough for short rounds.
+  // Enough for threads to find work, few enough for what they tell each other to stay in the caches.
   static Front_parts parts() { return Front_parts(8); }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
