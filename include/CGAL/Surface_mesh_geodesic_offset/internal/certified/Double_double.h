@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
+
 #include <cmath>
 
 namespace CGAL {
@@ -16,19 +18,25 @@ namespace internal {
 
 // With round to nearest, and u = 2^-53, the operations have errors of at most 8 u^2 of the result, sums of 8 u^2 of the
 // larger operand (Dekker 1971; Joldes, Muller and Popescu 2017). |low| <= u |high|.
-struct Double_double
+//
+// `Number`: double, or two of them at once.
+template <class Number>
+struct Double_length
 {
-  double high = 0, low = 0;
+  Number high = Number(0.), low = Number(0.);
 
-  Double_double() = default;
-  Double_double(double high) : high(high) {}
-  Double_double(double high, double low) : high(high), low(low) {}
+  Double_length() = default;
+  Double_length(const Number& high) : high(high) {}
+  Double_length(const Number& high, const Number& low) : high(high), low(low) {}
 };
 
+typedef Double_length<double> Double_double;
+
 // a + b without error.
-inline Double_double two_sum(double a, double b)
+template <class Number>
+inline Double_length<Number> two_sum(const Number& a, const Number& b)
 {
-  const double s = a + b, t = s - a;
+  const Number s = a + b, t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
 
@@ -40,34 +48,49 @@ inline Double_double quick_two_sum(double a, double b)
 }
 
 // A number in two halves of 26 digits, whose products with those of another one are exact.
-struct Split_double
+template <class Number>
+struct Split
 {
-  double value;
+  Number value;
 #ifdef FP_FAST_FMA
-  explicit Split_double(double x) : value(x) {}
+  explicit Split(const Number& x) : value(x) {}
 #else
-  double high, low;
-  explicit Split_double(double x) : value(x)
+  Number high, low;
+  explicit Split(const Number& x) : value(x)
   {
-    const double t = 134217729. * x; // 2^27 + 1
+    const Number t = Number(134217729.) * x; // 2^27 + 1
     high = t - (t - x);
     low = x - high;
   }
 #endif
 };
 
-// a b without error, but for underflow.
-inline Double_double two_product(const Split_double& a, const Split_double& b)
-{
-  const double p = a.value * b.value;
 #ifdef FP_FAST_FMA
-  return {p, std::fma(a.value, b.value, -p)};
+// a b - c, rounded once.
+inline double fused(double a, double b, double c) { return std::fma(a, b, -c); }
+inline Number_pair<double> fused(const Number_pair<double>& a, const Number_pair<double>& b, const Number_pair<double>& c)
+{
+  return Number_pair<double>(fused(a.first(), b.first(), c.first()), fused(a.second(), b.second(), c.second()));
+}
+#endif
+
+// a b without error, but for underflow.
+template <class Number>
+inline Double_length<Number> two_product(const Split<Number>& a, const Split<Number>& b)
+{
+  const Number p = a.value * b.value;
+#ifdef FP_FAST_FMA
+  return {p, fused(a.value, b.value, p)};
 #else
   return {p, ((a.high * b.high - p) + a.high * b.low + a.low * b.high) + a.low * b.low};
 #endif
 }
 
-inline Double_double two_product(double a, double b) { return two_product(Split_double(a), Split_double(b)); }
+template <class Number>
+inline Double_length<Number> two_product(const Number& a, const Number& b)
+{
+  return two_product(Split<Number>(a), Split<Number>(b));
+}
 
 inline Double_double operator-(const Double_double& a) { return {-a.high, -a.low}; }
 
