@@ -89,9 +89,6 @@ public:
     return part.lists[m_place[h]] = List();
   }
 
-  // The place of the list of a halfedge among those of its part.
-  Index place(Index h) const { return m_place[h]; }
-
   // Writes n windows behind the last one of the list of a halfedge.
   void append(Index h, List& list, const Window* first, std::size_t n) { append(h, list, first, n, m_arenas.front()); }
   void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
@@ -100,7 +97,7 @@ public:
     count(h, std::ptrdiff_t(n));
   }
 
-  // Puts a block behind the windows of the list of a halfedge, if it can without a copy of anything.
+  // Puts a block behind the windows of the list of a halfedge. Windows are copied only if there are two blocks already.
   void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
   {
     count(h, std::ptrdiff_t(block.size));
