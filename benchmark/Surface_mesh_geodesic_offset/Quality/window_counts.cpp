@@ -40,8 +40,9 @@ typedef boost::property_map<Mesh, boost::vertex_point_t>::const_type Vertex_poin
 typedef internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map> Surface;
 
 // The window on the twin of its halfedge, which is as long.
-Window seen_from_behind(Window w, double length)
+Window seen_from_behind(const Window& window, double length)
 {
+  Window w = window;
   if (w.is_parallel()) w.sigma -= w.x * length;
   w.x = w.is_parallel() ? -w.x : length - w.x;
   std::swap(w.b0, w.b1);
