@@ -380,6 +380,21 @@ void pairs()
   }
 }
 
+// Numbers with fewer digits than double, which are as wide as an index.
+void short_numbers()
+{
+  typedef CGAL::Simple_cartesian<float> Short_kernel;
+  for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 6, 1), 1), icosphere(2), saddle_fan()})
+  {
+    const Data data(soup);
+    const std::vector<double> expected = distances_from<Kernel>(data.mesh, data.vertices[0]);
+    const std::vector<float> distances = distances_from<Short_kernel>(data.mesh, data.vertices[0]);
+    Worst_error worst(1e-5, bounding_box_diagonal(data.mesh));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
+  }
+}
+
 } // namespace
 
 int main()
@@ -391,6 +406,7 @@ int main()
     {"side tests near zero", side_tests_near_zero},
     {"concept archetype", concept_archetype},
     {"long numbers", long_numbers},
-    {"pairs", pairs}};
+    {"pairs", pairs},
+    {"short numbers", short_numbers}};
   return run_tests("test_kernels", tests);
 }

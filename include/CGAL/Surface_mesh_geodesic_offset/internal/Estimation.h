@@ -44,11 +44,10 @@ template <class FT, bool is_inexact = Number_policy<FT>::is_inexact>
 struct Estimation
 {
   typedef FT Estimate;
-  typedef FT Key; // for what is only ordered
   static constexpr bool leaves_open = false;
 
   static const FT& estimate(const FT& x) { return x; }
-  static const FT& key(const FT& x) { return x; }
+  static const FT& key(const FT& x) { return x; } // for what is only ordered
   static const FT& lower_cut(const Estimate& t) { return t; }
   static const FT& upper_cut(const Estimate& t) { return t; }
 };
@@ -58,7 +57,6 @@ template <class FT>
 struct Estimation<FT, false>
 {
   typedef Interval_nt<> Estimate;
-  typedef double Key;
   static constexpr bool leaves_open = true;
 
   static Estimate estimate(const FT& x) { return Estimate(bounds_of(x)); }

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Window_arena.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -83,7 +85,10 @@ public:
   typedef typename Wavefront_state<FT>::Output Output;
   typedef Front_box<FT> Box;
 
-  explicit Front_sender(const Wavefront_state<FT>& state) : m_state(state), m_box(state.parts.number()) {}
+  explicit Front_sender(const Wavefront_state<FT>& state) : m_state(state), m_box(state.parts.number())
+  {
+    CGAL_assertion(state.parts.number() <= 32); // the bits of m_told
+  }
 
   void update_vertex(Index v, const FT& d, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source,
                      bool is_bent = false)

@@ -34,7 +34,8 @@ public:
   {
   }
 
-  // The lower envelope of the windows of a halfedge, valid until the next call.
+  // The lower envelope of the windows of a halfedge, valid until the next call. Of the list, only flags and the split are
+  // written.
   const std::vector<Window>& operator()(Index h, Window_list<FT>& list)
   {
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new

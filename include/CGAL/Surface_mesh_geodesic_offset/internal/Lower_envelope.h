@@ -35,8 +35,8 @@ public:
   Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
   // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
-  // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where both
-  // may be the nearer one.
+  // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where
+  // both may be the nearer one.
   const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr)
   {

@@ -36,8 +36,8 @@ class Halfedge_taking<Traits, Parallel_tag>
 public:
   Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                   const Merging_tolerance<FT>& tolerance)
-    : m_state(state), m_team(Worker_team::possible_size()), m_part(state.parts.number(), Part(state)),
-      m_told(m_part.size())
+    : m_state(state), m_team((std::min)(Worker_team::possible_size(), unsigned(state.parts.number()))),
+      m_part(state.parts.number(), Part(state)), m_told(m_part.size())
   {
     m_state.field.lists.set_number_of_arenas(m_team.size());
     for (unsigned i = 0; i < m_team.size(); ++i)
@@ -108,8 +108,9 @@ private:
     std::vector<Index> passed, given_up; // faces
   };
 
-  // How many things wait in all parts, and in which. The team begins with the last items: those parts with the most work, so
-  // that all threads end at about the same time.
+  // How many things wait in all parts. Those parts take turns in which something waits, or which have faces to give up; the
+  // others tell nobody anything. The team begins with the last parts in the order, those with the most work, so that all
+  // threads end at about the same time.
   template <class Number>
   std::size_t count(const Number& number)
   {
@@ -126,7 +127,7 @@ private:
     return sum;
   }
 
-  // The parts that were told something.
+  // Now those take turns that were told something.
   void find_receivers()
   {
     Index told = 0;
@@ -221,7 +222,7 @@ private:
   Wavefront_state<FT>& m_state;
   Worker_team m_team;
   std::vector<Part> m_part;
-  std::vector<std::pair<std::size_t, Index>> m_order; // how much work there is in a part
+  std::vector<std::pair<std::size_t, Index>> m_order; // the parts that take turns, behind how much work is in each, if known
   std::vector<Index> m_told; // which parts each has told something, by bits
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
   unsigned m_rounds = 0;

@@ -24,7 +24,7 @@ namespace internal {
 
 // The first `taken` windows are sorted, disjoint and already propagated; the others wait.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
-struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window_list
+struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_t))) Window_list
 {
   typedef Window_ Window;
   static constexpr std::size_t not_queued = ~std::size_t(0);
@@ -89,7 +89,7 @@ public:
     return part.lists[m_place[h]] = List();
   }
 
-  // Writes n windows behind the last one of the list of a halfedge.
+  // Writes n windows behind the last one of the list of a halfedge; a block that waits comes after them.
   void append(Index h, List& list, const Window* first, std::size_t n) { append(h, list, first, n, m_arenas.front()); }
   void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
   {
@@ -148,25 +148,6 @@ public:
       for (Index h = 3 * f; h < 3 * f + 3; ++h) release(h, arena);
   }
 
-  static void reserve(List& list, std::size_t n, Arena& arena)
-  {
-    if (list.data && n <= Arena::capacity(list.size_class)) return;
-    const Index c = Arena::size_class(n, list.size_class);
-    Window* const data = arena.allocate(c);
-    std::copy(list.data, list.data + list.size, data);
-    if (list.data) arena.release(list.data, list.size_class);
-    list.data = data;
-    list.size_class = c;
-  }
-
-  // Writes behind the last window, without counting.
-  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
-  {
-    reserve(list, list.size + n, arena);
-    std::copy(first, first + n, list.data + list.size);
-    list.size += Index(n);
-  }
-
   void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
   Arena& arena(std::size_t i) { return m_arenas[i]; }
 
@@ -187,14 +168,6 @@ public:
         ends.second->give(*ends.first, c, more / 2);
       }
     }
-  }
-
-  // Says that there are more windows, or less, in the part of a halfedge.
-  void count(Index h, std::ptrdiff_t change)
-  {
-    Part& part = part_of(h);
-    part.live += change;
-    if (part.live > part.peak) part.peak = part.live;
   }
 
   std::size_t number_of_windows() const
@@ -222,12 +195,34 @@ public:
   {
     if (h != no_index) internal::prefetch(&m_place[h]);
   }
-  BOOST_FORCEINLINE void prefetch_list(Index h) const
+private:
+  static void reserve(List& list, std::size_t n, Arena& arena)
   {
-    if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
+    if (list.data && n <= Arena::capacity(list.size_class)) return;
+    const Index c = Arena::size_class(n, list.size_class);
+    Window* const data = arena.allocate(c);
+    std::copy(list.data, list.data + list.size, data);
+    if (list.data) arena.release(list.data, list.size_class);
+    list.data = data;
+    list.size_class = c;
   }
 
-private:
+  // Writes behind the last window, without counting.
+  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
+  {
+    reserve(list, list.size + n, arena);
+    std::copy(first, first + n, list.data + list.size);
+    list.size += Index(n);
+  }
+
+  // Says that there are more windows, or less, in the part of a halfedge.
+  void count(Index h, std::ptrdiff_t change)
+  {
+    Part& part = part_of(h);
+    part.live += change;
+    if (part.live > part.peak) part.peak = part.live;
+  }
+
   // Says that a list will be asked for soon: its windows; earlier, what says where these are; and earlier, where that is.
   BOOST_FORCEINLINE void prefetch(Index h) const
   {
@@ -237,6 +232,11 @@ private:
     internal::prefetch(list.data, 4 * sizeof(Window));
     if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
     if (list.waiting.data) internal::prefetch(list.waiting.data, 4 * sizeof(Window));
+  }
+
+  BOOST_FORCEINLINE void prefetch_list(Index h) const
+  {
+    if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
   }
 
   static void drop_waiting(List& list, Arena& arena)

@@ -59,8 +59,6 @@ public:
   }
 
 private:
-  typedef typename Estimation<FT>::Key Key;
-
   static decltype(auto) key(const Window& w) { return Estimation<FT>::key(w.b0); }
 
   // Children of a batch come in order, so there is mostly a run or two; trimming may have moved some of them. False if there

@@ -84,7 +84,7 @@ private:
     auto* const known = m_state.lists.find(h);
     if (!known) return;
     auto& list = *known;
-    if (list.bucket != m_state.queue.current() || list.taken == list.size) return;
+    if (list.bucket != m_state.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<double, Window>::not_queued;
     const std::vector<Window>& envelope = m_envelope(list.begin(), list.end(), m_mesh.length(h));
     m_state.lists.assign(h, list, envelope);
