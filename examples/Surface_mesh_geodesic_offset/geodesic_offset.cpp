@@ -57,7 +57,7 @@ void check_spacing(const Options& options, double diagonal)
 std::vector<Offset_curve> cut(Geodesic& geodesic, const Options& options)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
-  const auto parameters = CGAL::parameters::maximum_distance(maximum);
+  const auto parameters = CGAL::parameters::distance_limit(maximum);
   std::vector<Offset_curve> curves;
   if(options.spacing)
   {

@@ -79,7 +79,7 @@ public:
   /// does what `build()` does and at once cuts the offset curves at the given levels, in one propagation.
   ///
   /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
-  /// curves it crosses. Without `maximum_distance`, distances beyond the largest level are computed, too. Levels beyond
+  /// curves it crosses. Without `distance_limit`, distances beyond the largest level are computed, too. Levels beyond
   /// the maximum distance give no curves.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object

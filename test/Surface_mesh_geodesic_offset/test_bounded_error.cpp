@@ -441,7 +441,7 @@ void updates_and_limits()
 
   exact.build();
   const double limit = 0.4 * largest_vertex_distance(exact, c.mesh);
-  g.build(parameters::relative_tolerance(1e-3).maximum_distance(limit));
+  g.build(parameters::relative_tolerance(1e-3).distance_limit(limit));
   std::size_t beyond = 0;
   for (Vertex_index v : vertices(c.mesh))
   {

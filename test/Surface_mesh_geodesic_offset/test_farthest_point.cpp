@@ -334,7 +334,7 @@ void unreached_parts()
   geodesic.build();
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
   CHECK_THROWS(geodesic.largest_distance(), std::logic_error);
-  geodesic.build(CGAL::parameters::maximum_distance(1.5).keep_windows(true));
+  geodesic.build(CGAL::parameters::distance_limit(1.5).keep_windows(true));
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
 }
 

@@ -152,7 +152,7 @@ public:
       const vertex_descriptor v = all[uniform_index(random_, all.size())];
       geodesic.clear_sources();
       geodesic.add_source_point(geodesic.locate(perturbed(point(v), random_)));
-      geodesic.build(CGAL::parameters::maximum_distance(1e5 * round_off));
+      geodesic.build(CGAL::parameters::distance_limit(1e5 * round_off));
       CHECK(geodesic.distance_to_sources(v) == 0);
       std::size_t zeros = 0;
       for (auto w : all) zeros += geodesic.distance_to_sources(w) == 0 ? 1 : 0;

@@ -168,7 +168,7 @@ void one_propagation(const test::Surface_mesh& mesh,
   CHECK(whole > 0);
   for (double share : {1., 0.3})
   {
-    const auto maximum = CGAL::parameters::maximum_distance(share * largest);
+    const auto maximum = CGAL::parameters::distance_limit(share * largest);
     geodesic.build(maximum);
     const std::size_t expected = geodesic.statistics().windows_propagated;
     CHECK(share == 1 ? expected <= whole : expected < whole);

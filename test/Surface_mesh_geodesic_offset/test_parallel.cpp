@@ -80,7 +80,7 @@ public:
     m_geodesic.template update<Tag>();
     take_down(true);
     add(1);
-    m_geodesic.template build<Tag>(CGAL::parameters::maximum_distance(0.37 * largest));
+    m_geodesic.template build<Tag>(CGAL::parameters::distance_limit(0.37 * largest));
     take_down(false);
     m_geodesic.template update<Tag>();
     take_down(false);
@@ -224,7 +224,7 @@ void up_to_maximum(Query_case& c)
   const double largest = largest_vertex_distance(geodesic, c.mesh);
   for (const double part : {0.15, 0.4, 0.75})
   {
-    const auto maximum = CGAL::parameters::maximum_distance(part * largest);
+    const auto maximum = CGAL::parameters::distance_limit(part * largest);
     geodesic.build(maximum);
     const double created = double(geodesic.statistics().windows_created);
     geodesic.build<CGAL::Parallel_tag>(maximum);

@@ -276,7 +276,7 @@ void no_side()
   const Locations<test::Surface_mesh> on_two(two.mesh);
   apart.add_source_polyline(std::vector<Face_location>{on_two.at_vertex(two.vertices[0]),
                                                        on_two.at_vertex(two.vertices[1])});
-  apart.build(CGAL::parameters::maximum_distance(1.5).keep_windows(true));
+  apart.build(CGAL::parameters::distance_limit(1.5).keep_windows(true));
   CHECK(apart.signed_distance_to_sources(two.vertices[9]) == infinity); // another part
   CHECK(apart.signed_distance_to_sources(two.vertices[7]) ==
         infinity); // (1, 2) is beyond the maximum distance

@@ -318,7 +318,7 @@ void removal()
 }
 
 // Up to the maximum distance, inclusive, all is right; beyond it all is infinite.
-void maximum_distance()
+void distance_limit()
 {
   const std::size_t n = 20;
   const Data data(planar_grid(n, n, Diagonals::alternating));
@@ -327,7 +327,7 @@ void maximum_distance()
     Report::instance().set_context("maximum distance " + std::to_string(maximum));
     Geodesic geodesic(data.mesh);
     geodesic.add_source_point(data.vertices[0]);
-    geodesic.build(CGAL::parameters::maximum_distance(maximum));
+    geodesic.build(CGAL::parameters::distance_limit(maximum));
     Worst_error worst(1e-12, 0);
     std::size_t reached = 0, at_maximum = 0;
     for (std::size_t i = 0; i < data.vertices.size(); ++i)
@@ -351,7 +351,7 @@ void maximum_distance()
   Report::instance().set_context("maximum distance with kept windows");
   Geodesic geodesic(data.mesh);
   geodesic.add_source_point(data.vertices[0]);
-  geodesic.build(CGAL::parameters::maximum_distance(5.).keep_windows(true));
+  geodesic.build(CGAL::parameters::distance_limit(5.).keep_windows(true));
   const Locations locations(data.mesh);
   Random random(3);
   for (auto f : faces(data.mesh))
@@ -454,7 +454,7 @@ int main()
       }
   }
   for (void (*body)() :
-       {&boundary_sources, &removal, &maximum_distance, &unreachable, &bad_arguments})
+       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments})
     run_guarded(body);
   return Report::instance().finish("test_source_kinds");
 }

@@ -130,7 +130,7 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   Geodesic cut(c.mesh);
   for (const Any_source& s : sources) s.add_to(cut);
   const double maximum = uniform(random, 0.05, 0.9) * largest;
-  cut.build(CGAL::parameters::keep_windows(keep).maximum_distance(maximum));
+  cut.build(CGAL::parameters::keep_windows(keep).distance_limit(maximum));
   CHECK(cut.covered_distance() == maximum && !cut.is_cancelled());
   check_covered(c, cut, full, keep, random);
   // a cancel

@@ -136,12 +136,12 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
   {
     step("of a cut-off");
     const double cut = uniform(random, 0.1, 0.6) * largest_vertex_distance(geodesic, c.mesh);
-    geodesic.build(CGAL::parameters::maximum_distance(cut).keep_windows(keep));
+    geodesic.build(CGAL::parameters::distance_limit(cut).keep_windows(keep));
     add();
     geodesic.update();
     Geodesic scratch(c.mesh);
     for (const Any_source& s : sources) s.add_to(scratch);
-    scratch.build(CGAL::parameters::maximum_distance(cut).keep_windows(keep));
+    scratch.build(CGAL::parameters::distance_limit(cut).keep_windows(keep));
     check_same(c, geodesic, scratch, keep, random, worst, totals.curves);
   }
   ++totals.cases;

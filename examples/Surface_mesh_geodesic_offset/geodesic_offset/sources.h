@@ -85,7 +85,7 @@ public:
       try
       {
         alone.build_with_offset_curves_by_distance(std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
-                                                   CGAL::parameters::maximum_distance(0.),
+                                                   CGAL::parameters::distance_limit(0.),
                                                    CGAL::Offset_selection(CGAL::Offset_side::INSIDE));
       }
       catch(const std::invalid_argument&)

@@ -50,7 +50,7 @@ public:
 
     Geodesic geodesic(part);
     geodesic.add_source_point(translate(m_mesh, to, part_of_face.at(to.first), part));
-    geodesic.build(CGAL::parameters::maximum_distance(bound).keep_windows(true));
+    geodesic.build(CGAL::parameters::distance_limit(bound).keep_windows(true));
     std::vector<Face_location> part_path;
     geodesic.shortest_path_to_sources(translate(m_mesh, from, part_of_face.at(from.first), part),
                                       std::back_inserter(part_path));

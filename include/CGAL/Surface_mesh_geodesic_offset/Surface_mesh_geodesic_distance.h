@@ -116,7 +116,7 @@ public:
   /// `std::logic_error`.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-  /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `maximum_distance(d)`, `keep_windows(b)`,
+  /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `distance_limit(d)`, `keep_windows(b)`,
   ///        `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
   /// \throws std::invalid_argument if the maximum distance is negative or not a number, or a target is not a valid location,
   ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
@@ -131,7 +131,7 @@ public:
   }
 
   /// brings the last build up to date with the sources: only what the sources that were added since then improve is
-  /// propagated. The result is that of `build()` with the parameters `maximum_distance` and `keep_windows` of the last
+  /// propagated. The result is that of `build()` with the parameters `distance_limit` and `keep_windows` of the last
   /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, or had a tolerance, all is
   /// computed anew, with that tolerance. While it runs there are two fields in memory.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`

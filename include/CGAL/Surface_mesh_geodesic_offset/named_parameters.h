@@ -13,7 +13,7 @@
 namespace CGAL {
 namespace internal_np {
 
-enum geodesic_maximum_distance_t { geodesic_maximum_distance };
+enum geodesic_distance_limit_t { geodesic_distance_limit };
 enum geodesic_keep_windows_t { geodesic_keep_windows };
 enum geodesic_targets_t { geodesic_targets };
 enum geodesic_relative_tolerance_t { geodesic_relative_tolerance };
@@ -27,7 +27,7 @@ namespace parameters {
 \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 
 \brief what a build takes: any number of these in any order, joined by dots, as in
-`parameters::maximum_distance(2.).keep_windows(true)`.
+`parameters::distance_limit(2.).keep_windows(true)`.
 */
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
@@ -37,9 +37,9 @@ struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
 
   /// the largest distance that is computed, inclusive. Points farther away are at infinity. %Default: infinity.
   template <class FT>
-  auto maximum_distance(const FT& d) const
+  auto distance_limit(const FT& d) const
   {
-    return and_also<internal_np::geodesic_maximum_distance_t>(d);
+    return and_also<internal_np::geodesic_distance_limit_t>(d);
   }
 
   /// whether the windows are kept after the propagation, which queries at points other than vertices need.
@@ -96,11 +96,11 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Geodesic_parameters::maximum_distance()`.
+/// see `Geodesic_parameters::distance_limit()`.
 template <class FT>
-auto maximum_distance(const FT& d)
+auto distance_limit(const FT& d)
 {
-  return Geodesic_parameters<FT, internal_np::geodesic_maximum_distance_t>(d);
+  return Geodesic_parameters<FT, internal_np::geodesic_distance_limit_t>(d);
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters

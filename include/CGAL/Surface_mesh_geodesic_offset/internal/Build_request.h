@@ -41,7 +41,7 @@ struct Build_request
     using parameters::choose_parameter;
     using parameters::get_parameter;
     Build_request r;
-    r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_maximum_distance), Number_policy<FT>::infinity());
+    r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_distance_limit), Number_policy<FT>::infinity());
     require(r.maximum >= FT(0), "the maximum distance is negative or not a number");
     r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
