@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Core_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_expression.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_node.h>
 
@@ -70,7 +71,7 @@ private:
   }
   static constexpr int units_of_enclosure = 16; // at most, of 2^-53
 
-  static CORE::Expr converted(const Big_rational& q) { return CORE::Expr(CORE::BigRat(q.backend().data())); }
+  static CORE::Expr converted(const Big_rational& q) { return core_expression<CORE::BigRat>(q); }
 
   static CORE::Expr converted(const Radical_node& n, const Made& made)
   {
@@ -101,7 +102,7 @@ private:
     for (const Radical_term& t : s.terms())
     {
       const CORE::Expr factor = converted(t.factor);
-      sum += t.radicand == 1 ? factor : factor * CORE::sqrt(CORE::Expr(CORE::BigInt(t.radicand.backend().data())));
+      sum += t.radicand == 1 ? factor : factor * CORE::sqrt(core_expression<CORE::BigInt>(t.radicand));
     }
     return sum;
   }
@@ -184,15 +185,14 @@ private:
     const long most_bits = is<CORE::ConstRealRep>(r) ? 1 << 16 : 1 << 8;
     for (long bits = 64; bits <= most_bits; bits *= 2)
     {
-      const CORE::BigRat approximation = x.approx(bits + 8, bits + 8).BigRatValue();
-      Big_rational middle, error = 1;
-      mpq_set(middle.backend().data(), approximation.get_mp());
+      const Big_rational middle = rational_of_core(x.approx(bits + 8, bits + 8).BigRatValue());
+      Big_rational error = 1;
       mpq_div_2exp(error.backend().data(), error.backend().data(), mp_bitcnt_t(bits));
       error *= 1 + boost::multiprecision::abs(middle);
       const Big_rational q = simplest_between(middle - error, middle + error);
       // a fraction that needs most of the bits is a mere coincidence
       if (2 * bits_of(q) > std::size_t(bits) * 3 && !is<CORE::ConstRealRep>(r)) continue;
-      if (x == CORE::Expr(CORE::BigRat(q.backend().data()))) return Radical_node::make(q);
+      if (x == converted(q)) return Radical_node::make(q);
     }
     return Radical_node::make(x);
   }

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Core_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Radical_sum.h>
@@ -247,9 +248,7 @@ private:
   void set_by_core(Multiprecision_enclosure& e) const
   {
     const long bits = long(e.precision());
-    const CORE::BigRat approximation = m_core->approx(bits + 8, bits + 8).BigRatValue();
-    Big_rational middle;
-    mpq_set(middle.backend().data(), approximation.get_mp());
+    const Big_rational middle = rational_of_core(m_core->approx(bits + 8, bits + 8).BigRatValue());
     Big_rational unit = 1;
     mpq_div_2exp(unit.backend().data(), unit.backend().data(), mp_bitcnt_t(bits));
     const Big_rational error = (1 + boost::multiprecision::abs(middle)) * unit;
