@@ -52,9 +52,9 @@ public:
     bool is_bent;
   };
 
-  // Propagates the fresh ones of the windows of a halfedge, which are its lower envelope, across the face. `split`: the best
-  // distance given to the apex through the halfedge so far, and where its ray enters.
-  void operator()(Index h, const std::vector<Window>& windows, FT& split_distance, FT& split_entry)
+  // Propagates the fresh ones of the n windows w of a halfedge, its lower envelope or a row, across the face. `split`: the
+  // best distance given to the apex through the halfedge so far, and where its ray enters.
+  void operator()(Index h, const Window* w, std::size_t n, FT& split_distance, FT& split_entry)
   {
     const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
     m_state.field.lists.prefetch_place(beyond_left); // where the children will go
@@ -66,14 +66,13 @@ public:
     m_best = split_distance;
     m_entry = split_entry;
     m_known = m_state.field.distance[m_apex];
-    sort_by_exit(h, face, windows);
+    sort_by_exit(h, face, w, n);
     split_distance = m_best;
     split_entry = m_entry;
     const FT dp = m_state.field.distance[m_mesh.source(h)], dq = m_state.field.distance[m_mesh.target(h)], dr = m_known;
     const Estimate across = estimate(face.left_length) + estimate(face.right_length) + estimate(face.length);
     const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across);
     const FT maximum = m_state.maximum;
-    const std::size_t n = windows.size();
     Left left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
               m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
     Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
@@ -81,7 +80,6 @@ public:
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
     right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
-    const Window* const w = windows.data();
     const Exit* const exit = m_exit.data();
     for (std::size_t i = 0; i < n;)
     {
@@ -170,9 +168,8 @@ private:
   // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
   // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
   // on either side. Finds the best distance given to the apex through h so far, and where its ray enters.
-  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const std::vector<Window>& windows)
+  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n)
   {
-    const std::size_t n = windows.size();
     if (m_exit.size() < n)
     {
       m_exit.resize(n);
@@ -181,12 +178,11 @@ private:
     const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
     bool covered = false;
     Exit* const exits = m_exit.data();
-    const Window* const begin = windows.data();
     std::size_t number = n;
     FT farthest(0);
     for (std::size_t i = 0; i < n; ++i)
     {
-      const Window& w = begin[i];
+      const Window& w = windows[i];
       if (w.is_propagated())
       {
         exits[i] = NONE;

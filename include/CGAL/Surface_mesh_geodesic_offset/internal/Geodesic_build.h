@@ -105,6 +105,7 @@ private:
   // Consumers of finished faces.
   struct Nothing
   {
+    static constexpr bool reads_lists = false;
     void take(const std::vector<Index>&) {}
     void settle(const FT&) {}
   };
@@ -112,6 +113,7 @@ private:
   template <class Function>
   struct Cutter
   {
+    static constexpr bool reads_lists = true;
     Offset_extraction<FT> extraction;
     const Function& out;
     double seconds = 0, seconds_within_propagation = 0;
@@ -138,7 +140,7 @@ private:
     const Clock::time_point start = Clock::now();
     const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
     typedef typename Concurrency<Concurrency_tag, FT>::Tag Tag;
-    Wavefront<Traits, Tag> front(m_mesh, initial, traits, maximum, kept, field, m_request.tolerance);
+    Wavefront<Traits, Tag> front(m_mesh, initial, traits, maximum, kept, Consumer::reads_lists, field, m_request.tolerance);
     std::size_t next_target = 0;
     const auto goes_on = [&](const FT& distance, std::size_t passed) {
       const auto& targets = m_request.targets;

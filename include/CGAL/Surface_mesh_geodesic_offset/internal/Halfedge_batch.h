@@ -3,6 +3,10 @@
 //
 // What is done with the windows of one halfedge when it is taken: they are reduced to their lower envelope, merged
 // within the tolerance, and what is new of it is propagated across the face. Nothing but the result is written.
+//
+// Where only distances at vertices are wanted, windows that are in a row, as the children of one batch are, are propagated
+// as they are: their neighbours cut off the ends that are farther where they meet the windows of another batch, one or two
+// faces later, at no cost but a window now and then that would have gone before. More windows give no other distances.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_HALFEDGE_BATCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_HALFEDGE_BATCH_H
@@ -30,20 +34,29 @@ public:
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
     : m_mesh(state.mesh), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
-      m_propagate(state, traits)
+      m_propagate(state, traits), m_takes_rows(is_inexact && !state.needs_envelopes && !m_merging.is_on())
   {
   }
 
-  // The lower envelope of the windows of a halfedge, valid until the next call. Of the list, only flags and the split are
-  // written.
-  const std::vector<Window>& operator()(Index h, Window_list<FT>& list)
+  // Propagates what is new in the list of a halfedge, of which only flags and the split are written. Returns what is to take
+  // the place of its windows, their lower envelope, valid until the next call; null if they stay.
+  const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
   {
+    if constexpr (is_inexact)
+    {
+      if (m_takes_rows && list.taken == 0 && !list.waiting.data &&
+          Lower_envelope<Traits>::is_row(list.begin(), list.end()))
+      {
+        m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
+        return nullptr;
+      }
+    }
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end()));
-    m_propagate(h, envelope, list.split_distance, list.split_entry);
-    return envelope;
+    m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
+    return &envelope;
   }
 
   // What came of the propagation.
@@ -51,10 +64,13 @@ public:
   const Window_merging<FT>& merging() const { return m_merging; }
 
 private:
+  static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
+
   const Unfolded_mesh<FT>& m_mesh;
   Lower_envelope<Traits> m_envelope;
   Window_merging<FT> m_merging;
   Batch_propagation<Traits> m_propagate;
+  const bool m_takes_rows;
 };
 
 } // namespace internal

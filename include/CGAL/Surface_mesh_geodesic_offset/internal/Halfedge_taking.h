@@ -86,8 +86,7 @@ private:
     Window_list<FT>& list = *known;
     if (list.bucket != m_state.current() || !list.has_new()) return;
     list.bucket = Window_list<FT>::not_queued;
-    const std::vector<Window>& envelope = m_batch(h, list);
-    m_state.field.lists.assign(h, list, envelope);
+    if (const std::vector<Window>* const envelope = m_batch(h, list)) m_state.field.lists.assign(h, list, *envelope);
     list.taken = list.size;
     m_state.schedule(m_state.mesh.face(h));
     const auto& propagated = m_batch.propagated();

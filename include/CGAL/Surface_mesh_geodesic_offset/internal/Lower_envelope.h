@@ -65,13 +65,34 @@ public:
     return m_envelope;
   }
 
+  // Whether windows are in a row: none lies within the one before or behind it, and neighbours are not one window. Such ones
+  // are their own lower envelope, but for the ends that neighbours take from each other.
+  static bool is_row(const Window* first, const Window* last)
+  {
+    for (; last - first > 1; ++first)
+      if (!is_row(first[0], first[1])) return false;
+    return true;
+  }
+
 private:
+  // Without branches, and no for some that are.
+  static BOOST_FORCEINLINE bool is_row(const Window& a, const Window& b)
+  {
+    const bool may_be_one = (((a.bits ^ b.bits) & ~2u) == 0) & (CGAL::abs(a.x - b.x) <= same_image_allowance(a, b)) &
+                            (CGAL::abs(a.sigma - b.sigma) <= same_image_allowance(a, b));
+    return (a.b0 <= b.b0) & (a.b1 <= b.b1) & !may_be_one;
+  }
+
+  static FT same_image_allowance(const Window& a, const Window& b)
+  {
+    return Number_policy<FT>::rounding(256) * (a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y));
+  }
+
   bool same_image(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
-    const FT scale = a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y);
-    const FT allowance = Number_policy<FT>::rounding(256) * scale;
+    const FT allowance = same_image_allowance(a, b);
     return CGAL::abs(a.x - b.x) <= allowance && CGAL::abs(a.y - b.y) <= allowance &&
            CGAL::abs(a.sigma - b.sigma) <= allowance && is_of_one_root(a, b);
   }

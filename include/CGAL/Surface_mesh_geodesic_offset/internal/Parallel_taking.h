@@ -169,8 +169,7 @@ private:
     Window_list<FT>& list = *known;
     if (list.bucket != state_part.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<FT>::not_queued;
-    const std::vector<Window>& envelope = batch(h, list);
-    lists.assign(h, list, envelope, arena);
+    if (const std::vector<Window>* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
     list.taken = list.size;
     const auto& propagated = batch.propagated();
     state_part.counts.windows_propagated += propagated.number_of_windows();

@@ -38,9 +38,10 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
   Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
-            const FT& maximum_distance, bool keep_lists, Geodesic_field<FT>& field,
+            const FT& maximum_distance, bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
-    : m_mesh(mesh), m_keep(keep_lists), m_state(mesh, maximum_distance, field, Taking::parts()), m_passing(m_state),
+    : m_mesh(mesh), m_keep(keep_lists),
+      m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, Taking::parts()), m_passing(m_state),
       m_spreading(m_state, initial, traits), m_taking(m_state, initial.source_of, traits, tolerance)
   {
   }
@@ -48,9 +49,9 @@ public:
   // Propagates what starts from the primitives from `first_primitive` on. What the field says already stays where nothing
   // improves it.
   //
-  // consumer.take(faces) is called with the faces that the front has passed, with each once, while the lists of their
-  // halfedges, and the distances at their corners, are final and still there; consumer.settle(distance) whenever all faces
-  // with points nearer than the distance have been taken.
+  // consumer.take(faces) is called with the faces that the front has passed, with each once, while the distances at their
+  // corners and, if it reads them, the lists of their halfedges are final and still there; consumer.settle(distance)
+  // whenever all faces with points nearer than the distance have been taken.
   //
   // goes_on(distance, faces) is asked ever so often, once all points up to the distance are final; `faces` is the number of
   // those that the front has passed. If it says no, the distance becomes the maximum distance.

@@ -50,12 +50,13 @@ public:
     Output single;
   };
 
-  // The field says what is known already.
-  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, Geodesic_field<FT>& field,
-                  Front_parts parts = Front_parts())
-    : mesh(mesh), maximum(maximum_distance), field(field), parts(parts), vertex_state(mesh.number_of_vertices(), 0),
-      face_state(mesh.number_of_faces(), 0), unfinished(mesh.number_of_faces(), parts),
-      m_part(parts.number(), Part(0.25 * CGAL::to_double(mesh.mean_edge_length())))
+  // The field says what is known already. `needs_envelopes`: whether the lists of a face that the front has passed must be
+  // lower envelopes, and not just contain them.
+  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, bool needs_envelopes,
+                  Geodesic_field<FT>& field, Front_parts parts = Front_parts())
+    : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
+      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
+      unfinished(mesh.number_of_faces(), parts), m_part(parts.number(), Part(0.25 * CGAL::to_double(mesh.mean_edge_length())))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
   }
@@ -202,6 +203,7 @@ public:
 
   const Unfolded_mesh<FT>& mesh;
   FT maximum;
+  const bool needs_envelopes;
   Geodesic_field<FT>& field;
   const Front_parts parts;
   std::vector<char> vertex_state, face_state;

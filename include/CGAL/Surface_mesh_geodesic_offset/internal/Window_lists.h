@@ -108,11 +108,8 @@ public:
       list.size_class = block.size_class;
       return;
     }
-    if (list.waiting.data)
-    {
-      write(list, list.waiting.data, list.waiting.size, arena);
-      arena.release(list.waiting.data, list.waiting.size_class);
-    }
+    write(list, list.waiting.data, list.waiting.size, arena);
+    drop_waiting(list, arena);
     list.waiting = block;
   }
 
@@ -195,6 +192,7 @@ public:
   {
     if (h != no_index) internal::prefetch(&m_place[h]);
   }
+
 private:
   static void reserve(List& list, std::size_t n, Arena& arena)
   {

@@ -25,13 +25,13 @@ public:
 
   explicit Certified_batch(Certified_state& state) : m_state(state) {}
 
-  void operator()(Index h, const std::vector<Window>& windows)
+  void operator()(Index h, const Window* windows, std::size_t n)
   {
     const Unfolded_mesh<double>& mesh = m_state.unfolded;
     const Distance_bounds& bounds = m_state.field.bounds;
     const Certified_propagation face(m_state.mesh, h);
     double best, entry;
-    sort_by_exit(h, face, windows, best, entry);
+    sort_by_exit(h, face, windows, n, best, entry);
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
     const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
@@ -43,9 +43,9 @@ public:
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
     by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
-    auto to_left = m_left.start(left, m_state.takes_windows(left), windows.size());
-    auto to_right = m_right.start(right, m_state.takes_windows(right), windows.size());
-    for (std::size_t i = 0; i < windows.size(); ++i)
+    auto to_left = m_left.start(left, m_state.takes_windows(left), n);
+    auto to_right = m_right.start(right, m_state.takes_windows(right), n);
+    for (std::size_t i = 0; i < n; ++i)
     {
       const Exit exit = m_exit[i].exit;
       if (exit == NONE) continue;
@@ -95,14 +95,14 @@ private:
     double lowest; // for BOTH, the least that the distance of the apex may be
   };
 
-  void sort_by_exit(Index h, const Certified_propagation& face, const std::vector<Window>& windows, double& best,
+  void sort_by_exit(Index h, const Certified_propagation& face, const Window* windows, std::size_t n, double& best,
                     double& entry)
   {
     auto& list = *m_state.lists.find(h);
     const Index apex = m_state.unfolded.apex(h);
-    m_exit.resize(windows.size());
+    m_exit.resize(n);
     m_farthest = m_largest_radius = 0;
-    for (std::size_t i = 0; i < windows.size(); ++i)
+    for (std::size_t i = 0; i < n; ++i)
     {
       const Window& w = windows[i];
       if (w.is_propagated())

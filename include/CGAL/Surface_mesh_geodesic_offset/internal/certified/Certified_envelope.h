@@ -44,6 +44,14 @@ public:
     return m_envelope;
   }
 
+  // As Lower_envelope.
+  bool is_row(const Window* first, const Window* last) const
+  {
+    for (; last - first > 1; ++first)
+      if (!(first[0].b0 <= first[1].b0 && first[0].b1 <= first[1].b1) || may_merge(first[0], first[1])) return false;
+    return true;
+  }
+
 private:
   // The next window takes its turn; the one after it begins at `next`.
   BOOST_FORCEINLINE void take(const Window& w, double next)

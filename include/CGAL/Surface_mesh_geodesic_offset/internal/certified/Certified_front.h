@@ -86,12 +86,20 @@ private:
     auto& list = *known;
     if (list.bucket != m_state.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<double, Window>::not_queued;
+    m_state.schedule(m_unfolded.face(h));
+    if (list.taken == 0 && !m_state.keeps_windows && m_envelope.is_row(list.begin(), list.end()))
+    {
+      list.taken = list.size;
+      m_propagate(h, list.begin(), list.size);
+      const auto& now = *m_state.lists.find(h); // may be elsewhere
+      for (Window* w = now.data; w != now.data + now.taken; ++w) w->set_propagated();
+      return;
+    }
     const std::vector<Window>& envelope = m_envelope(list.begin(), list.end(), m_mesh.length(h));
     m_state.lists.assign(h, list, envelope);
     list.taken = list.size;
     for (Window* w = list.data; w != list.data + list.size; ++w) w->set_propagated();
-    m_state.schedule(m_unfolded.face(h));
-    m_propagate(h, envelope);
+    m_propagate(h, envelope.data(), envelope.size());
   }
 
   // Behind a vertex, at angles of at least pi to where the path came from, as far as that is known.

@@ -46,8 +46,8 @@ public:
   typedef Window_output<double, Window> Output;
 
   Certified_state(const Certified_mesh& mesh, bool keeps_windows, Certified_field& field)
-    : mesh(mesh), unfolded(mesh.unfolded()), field(field), lists(unfolded.number_of_halfedges()),
-      queue(0.25 * mesh.to_unit(unfolded.mean_edge_length())), m_keeps(keeps_windows),
+    : keeps_windows(keeps_windows), mesh(mesh), unfolded(mesh.unfolded()), field(field),
+      lists(unfolded.number_of_halfedges()), queue(0.25 * mesh.to_unit(unfolded.mean_edge_length())),
       m_arrivals(unfolded.number_of_vertices()), m_face_state(unfolded.number_of_faces(), 0)
   {
     field.bounds = Distance_bounds(unfolded.number_of_vertices());
@@ -146,6 +146,7 @@ public:
       if (m_face_state[f] == SCHEDULED) finish(f);
   }
 
+  const bool keeps_windows;
   const Certified_mesh& mesh;
   const Unfolded_mesh<double>& unfolded;
   Certified_field& field;
@@ -161,7 +162,7 @@ private:
     for (Index k = 0; k < 3; ++k)
     {
       const Index h = 3 * f + k;
-      if (m_keeps)
+      if (keeps_windows)
       {
         field.begin[4 * f + k] = field.windows.size();
         for (Index i = 0; lists.has(h) && i < lists.get(h).taken; ++i) field.windows.push_back(lists.get(h).data[i]);
@@ -171,7 +172,6 @@ private:
     }
   }
 
-  const bool m_keeps;
   Output m_single;
   Arrivals m_arrivals;
   std::vector<char> m_face_state;
