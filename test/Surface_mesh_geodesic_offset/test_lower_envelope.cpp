@@ -3,7 +3,7 @@
 
 // Lower envelopes of random windows on one halfedge, against the nearest of all windows at random points: images of one
 // sigma and of several, parallel rays, windows within others, that touch, that are there twice, in order and in any order,
-// and added to an envelope that was propagated before.
+// and added to an envelope that was propagated before. And which windows are in a row.
 
 #include "test_check.h"
 
@@ -111,6 +111,50 @@ void check_envelope(Random& random, const Windows& envelope, const Windows& all,
   }
 }
 
+void check_row(const Windows& windows)
+{
+  bool is_row = true;
+  for (std::size_t i = 1; i < windows.size(); ++i)
+  {
+    const Window &a = windows[i - 1], &b = windows[i];
+    if (a.b0 > b.b0 || a.b1 > b.b1) is_row = false;
+    if (a.x == b.x && a.y == b.y && a.sigma == b.sigma && a.bits == b.bits) is_row = false;
+  }
+  CHECK(Envelope::is_row(windows.data(), windows.data() + windows.size()) == is_row);
+}
+
+// Windows that follow each other, overlapping or not; then an end of one out of order, or the image of its neighbour.
+void test_rows(unsigned seed)
+{
+  Random random(seed);
+  const double length = std::exp2(random(-3, 3)), away = length * std::exp2(random(-4, 10));
+  Windows windows = random_windows(random, 1 + random.below(8), length, away);
+  check_row(windows);
+  check_row(in_order(windows));
+  for (std::size_t i = 0; i < windows.size(); ++i)
+  {
+    const double b = double(i) * length;
+    windows[i].x = b;
+    windows[i].sigma = away; // images that differ, however they were
+    windows[i].bits = 0;
+    set_interval(windows[i], b, b + length * random(0.5, 1.5));
+    if (i > 0) windows[i].b1 = (std::max)(windows[i].b1, windows[i - 1].b1);
+  }
+  CHECK(Envelope::is_row(windows.data(), windows.data() + windows.size()));
+  if (windows.size() < 2) return;
+  const std::size_t i = 1 + std::size_t(random.below(int(windows.size()) - 1));
+  Windows within = windows, twice = windows, again = windows;
+  within[i].b1 = within[i - 1].b1 - length / 16;
+  check_row(within);
+  CHECK(!Envelope::is_row(within.data(), within.data() + within.size()));
+  twice[i] = twice[i - 1];
+  CHECK(!Envelope::is_row(twice.data(), twice.data() + twice.size()));
+  // one image up to rounding
+  again[i].x = again[i - 1].x * (1 + 1e-15);
+  again[i].y = again[i - 1].y;
+  CHECK(!Envelope::is_row(again.data(), again.data() + again.size()));
+}
+
 void test_random(unsigned seed)
 {
   Random random(seed);
@@ -156,6 +200,7 @@ int main()
   {
     test::Report::instance().set_context("seed " + std::to_string(seed));
     test_random(seed);
+    test_rows(seed);
   }
   return test::Report::instance().finish("test_lower_envelope");
 }

@@ -90,7 +90,6 @@ protected:
   typedef Geodesic_offset::internal::Build_request<Number> Request;
   typedef Geodesic_offset::internal::Geodesic_build<typename Base::Computing_traits> Build;
   typedef Geodesic_offset::internal::Path_start<Number> Path_start;
-  typedef Geodesic_offset::internal::Path_crossing<Number> Path_crossing;
 
   using Base::classified;
   using Base::m_sources;
@@ -219,7 +218,7 @@ public:
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
-    Path_end end;
+    Geodesic_offset::internal::Path_end<Number> end;
     const auto& primitive = built().initial.primitives[trace(p, start, end)];
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
                           start.root.side(), Surface::exported(start.distance), m_surface->location(end.point)};
@@ -327,7 +326,7 @@ public:
   template <class Location, class Visitor>
   void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
   {
-    trace_from(location, [&](const auto& p) { visit(p, visitor); });
+    trace_from(location, Geodesic_offset::internal::Path_visits<Surface, Visitor>(*m_surface, visitor));
   }
   /// @}
 
@@ -357,41 +356,12 @@ protected:
     return p.kind == Surface_point::VERTEX ? built() : built_with_windows();
   }
 
-  // Takes a path, and keeps the point where it ends.
-  struct Path_end
-  {
-    Surface_point point;
-    void operator()(const Surface_point& p) { point = p; }
-    void operator()(const Path_crossing&) {}
-  };
-
   Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
     Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
     if (start.distance > b.maximum) start = Path_start();
     return start;
-  }
-
-  template <class Visitor>
-  void visit(const Path_crossing& p, Visitor& visitor) const
-  {
-    visitor(m_surface->halfedge_of(p.halfedge), Surface::exported(p.part));
-  }
-
-  // P: a surface point, or a located one.
-  template <class P, class Visitor>
-  void visit(const P& p, Visitor& visitor) const
-  {
-    if (p.kind == Surface_point::VERTEX)
-      visitor(m_surface->vertex_of[p.element]);
-    else if (p.kind == Surface_point::EDGE)
-      visitor(m_surface->halfedge_of(p.element), Surface::exported(Number(p.x / unfolded()[p.element].length)));
-    else
-    {
-      const Face_location l = m_surface->location(p);
-      visitor(l.first, l.second);
-    }
   }
 
   auto tracing(const Build& b) const

@@ -69,30 +69,25 @@ public:
   // are their own lower envelope, but for the ends that neighbours take from each other.
   static bool is_row(const Window* first, const Window* last)
   {
+    if (first == last) return true;
+    const FT allowance = Number_policy<FT>::rounding(1024) * (first->d0 + last[-1].d1 + last[-1].b1); // that of same_image
     for (; last - first > 1; ++first)
-      if (!is_row(first[0], first[1])) return false;
+    { // without branches
+      const Window &a = first[0], &b = first[1];
+      const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
+      const bool may_be_one = (((a.bits ^ b.bits) & ~2u) == 0) & (x <= allowance) & (sigma <= allowance);
+      if (!((a.b0 <= b.b0) & (a.b1 <= b.b1)) | may_be_one) return false;
+    }
     return true;
   }
 
 private:
-  // Without branches, and no for some that are.
-  static BOOST_FORCEINLINE bool is_row(const Window& a, const Window& b)
-  {
-    const bool may_be_one = (((a.bits ^ b.bits) & ~2u) == 0) & (CGAL::abs(a.x - b.x) <= same_image_allowance(a, b)) &
-                            (CGAL::abs(a.sigma - b.sigma) <= same_image_allowance(a, b));
-    return (a.b0 <= b.b0) & (a.b1 <= b.b1) & !may_be_one;
-  }
-
-  static FT same_image_allowance(const Window& a, const Window& b)
-  {
-    return Number_policy<FT>::rounding(256) * (a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y));
-  }
-
   bool same_image(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
-    const FT allowance = same_image_allowance(a, b);
+    const FT scale = a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y);
+    const FT allowance = Number_policy<FT>::rounding(256) * scale;
     return CGAL::abs(a.x - b.x) <= allowance && CGAL::abs(a.y - b.y) <= allowance &&
            CGAL::abs(a.sigma - b.sigma) <= allowance && is_of_one_root(a, b);
   }

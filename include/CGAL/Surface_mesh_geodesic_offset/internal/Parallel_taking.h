@@ -77,6 +77,7 @@ public:
       if (halfedges + vertices == 0) return;
       // rounds of less work take less time than other threads need to notice them
       const bool is_worth_help = halfedges > 0 ? halfedges >= 8 : vertices >= 16;
+      std::fill(m_told.begin(), m_told.end(), 0); // who takes no turn tells nobody anything
       for_each_part(is_worth_help, [this, &spreading, halfedges](unsigned worker, Index i) {
         this->give_up(i, worker);
         if (halfedges > 0) this->take_halfedges(i, worker);
@@ -108,8 +109,8 @@ private:
     std::vector<Index> passed, given_up; // faces
   };
 
-  // How many things wait in all parts. Those parts take turns in which something waits, or which have faces to give up; the
-  // others tell nobody anything. The team begins with the last parts in the order, those with the most work, so that all
+  // How many things wait in all parts. Those parts take turns in which something waits, or which have faces to give up. The
+  // team begins with the last parts in the order, those with the most work, so that all
   // threads end at about the same time.
   template <class Number>
   std::size_t count(const Number& number)
@@ -121,7 +122,6 @@ private:
       const std::size_t n = number(m_state.part(i).queue);
       sum += n;
       if (n > 0 || !m_part[i].given_up.empty()) m_order.emplace_back(n, i);
-      else m_told[i] = 0;
     }
     std::sort(m_order.begin(), m_order.end());
     return sum;

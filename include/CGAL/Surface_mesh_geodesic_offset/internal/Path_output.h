@@ -75,6 +75,49 @@ private:
   Passed_crossings<FT> m_passed;
 };
 
+// Keeps the point where a path ends.
+template <class FT>
+struct Path_end
+{
+  Surface_point<FT> point;
+  void operator()(const Surface_point<FT>& p) { point = p; }
+  void operator()(const Path_crossing<FT>&) {}
+};
+
+// Tells a visitor, as that of Surface_mesh_shortest_path, what a path meets.
+template <class Surface, class Visitor>
+class Path_visits
+{
+public:
+  typedef typename Surface::Number FT;
+
+  Path_visits(const Surface& surface, Visitor& visitor) : m_surface(surface), m_visitor(visitor) {}
+
+  void operator()(const Path_crossing<FT>& p) const
+  {
+    m_visitor(m_surface.halfedge_of(p.halfedge), Surface::exported(p.part));
+  }
+
+  // P: a surface point, or a located one.
+  template <class P>
+  void operator()(const P& p) const
+  {
+    if (p.kind == P::VERTEX)
+      m_visitor(m_surface.vertex_of[p.element]);
+    else if (p.kind == P::EDGE)
+      m_visitor(m_surface.halfedge_of(p.element), Surface::exported(FT(p.x / m_surface.unfolded[p.element].length)));
+    else
+    {
+      const auto location = m_surface.location(p);
+      m_visitor(location.first, location.second);
+    }
+  }
+
+private:
+  const Surface& m_surface;
+  Visitor& m_visitor;
+};
+
 // The vector that an output iterator appends to, if it does; else null.
 template <class Item, class OutputIterator>
 inline std::nullptr_t vector_behind(const OutputIterator&)

@@ -192,7 +192,7 @@ private:
       const Big_rational q = simplest_between(middle - error, middle + error);
       // a fraction that needs most of the bits is a mere coincidence
       if (2 * bits_of(q) > std::size_t(bits) * 3 && !is<CORE::ConstRealRep>(r)) continue;
-      if (x == converted(q)) return Radical_node::make(q);
+      if (x == core_expression<CORE::BigRat>(q)) return Radical_node::make(q);
     }
     return Radical_node::make(x);
   }

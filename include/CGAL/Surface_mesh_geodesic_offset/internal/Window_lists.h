@@ -123,20 +123,7 @@ public:
     write(list, windows.data(), windows.size(), arena);
   }
 
-  void release(Index h) { release(h, m_arenas.front()); }
-  void release(Index h, Arena& arena)
-  {
-    if (m_place[h] == no_index) return;
-    Part& part = part_of(h);
-    List& list = part.lists[m_place[h]];
-    part.live -= list.size + list.waiting.size;
-    drop_waiting(list, arena);
-    if (list.data) arena.release(list.data, list.size_class);
-    part.free.push_back(m_place[h]);
-    m_place[h] = no_index;
-  }
-
-  // Of all halfedges of faces. Their lists have not been asked for long: they are fetched all together.
+  // Gives up the lists of all halfedges of faces. They have not been asked for long: they are fetched all together.
   void release_faces(const std::vector<Index>& faces, Arena& arena)
   {
     for (Index f : faces)
@@ -211,6 +198,18 @@ private:
     reserve(list, list.size + n, arena);
     std::copy(first, first + n, list.data + list.size);
     list.size += Index(n);
+  }
+
+  void release(Index h, Arena& arena)
+  {
+    if (m_place[h] == no_index) return;
+    Part& part = part_of(h);
+    List& list = part.lists[m_place[h]];
+    part.live -= list.size + list.waiting.size;
+    drop_waiting(list, arena);
+    if (list.data) arena.release(list.data, list.size_class);
+    part.free.push_back(m_place[h]);
+    m_place[h] = no_index;
   }
 
   // Says that there are more windows, or less, in the part of a halfedge.

@@ -40,6 +40,7 @@ public:
     {
       Index i;
       while (m_state.queue.pop_face(i)) m_state.try_to_finish(i);
+      m_state.release_finished();
       if (m_state.queue.pop_halfedge(i))
       {
         m_state.prefetch_next();

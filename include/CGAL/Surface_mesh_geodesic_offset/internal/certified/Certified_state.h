@@ -144,6 +144,14 @@ public:
   {
     for (Index f = 0; f < unfolded.number_of_faces(); ++f)
       if (m_face_state[f] == SCHEDULED) finish(f);
+    release_finished();
+  }
+
+  // Gives up the lists of the faces that were finished.
+  void release_finished()
+  {
+    lists.release_faces(m_finished, lists.arena(0));
+    m_finished.clear();
   }
 
   const bool keeps_windows;
@@ -159,22 +167,21 @@ private:
   void finish(Index f)
   {
     m_face_state[f] = FINISHED;
+    m_finished.push_back(f);
+    if (!keeps_windows) return;
     for (Index k = 0; k < 3; ++k)
     {
-      const Index h = 3 * f + k;
-      if (keeps_windows)
-      {
-        field.begin[4 * f + k] = field.windows.size();
-        for (Index i = 0; lists.has(h) && i < lists.get(h).taken; ++i) field.windows.push_back(lists.get(h).data[i]);
-        field.begin[4 * f + k + 1] = field.windows.size();
-      }
-      lists.release(h);
+      const auto& list = lists.get(3 * f + k);
+      field.begin[4 * f + k] = field.windows.size();
+      field.windows.insert(field.windows.end(), list.data, list.data + list.taken);
+      field.begin[4 * f + k + 1] = field.windows.size();
     }
   }
 
   Output m_single;
   Arrivals m_arrivals;
   std::vector<char> m_face_state;
+  std::vector<Index> m_finished; // faces whose lists are still there
 };
 
 } // namespace internal
