@@ -56,7 +56,7 @@ public:
                   Geodesic_field<FT>& field, Front_parts parts = Front_parts())
     : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
-      unfinished(mesh.number_of_faces(), parts), m_part(parts.number(), Part(0.25 * CGAL::to_double(mesh.mean_edge_length())))
+      unfinished(mesh.number_of_faces(), parts), m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
   }
@@ -210,6 +210,9 @@ public:
   Unfinished_faces unfinished;
 
 private:
+  // The width of a bucket, in mean edges. Where the front is divided it makes larger rounds, which wait less for their ends.
+  static double bucket_edges(const Front_parts& parts) { return parts.number() > 1 ? 0.35 : 0.25; }
+
   template <class Predicate>
   bool any_part(const Predicate& predicate) const
   {
