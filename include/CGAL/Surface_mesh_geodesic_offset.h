@@ -80,7 +80,7 @@ public:
   ///
   /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
   /// curves it crosses. Without `distance_limit`, distances beyond the largest level are computed, too. Levels beyond
-  /// the maximum distance give no curves.
+  /// the distance limit give no curves.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`
@@ -120,7 +120,7 @@ public:
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below
-  /// itself. Levels beyond the largest distance of the surface, or beyond the maximum distance of the build, give no curves.
+  /// itself. Levels beyond the largest distance of the surface, or beyond the distance limit of the build, give no curves.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance

@@ -120,14 +120,26 @@ void contains_200_bits(Query_case& c, unsigned seed, Widths& at_vertices, Widths
     }
   }
   exact.build(CGAL::parameters::keep_windows(true));
+  // without windows, lists in a row are not cut
+  enclosure.build();
+  std::vector<std::pair<double, double>> without;
+  for (Vertex_index v : vertices(c.mesh))
+  {
+    without.push_back(enclosure.distance_bounds(v));
+    check(without.back(), exact.distance_to_sources(v));
+  }
   enclosure.build(CGAL::parameters::keep_windows(true));
   windows += exact.statistics().windows_propagated;
   certified_windows += enclosure.number_of_windows();
+  auto others = without.begin();
   for (Vertex_index v : vertices(c.mesh))
   {
     const auto bounds = enclosure.distance_bounds(v);
     check(bounds, exact.distance_to_sources(v));
     at_vertices.add(bounds.first, bounds.second);
+    CHECK(others->first <= bounds.second && bounds.first <= others->second);
+    CHECK(others->second - others->first <= 2 * (bounds.second - bounds.first) || bounds.first == bounds.second);
+    ++others;
   }
   for (const auto& p : c.random_points(random, 20))
   {

@@ -127,7 +127,7 @@ void check_row(const Windows& windows)
 void test_rows(unsigned seed)
 {
   Random random(seed);
-  const double length = std::exp2(random(-3, 3)), away = length * std::exp2(random(-4, 10));
+  const double length = std::exp2(random(-20, 3)), away = length * std::exp2(random(-4, 10));
   Windows windows = random_windows(random, 1 + random.below(8), length, away);
   check_row(windows);
   check_row(in_order(windows));
@@ -149,7 +149,27 @@ void test_rows(unsigned seed)
   CHECK(!Envelope::is_row(within.data(), within.data() + within.size()));
   twice[i] = twice[i - 1];
   CHECK(!Envelope::is_row(twice.data(), twice.data() + twice.size()));
-  // one image up to rounding
+  // one end may be common, and nothing is a row
+  Windows common = windows;
+  common[i].b0 = common[i - 1].b0;
+  common[i].b1 = (std::max)(common[i].b1, common[i - 1].b1);
+  CHECK(Envelope::is_row(common.data() + i - 1, common.data() + i + 1));
+  CHECK(Envelope::is_row(common.data(), common.data()));
+  // one image up to rounding, also of parallel rays, whose image is a unit vector whatever the length
+  Windows parallel = {windows[i - 1], windows[i]};
+  for (Window& w : parallel)
+  {
+    w.bits = Window::make_bits(true, CGAL::Geodesic_offset::internal::no_index);
+    w.x = 0.6;
+    w.y = -0.8;
+    w.sigma = away + 16 * length; // all distances are positive
+    set_interval(w, w.b0, w.b1);
+  }
+  parallel[1].x *= 1 + 4e-16;
+  CHECK(!Envelope::is_row(parallel.data(), parallel.data() + 2));
+  parallel[1].x = 0.61;
+  parallel[1].b1 = (std::max)(parallel[1].b1, parallel[0].b1);
+  CHECK(Envelope::is_row(parallel.data(), parallel.data() + 2));
   again[i].x = again[i - 1].x * (1 + 1e-15);
   again[i].y = again[i - 1].y;
   CHECK(!Envelope::is_row(again.data(), again.data() + again.size()));

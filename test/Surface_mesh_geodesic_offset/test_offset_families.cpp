@@ -91,7 +91,11 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   same("built with", built(again, family));
   CHECK(again.is_built() && again.distance_to_sources(*vertices(mesh).begin()) ==
                               plain.distance_to_sources(*vertices(mesh).begin()));
-  CHECK(again.statistics().windows_propagated == plain.statistics().windows_propagated);
+  // cutting needs lower envelopes, as keeping does; without, a few windows more are propagated, most where many meet at once,
+  // opposite to the source on a small sphere
+  const std::size_t windows = kept.statistics().windows_propagated;
+  CHECK(again.statistics().windows_propagated == windows);
+  CHECK(plain.statistics().windows_propagated <= windows + windows / 20 + 10);
   if (levels.size() < 3) return;
 
   const std::vector<double> expected(levels.begin(),
@@ -162,14 +166,14 @@ void one_propagation(const test::Surface_mesh& mesh,
   Report::instance().set_context("one propagation");
   Geodesic geodesic(mesh);
   add_sources(geodesic);
-  geodesic.build();
+  geodesic.build(CGAL::parameters::keep_windows(true));
   const double largest = largest_distance(mesh, geodesic);
   const std::size_t whole = geodesic.statistics().windows_propagated;
   CHECK(whole > 0);
   for (double share : {1., 0.3})
   {
     const auto maximum = CGAL::parameters::distance_limit(share * largest);
-    geodesic.build(maximum);
+    geodesic.build(maximum.keep_windows(true));
     const std::size_t expected = geodesic.statistics().windows_propagated;
     CHECK(share == 1 ? expected <= whole : expected < whole);
     for (std::size_t n : {1, 200})

@@ -70,6 +70,7 @@ public:
     add(1);
     m_geodesic.template build<Tag>();
     take_down(false);
+    compare_with_envelopes();
     add(2); // polylines among them
     m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true));
     take_down(true);
@@ -108,6 +109,16 @@ private:
   void add(std::size_t n)
   {
     for (std::size_t i = 0; i < n; ++i) m_case.random_source(m_random).add_to(m_geodesic);
+  }
+
+  // Windows in a row are propagated as they are where only distances at vertices are wanted.
+  void compare_with_envelopes()
+  {
+    Geodesic whole(m_geodesic);
+    whole.template build<Tag>(CGAL::parameters::keep_windows(true));
+    Worst_error worst(bound, m_case.checker.scale);
+    for (Vertex_index v : vertices(m_case.mesh))
+      CHECK_CLOSE(worst, m_geodesic.distance_to_sources(v), whole.distance_to_sources(v));
   }
 
   // What stops early depends on the order of the front.

@@ -79,7 +79,11 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   totals.calls += fractions.size();
   const double largest = largest_vertex_distance(full, c.mesh);
-  const std::size_t all = full.statistics().windows_propagated;
+  // lower envelopes, which windows that are kept need, are a few windows less
+  Geodesic whole(c.mesh);
+  for (const Any_source& s : sources) s.add_to(whole);
+  whole.build(CGAL::parameters::keep_windows(keep));
+  const std::size_t all = whole.statistics().windows_propagated;
 
   // targets: the nearest and the farthest of some vertices
   std::vector<Vertex_index> some = used_vertices(c.mesh);

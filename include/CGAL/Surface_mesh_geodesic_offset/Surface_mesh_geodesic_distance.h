@@ -110,14 +110,14 @@ public:
   ///
   /// With a tolerance distances may be smaller than the exact ones, within bounds that `statistics()` tells, but not larger,
   /// and a few windows a vertex are propagated on smooth fine meshes, however fine; see \ref
-  /// SurfaceMeshGeodesicOffsetTolerance. Then a point has a distance also if the exact one is beyond the maximum distance
+  /// SurfaceMeshGeodesicOffsetTolerance. Then a point has a distance also if the exact one is beyond the distance limit
   /// by no more than the bound; paths, nearest points, the farthest point and offset curves need an exact build, and throw
   /// `std::logic_error`.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `distance_limit(d)`, `keep_windows(b)`,
   ///        `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
-  /// \throws std::invalid_argument if the maximum distance is negative or not a number, or a target is not a valid location,
+  /// \throws std::invalid_argument if the distance limit is negative or not a number, or a target is not a valid location,
   ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
   ///         number, or one of them is not 0 and the number type is exact.
   ///         Then, and after an exception of the visitor, the last build is still there.
@@ -158,7 +158,7 @@ public:
   /// \throws std::logic_error if `!is_built()`, like all queries.
   bool is_cancelled() const { return built().is_cancelled; }
 
-  /// the distance up to which the distances were computed, inclusive: the maximum distance, or less if the build was
+  /// the distance up to which the distances were computed, inclusive: the distance limit, or less if the build was
   /// cancelled or has stopped at its targets; infinity if all is known. All points farther away are at infinity.
   FT covered_distance() const { return Surface::exported(built().maximum); }
 

@@ -57,7 +57,7 @@ public:
   /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5.
   /// \param np an optional named parameter, `keep_windows(b)`: whether points other than vertices will be asked for; then
   ///        some 100 bytes a window stay in memory. The bounds are always those of the whole surface, as near as they can
-  ///        be: other parameters, as a maximum distance or a tolerance, are ignored.
+  ///        be: other parameters, as a distance limit or a tolerance, are ignored.
   /// \throws std::logic_error if the rounding mode is not to nearest
   /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60
   template <class NamedParameters = parameters::Default_named_parameters>

@@ -42,7 +42,7 @@ struct Build_request
     using parameters::get_parameter;
     Build_request r;
     r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_distance_limit), Number_policy<FT>::infinity());
-    require(r.maximum >= FT(0), "the maximum distance is negative or not a number");
+    require(r.maximum >= FT(0), "the distance limit is negative or not a number");
     r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
     static const std::array<Target, 0> none{};

@@ -4,9 +4,11 @@
 // What is done with the windows of one halfedge when it is taken: they are reduced to their lower envelope, merged
 // within the tolerance, and what is new of it is propagated across the face. Nothing but the result is written.
 //
-// Where only distances at vertices are wanted, windows that are in a row, as the children of one batch are, are propagated
-// as they are: their neighbours cut off the ends that are farther where they meet the windows of another batch, one or two
-// faces later, at no cost but a window now and then that would have gone before. More windows give no other distances.
+// Where only distances at vertices are wanted, windows that are in a row, as the children of one batch mostly are, are
+// propagated as they are: neighbours cut each other's ends where they meet the windows of another batch, one or two faces
+// later, at no cost but a window now and then that would have gone before. And windows that were reduced are not written
+// anew, unless they are for the second time: what they have lost is lost again should others come. More windows give no other
+// distances.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_HALFEDGE_BATCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_HALFEDGE_BATCH_H
@@ -34,18 +36,18 @@ public:
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
     : m_mesh(state.mesh), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
-      m_propagate(state, traits), m_takes_rows(is_inexact && !state.needs_envelopes && !m_merging.is_on())
+      m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes || m_merging.is_on())
   {
   }
 
   // Propagates what is new in the list of a halfedge, of which only flags and the split are written. Returns what is to take
-  // the place of its windows, their lower envelope, valid until the next call; null if they stay.
+  // the place of its windows, their lower envelope, valid until the next call; null if they may stay.
   const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
   {
+    const bool may_stay = !m_needs_envelopes && list.taken == 0 && !list.waiting.data;
     if constexpr (is_inexact)
     {
-      if (m_takes_rows && list.taken == 0 && !list.waiting.data &&
-          Lower_envelope<Traits>::is_row(list.begin(), list.end()))
+      if (may_stay && Lower_envelope<Traits>::is_row(list.begin(), list.end()))
       {
         m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
         return nullptr;
@@ -56,7 +58,7 @@ public:
     const std::vector<Window>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end()));
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
-    return &envelope;
+    return may_stay ? nullptr : &envelope;
   }
 
   // What came of the propagation.
@@ -70,7 +72,7 @@ private:
   Lower_envelope<Traits> m_envelope;
   Window_merging<FT> m_merging;
   Batch_propagation<Traits> m_propagate;
-  const bool m_takes_rows;
+  const bool m_needs_envelopes;
 };
 
 } // namespace internal

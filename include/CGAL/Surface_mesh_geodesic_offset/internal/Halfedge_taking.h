@@ -78,7 +78,7 @@ public:
   Merging_counts merging_counts() const { return merging().counts(); }
 
 private:
-  // Takes the list of a halfedge: reduces it to its lower envelope and propagates what is new.
+  // Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new.
   void take(Index h)
   {
     Window_list<FT>* const known = m_state.field.lists.find(h);

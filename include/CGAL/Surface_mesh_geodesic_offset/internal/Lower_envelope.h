@@ -65,18 +65,21 @@ public:
     return m_envelope;
   }
 
-  // Whether windows are in a row: none lies within the one before or behind it, and neighbours are not one window. Such ones
-  // are their own lower envelope, but for the ends that neighbours take from each other.
+  // Whether windows are in a row: none begins or ends before the one before it, and neighbours are not one window. Such ones
+  // are mostly their own lower envelope, but for the ends that neighbours take from each other.
   static bool is_row(const Window* first, const Window* last)
   {
     if (first == last) return true;
-    const FT allowance = Number_policy<FT>::rounding(1024) * (first->d0 + last[-1].d1 + last[-1].b1); // that of same_image
+    // mostly no less than that of same_image
+    const FT rounding = Number_policy<FT>::rounding(1024);
+    const FT allowance = rounding * (first->d0 + last[-1].d1 + last[-1].b1);
     for (; last - first > 1; ++first)
     { // without branches
       const Window &a = first[0], &b = first[1];
       const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
-      const bool may_be_one = (((a.bits ^ b.bits) & ~2u) == 0) & (x <= allowance) & (sigma <= allowance);
-      if (!((a.b0 <= b.b0) & (a.b1 <= b.b1)) | may_be_one) return false;
+      const FT allowance_of_x = allowance + FT(a.bits & 1u) * rounding; // the image of parallel rays is a unit vector
+      const int may_be_one = int(((a.bits ^ b.bits) & ~2u) == 0) & int(x <= allowance_of_x) & int(sigma <= allowance);
+      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
     }
     return true;
   }

@@ -194,7 +194,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
   const Offset_levels<FT>& m_levels;
-  const std::size_t m_end; // of the levels up to the maximum distance
+  const std::size_t m_end; // of the levels up to the distance limit
   Face_field<FT> m_face; // of the face being cut
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;

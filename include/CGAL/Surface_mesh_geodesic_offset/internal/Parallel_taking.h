@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The front on several threads, in rounds: all halfedges that wait in the bucket are taken at one time. The front is divided
-// into parts, always equally many. In the first phase of a round, any thread reduces the halfedges of a part to their lower
-// envelopes and propagates them, on the distances of the vertices as they are at the beginning of the round; in the second
-// phase any thread takes in what has come for a part. So the result depends neither on the number of threads nor on which of
-// them does what.
+// into parts, always equally many. In the first phase of a round, any thread propagates the windows of the halfedges of a
+// part, on the distances of the vertices as they are at the beginning of the round; in the second phase any thread takes in
+// what has come for a part. So the result depends neither on the number of threads nor on which of them does what.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PARALLEL_TAKING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PARALLEL_TAKING_H
@@ -110,8 +109,7 @@ private:
   };
 
   // How many things wait in all parts. Those parts take turns in which something waits, or which have faces to give up. The
-  // team begins with the last parts in the order, those with the most work, so that all
-  // threads end at about the same time.
+  // team begins with the last parts in the order, those with the most work, so that all threads end at about the same time.
   template <class Number>
   std::size_t count(const Number& number)
   {

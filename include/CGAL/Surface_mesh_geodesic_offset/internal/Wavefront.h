@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 3 of the pipeline: the wavefront. A halfedge is taken with its whole list of windows, the list is reduced to its
-// lower envelope and propagated across the face at once; vertices where shortest paths bend become pseudo-sources; faces
-// that the front has passed are handed to the consumer and released.
+// Step 3 of the pipeline: the wavefront. A halfedge is taken with its whole list of windows, and the list, or its lower
+// envelope, is propagated across the face at once; vertices where shortest paths bend become pseudo-sources; faces that the
+// front has passed are handed to the consumer and released.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WAVEFRONT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WAVEFRONT_H
@@ -54,7 +54,7 @@ public:
   // whenever all faces with points nearer than the distance have been taken.
   //
   // goes_on(distance, faces) is asked ever so often, once all points up to the distance are final; `faces` is the number of
-  // those that the front has passed. If it says no, the distance becomes the maximum distance.
+  // those that the front has passed. If it says no, the distance becomes the distance limit.
   template <class Consumer, class Condition>
   void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {

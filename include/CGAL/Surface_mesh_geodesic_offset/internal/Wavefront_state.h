@@ -56,7 +56,8 @@ public:
                   Geodesic_field<FT>& field, Front_parts parts = Front_parts())
     : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
-      unfinished(mesh.number_of_faces(), parts), m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
+      unfinished(mesh.number_of_faces(), parts),
+      m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
   }

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The first `taken` windows are sorted, disjoint and already propagated; the others wait.
+// The first `taken` windows are already propagated, sorted and disjoint if envelopes are needed; the others wait.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
 struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_t))) Window_list
 {

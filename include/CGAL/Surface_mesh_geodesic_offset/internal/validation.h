@@ -36,7 +36,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // Validates offset curves of one build. `Geodesic`: a Surface_mesh_geodesic_offset on a mesh with its own points (no
-// custom point map), built with kept windows and without a maximum distance below the levels. It must not be built again
+// custom point map), built with kept windows and without a distance limit below the levels. It must not be built again
 // meanwhile.
 template <class Geodesic>
 class Offset_validation
