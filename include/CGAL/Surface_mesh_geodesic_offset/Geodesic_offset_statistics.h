@@ -15,8 +15,8 @@ namespace CGAL {
 struct Geodesic_offset_statistics
 {
   std::size_t windows_created = 0;    ///< windows put into the list of a halfedge
-  std::size_t windows_propagated = 0; ///< windows unfolded across a face; on most meshes one in a thousand more where windows
-                                      ///< are neither kept nor cut by offsets, which leaves more of them as they are
+  std::size_t windows_propagated = 0; ///< windows unfolded across a face; mostly one in a thousand more where windows are
+                                      ///< neither kept nor cut by offsets
   std::size_t windows_peak = 0;       ///< largest number of windows held at one time
   std::size_t kept_bytes = 0;         ///< memory of the windows that were kept
   std::size_t windows_merged = 0;     ///< with a tolerance: windows that were merged into others, and so not propagated
