@@ -92,14 +92,13 @@ private:
     {
       list.taken = list.size;
       m_propagate(h, list.begin(), list.size);
-      const auto& now = *m_state.lists.find(h); // may be elsewhere
-      for (Window* w = now.data; w != now.data + now.taken; ++w) w->set_propagated();
       return;
     }
+    // as in Halfedge_batch
+    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope = m_envelope(list.begin(), list.end(), m_mesh.length(h));
     m_state.lists.assign(h, list, envelope);
     list.taken = list.size;
-    for (Window* w = list.data; w != list.data + list.size; ++w) w->set_propagated();
     m_propagate(h, envelope.data(), envelope.size());
   }
 
