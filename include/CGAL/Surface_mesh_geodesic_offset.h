@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_distance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Curve_output.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
 
 #include <algorithm>
 #include <array>

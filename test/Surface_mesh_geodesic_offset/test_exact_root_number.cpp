@@ -6,7 +6,7 @@
 
 #include "test_check.h"
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Exact_root_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Exact_root_number.h>
 
 #include <CGAL/Cartesian.h>
 #include <CGAL/squared_distance_2.h>

@@ -19,8 +19,8 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Paired_exit.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_ties.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_ties.h>
 
 #include <cmath>
 #include <limits>

@@ -10,7 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Lower_envelope.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Lower_envelope.h>
 
 #include <algorithm>
 #include <cmath>

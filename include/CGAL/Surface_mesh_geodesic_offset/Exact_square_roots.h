@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Computation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Exact_root_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Exact_root_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
 
 #include <CGAL/CORE_Expr.h>
 

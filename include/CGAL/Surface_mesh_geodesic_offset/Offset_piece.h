@@ -7,8 +7,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Curve_context.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_context.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -9,10 +9,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_nearest_source.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_output.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <array>

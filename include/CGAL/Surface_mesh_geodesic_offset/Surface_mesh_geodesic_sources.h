@@ -7,9 +7,9 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_surface.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -12,11 +12,11 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Offset_extraction.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_legs.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Path_tracing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Source_set.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
 #include <chrono>
 #include <vector>

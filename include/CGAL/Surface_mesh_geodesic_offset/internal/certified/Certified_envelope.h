@@ -8,10 +8,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 
 #include <boost/config.hpp>
 

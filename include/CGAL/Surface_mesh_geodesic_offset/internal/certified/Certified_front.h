@@ -8,11 +8,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_batch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_envelope.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 
 #include <algorithm>
 #include <vector>

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_pruning.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 
 #include <boost/config.hpp>
 

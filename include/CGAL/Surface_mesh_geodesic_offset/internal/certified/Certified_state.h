@@ -8,12 +8,12 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Bucket_queue.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_lists.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_pruning.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Distance_bounds.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Bucket_queue.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_output.h>
 
 #include <algorithm>
 #include <vector>

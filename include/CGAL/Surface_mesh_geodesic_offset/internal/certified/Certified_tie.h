@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 
 #include <boost/config.hpp>
 

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <algorithm>
 #include <cmath>

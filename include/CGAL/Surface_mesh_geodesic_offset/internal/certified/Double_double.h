@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 
 #include <cmath>
 

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <CGAL/number_utils.h>
 

@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Expressions from and to CORE::Expr, exactly and with shared subexpressions shared.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_CORE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_CORE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+
+#include <CGAL/CORE_Expr.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Radical_to_core
+{
+public:
+  // CORE evaluates and destroys expressions recursively, so deeper ones would exhaust the stack.
+  static constexpr std::size_t largest_depth = 5000;
+
+  static CORE::Expr convert(const Radical_node::Reference& a)
+  {
+    if (!a) return CORE::Expr(0);
+    if (a->depth() > largest_depth) throw std::length_error("an expression too deep for CORE");
+    std::unordered_map<const Radical_node*, CORE::Expr> made;
+    a->refine(bits);
+    std::vector<Radical_node*> pending(1, a.get());
+    while (!pending.empty())
+    {
+      Radical_node& n = *pending.back();
+      const std::size_t size = pending.size();
+      if (made.count(&n) == 0)
+      {
+        for (int i = 0; i < 2 && !n.closed_form(); ++i)
+          if (n.operand(i) && made.count(n.operand(i).get()) == 0) pending.push_back(n.operand(i).get());
+        if (pending.size() > size) continue;
+        const CORE::Expr x = converted(n, made);
+        tell_what_is_known(n, x);
+        made.emplace(&n, x);
+      }
+      pending.pop_back();
+    }
+    return made.at(a.get());
+  }
+
+private:
+  typedef std::unordered_map<const Radical_node*, CORE::Expr> Made;
+
+  static constexpr std::size_t bits = 256;
+
+  // CORE evaluates each number with doubles first, and asks for a root bound if that does not tell the sign. With our
+  // enclosure for these doubles it need not ask, but for zero.
+  static void tell_what_is_known(const Radical_node& n, const CORE::Expr& x)
+  {
+    const Double_enclosure& e = n.enclosure();
+    if (!e.has_sign() || !e.is_tight() || !(std::abs(e.middle()) > 1e-300) || !(std::abs(e.middle()) < 1e300)) return;
+    x.Rep()->ffVal = CORE::filteredFp(e.middle(), std::abs(e.middle()), units_of_enclosure);
+  }
+  static constexpr int units_of_enclosure = 16; // at most, of 2^-53
+
+  static CORE::Expr converted(const Big_rational& q) { return core_expression<CORE::BigRat>(q); }
+
+  static CORE::Expr converted(const Radical_node& n, const Made& made)
+  {
+    if (n.rational()) return converted(*n.rational());
+    if (n.closed_form())
+    {
+      const Radical_quotient& q = *n.closed_form();
+      return q.is_sum() ? converted(q.numerator) : converted(q.numerator) / converted(q.denominator);
+    }
+    const auto operand = [&](int i) -> const CORE::Expr& { return made.at(n.operand(i).get()); };
+    switch (n.operation())
+    {
+    case Radical_operation::CORE_NUMBER: return n.core_number();
+    case Radical_operation::NEGATE: return -operand(0);
+    case Radical_operation::ADD: return operand(0) + operand(1);
+    case Radical_operation::SUBTRACT: return operand(0) - operand(1);
+    case Radical_operation::MULTIPLY: return operand(0) * operand(1);
+    case Radical_operation::DIVIDE: return operand(0) / operand(1);
+    case Radical_operation::SQUARE_ROOT: return CORE::sqrt(operand(0));
+    default: throw std::logic_error("a constant without a value");
+    }
+  }
+
+  // Without symbols.
+  static CORE::Expr converted(const Radical_sum& s)
+  {
+    CORE::Expr sum(0);
+    for (const Radical_term& t : s.terms())
+    {
+      const CORE::Expr factor = converted(t.factor);
+      sum += t.radicand == 1 ? factor : factor * CORE::sqrt(core_expression<CORE::BigInt>(t.radicand));
+    }
+    return sum;
+  }
+};
+
+// Takes the expression apart: what CORE builds by + - * / and square roots becomes an expression of ours.
+class Radical_from_core
+{
+public:
+  typedef Radical_node::Reference Reference;
+
+  static Reference convert(const CORE::Expr& x)
+  {
+    std::unordered_map<CORE::ExprRep*, Reference> made;
+    std::vector<CORE::ExprRep*> pending(1, x.Rep());
+    while (!pending.empty())
+    {
+      CORE::ExprRep* r = pending.back();
+      const std::size_t size = pending.size();
+      if (made.count(r) == 0)
+      {
+        const std::pair<CORE::ExprRep*, CORE::ExprRep*> of = operands(r);
+        for (CORE::ExprRep* o : {of.first, of.second})
+          if (o && made.count(o) == 0) pending.push_back(o);
+        if (pending.size() > size) continue;
+        made.emplace(r, of.first ? operation(r, made.at(of.first), of.second ? made.at(of.second) : Reference())
+                                 : constant(r));
+      }
+      pending.pop_back();
+    }
+    return made.at(x.Rep());
+  }
+
+private:
+  // The operands are protected members of CORE; derived classes may name them.
+  struct Unary : CORE::UnaryOpRep
+  {
+    static CORE::ExprRep* of(CORE::UnaryOpRep* r) { return r->*(&Unary::child); }
+  };
+  struct Binary : CORE::BinOpRep
+  {
+    static CORE::ExprRep* first_of(CORE::BinOpRep* r) { return r->*(&Binary::first); }
+    static CORE::ExprRep* second_of(CORE::BinOpRep* r) { return r->*(&Binary::second); }
+  };
+
+  template <class Rep>
+  static bool is(CORE::ExprRep* r)
+  {
+    return dynamic_cast<Rep*>(r) != nullptr;
+  }
+
+  // None for what we have no operation for.
+  static std::pair<CORE::ExprRep*, CORE::ExprRep*> operands(CORE::ExprRep* r)
+  {
+    if (is<CORE::NegRep>(r) || is<CORE::SqrtRep>(r)) return {Unary::of(static_cast<CORE::UnaryOpRep*>(r)), nullptr};
+    if (is<CORE::AddRep>(r) || is<CORE::SubRep>(r) || is<CORE::MultRep>(r) || is<CORE::DivRep>(r))
+    {
+      CORE::BinOpRep* b = static_cast<CORE::BinOpRep*>(r);
+      return {Binary::first_of(b), Binary::second_of(b)};
+    }
+    return {nullptr, nullptr};
+  }
+
+  static Reference operation(CORE::ExprRep* r, const Reference& a, const Reference& b)
+  {
+    if (is<CORE::NegRep>(r)) return Radical_expression::negative(a);
+    if (is<CORE::SqrtRep>(r)) return Radical_expression::square_root(a);
+    if (is<CORE::AddRep>(r)) return Radical_expression::sum(a, b);
+    if (is<CORE::SubRep>(r)) return Radical_expression::difference(a, b);
+    if (is<CORE::MultRep>(r)) return Radical_expression::product(a, b);
+    return Radical_expression::quotient(a, b);
+  }
+
+  static Reference constant(CORE::ExprRep* r)
+  {
+    if (is<CORE::ConstDoubleRep>(r)) return Radical_node::make(Big_rational(r->ffVal.getValue()));
+    r->incRef();
+    const CORE::Expr x(r);
+    // CORE does not tell the value of a rational constant, only approximations, which determine it.
+    const long most_bits = is<CORE::ConstRealRep>(r) ? 1 << 16 : 1 << 8;
+    for (long bits = 64; bits <= most_bits; bits *= 2)
+    {
+      const Big_rational middle = rational_of_core(x.approx(bits + 8, bits + 8).BigRatValue());
+      Big_rational error = 1;
+      mpq_div_2exp(error.backend().data(), error.backend().data(), mp_bitcnt_t(bits));
+      error *= 1 + boost::multiprecision::abs(middle);
+      const Big_rational q = simplest_between(middle - error, middle + error);
+      // a fraction that needs most of the bits is a mere coincidence
+      if (2 * bits_of(q) > std::size_t(bits) * 3 && !is<CORE::ConstRealRep>(r)) continue;
+      if (x == core_expression<CORE::BigRat>(q)) return Radical_node::make(q);
+    }
+    return Radical_node::make(x);
+  }
+
+  // The rational with the smallest denominator, by continued fractions.
+  static Big_rational simplest_between(Big_rational low, Big_rational high)
+  {
+    if (low.sign() <= 0 && high.sign() >= 0) return 0;
+    if (high.sign() < 0) return -simplest_between(-high, -low);
+    std::vector<Big_integer> quotients;
+    while (true)
+    {
+      Big_integer whole;
+      mpz_fdiv_q(whole.backend().data(), numerator_of(low), denominator_of(low));
+      const bool is_whole = low == Big_rational(whole);
+      if (!is_whole) quotients.push_back(whole);
+      if (is_whole || Big_rational(whole + 1) <= high)
+      {
+        Big_rational q = is_whole ? Big_rational(whole) : Big_rational(quotients.back() + 1);
+        if (!is_whole) quotients.pop_back();
+        for (std::size_t i = quotients.size(); i-- > 0;) q = Big_rational(quotients[i]) + 1 / q;
+        return q;
+      }
+      const Big_rational next_low = 1 / (high - Big_rational(whole));
+      high = 1 / (low - Big_rational(whole));
+      low = next_low;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

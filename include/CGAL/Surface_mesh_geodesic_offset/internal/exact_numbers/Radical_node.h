@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The nodes of expressions made of rationals by + - * / and square roots, and their evaluation with intervals.
+//
+// Nodes are counted by reference and shared. The value of a node never changes; what is known of it does, and a node may
+// forget its operands once its value is known in a closed form. Neither is guarded against other threads. Nothing here
+// is recursive: an expression may be as deep as memory allows.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_NODE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_NODE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+
+#include <CGAL/CORE_Expr.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+enum class Radical_operation : std::uint8_t
+{
+  RATIONAL,    // a constant
+  CLOSED_FORM, // a constant: a sum of roots of rationals
+  CORE_NUMBER, // a constant: a number that CORE knows and we do not
+  NEGATE,
+  ADD,
+  SUBTRACT,
+  MULTIPLY,
+  DIVIDE,
+  SQUARE_ROOT
+};
+
+class Radical_node
+{
+public:
+  // A counted reference. None stands for zero, which is never an operand: no operation needs it.
+  class Reference
+  {
+  public:
+    Reference() : m_node(nullptr) {}
+    explicit Reference(Radical_node* n) : m_node(n) { ++n->m_references; }
+    Reference(const Reference& o) : m_node(o.m_node)
+    {
+      if (m_node) ++m_node->m_references;
+    }
+    Reference(Reference&& o) noexcept : m_node(o.m_node) { o.m_node = nullptr; }
+    Reference& operator=(Reference o) noexcept
+    {
+      std::swap(m_node, o.m_node);
+      return *this;
+    }
+    ~Reference()
+    {
+      if (m_node) release(m_node);
+    }
+
+    explicit operator bool() const { return m_node != nullptr; }
+    Radical_node& operator*() const { return *m_node; }
+    Radical_node* operator->() const { return m_node; }
+    Radical_node* get() const { return m_node; }
+    friend bool operator==(const Reference& a, const Reference& b) { return a.m_node == b.m_node; }
+
+  private:
+    friend class Radical_node;
+    Radical_node* m_node;
+  };
+
+  static Reference make(Big_rational q)
+  {
+    if (q.is_zero()) return Reference();
+    Reference r(new Radical_node(Radical_operation::RATIONAL));
+    Multiprecision_enclosure e(bits_of_double);
+    e.set(q);
+    r->m_enclosure = e.rounded();
+    r->m_rational.reset(new Big_rational(std::move(q)));
+    return r;
+  }
+  static Reference make(const CORE::Expr& x)
+  {
+    Reference r(new Radical_node(Radical_operation::CORE_NUMBER));
+    r->m_enclosure = Double_enclosure::everything();
+    r->m_core.reset(new CORE::Expr(x));
+    r->refine(first_precision);
+    return r;
+  }
+  static Reference make(Radical_operation op, const Reference& a, const Reference& b = Reference())
+  {
+    Reference r(new Radical_node(op));
+    r->m_operands[0] = a;
+    r->m_operands[1] = b;
+    r->m_depth = 1 + (std::max)(a->m_depth, b ? b->m_depth : std::uint32_t(0));
+    r->m_enclosure = r->evaluate();
+    return r;
+  }
+
+  Radical_operation operation() const { return m_operation; }
+  const Reference& operand(int i) const { return m_operands[i]; }
+  std::size_t depth() const { return m_depth; }
+  const Big_rational* rational() const { return m_rational.get(); } // of a rational constant, else null
+  const CORE::Expr& core_number() const { return *m_core; }
+  const Double_enclosure& enclosure() const { return m_enclosure; }
+  // The bits beyond the range of doubles count.
+  bool has_sign() const { return m_enclosure.has_sign() || (m_bounds && m_bounds->has_sign()); }
+  int sign() const { return m_enclosure.has_sign() || !m_bounds ? m_enclosure.sign() : m_bounds->sign(); }
+  // A double near the number, once the enclosure is tight.
+  double approximation() const { return m_bounds ? m_bounds->low_to_nearest() : m_enclosure.middle(); }
+  bool is_below(std::size_t bits) const { return m_bounds && m_bounds->is_below(bits); }
+  std::size_t precision() const { return m_bounds ? std::size_t(m_bounds->precision()) : 0; }
+
+  // The closed form, if it is known. It has no symbols.
+  const Radical_quotient* closed_form() const { return m_closed_form.get(); }
+  void set_closed_form(Radical_quotient q) { m_closed_form.reset(new Radical_quotient(std::move(q))); }
+
+  // Makes the node a constant if its closed form is short.
+  void forget_operands()
+  {
+    if (!m_operands[0] || !m_closed_form || !m_closed_form->is_sum()) return;
+    const Radical_sum& s = m_closed_form->numerator;
+    if (s.size() > most_terms_of_constant) return;
+    if (s.is_rational())
+    {
+      m_rational.reset(new Big_rational(s.rational()));
+      m_operation = Radical_operation::RATIONAL;
+      // also where the number is zero, so that no interval is needed to see it
+      m_bounds.reset(new Multiprecision_enclosure(bits_of_double));
+      m_bounds->set(*m_rational);
+      m_enclosure.intersect(m_bounds->rounded());
+    }
+    else m_operation = Radical_operation::CLOSED_FORM;
+    m_depth = 0;
+    m_operands[0] = Reference();
+    m_operands[1] = Reference();
+  }
+
+  // Visits all nodes below and including a node that are needed, after their operands. A node must not be needed any
+  // more once it is visited.
+  template <class Is_needed, class Visitor>
+  static void visit(Radical_node& top, const Is_needed& is_needed, const Visitor& visitor)
+  {
+    std::vector<Radical_node*> pending(1, &top);
+    while (!pending.empty())
+    {
+      Radical_node* n = pending.back();
+      const std::size_t size = pending.size();
+      if (is_needed(*n))
+      {
+        for (const Reference& o : n->m_operands)
+          if (o && is_needed(*o)) pending.push_back(o.get());
+        if (pending.size() > size) continue;
+        visitor(*n);
+      }
+      pending.pop_back();
+    }
+  }
+
+  // Evaluates the node with bounds of at least so many bits.
+  void refine(std::size_t bits)
+  {
+    visit(*this, [&](const Radical_node& n) { return n.precision() < bits; },
+          [&](Radical_node& n) { n.evaluate_with(bits); });
+  }
+
+  static constexpr std::size_t first_precision = 128;
+
+private:
+  static constexpr std::size_t bits_of_double = 53;
+  static constexpr std::size_t most_terms_of_constant = 4;
+
+  explicit Radical_node(Radical_operation op) : m_operation(op) {}
+
+  static void release(Radical_node* n)
+  {
+    if (--n->m_references != 0) return;
+    // a long chain of operands that die with their only user
+    Radical_node* dying = n;
+    n->m_next = nullptr;
+    while (dying)
+    {
+      n = dying;
+      dying = n->m_next;
+      for (Reference& o : n->m_operands)
+      {
+        Radical_node* child = o.m_node;
+        o.m_node = nullptr;
+        if (!child || --child->m_references != 0) continue;
+        child->m_next = dying;
+        dying = child;
+      }
+      delete n;
+    }
+  }
+
+  Double_enclosure evaluate() const
+  {
+    const Double_enclosure& a = m_operands[0]->m_enclosure;
+    switch (m_operation)
+    {
+    case Radical_operation::NEGATE: return -a;
+    case Radical_operation::ADD: return a + m_operands[1]->m_enclosure;
+    case Radical_operation::SUBTRACT: return a - m_operands[1]->m_enclosure;
+    case Radical_operation::MULTIPLY: return a * m_operands[1]->m_enclosure;
+    case Radical_operation::DIVIDE: return a / m_operands[1]->m_enclosure;
+    default: return sqrt(a);
+    }
+  }
+
+  void evaluate_with(std::size_t bits)
+  {
+    std::unique_ptr<Multiprecision_enclosure> e(new Multiprecision_enclosure(mpfr_prec_t(bits)));
+    const auto bounds = [this](int i) -> const Multiprecision_enclosure& { return *m_operands[i]->m_bounds; };
+    switch (m_operation)
+    {
+    case Radical_operation::RATIONAL: e->set(*m_rational); break;
+    case Radical_operation::CLOSED_FORM: *e = enclosure_of_closed_form(bits); break;
+    case Radical_operation::CORE_NUMBER: set_by_core(*e); break;
+    case Radical_operation::NEGATE: e->set_negative(bounds(0)); break;
+    case Radical_operation::ADD: e->set_sum(bounds(0), bounds(1)); break;
+    case Radical_operation::SUBTRACT: e->set_difference(bounds(0), bounds(1)); break;
+    case Radical_operation::MULTIPLY: e->set_product(bounds(0), bounds(1)); break;
+    case Radical_operation::DIVIDE: e->set_quotient(bounds(0), bounds(1)); break;
+    case Radical_operation::SQUARE_ROOT: e->set_root(bounds(0)); break;
+    }
+    m_bounds = std::move(e);
+    m_enclosure.intersect(m_bounds->rounded());
+  }
+
+  Multiprecision_enclosure enclosure_of_closed_form(std::size_t bits) const
+  {
+    const auto no_symbol = [](std::size_t) -> Multiprecision_enclosure { throw std::logic_error("not a closed form"); };
+    return enclosure_of(m_closed_form->numerator, mpfr_prec_t(bits), no_symbol);
+  }
+
+  // CORE approximates with an absolute or a relative error of at most 2^-bits.
+  void set_by_core(Multiprecision_enclosure& e) const
+  {
+    const long bits = long(e.precision());
+    const Big_rational middle = rational_of_core(m_core->approx(bits + 8, bits + 8).BigRatValue());
+    Big_rational unit = 1;
+    mpq_div_2exp(unit.backend().data(), unit.backend().data(), mp_bitcnt_t(bits));
+    const Big_rational error = (1 + boost::multiprecision::abs(middle)) * unit;
+    e.set(middle - error, middle + error);
+  }
+
+  Radical_node* m_next = nullptr; // while dying
+  std::size_t m_references = 0;
+  std::uint32_t m_depth = 0;
+  Radical_operation m_operation;
+  Reference m_operands[2];
+  Double_enclosure m_enclosure;
+  std::unique_ptr<Big_rational> m_rational;
+  std::unique_ptr<CORE::Expr> m_core;
+  std::unique_ptr<Multiprecision_enclosure> m_bounds;
+  std::unique_ptr<Radical_quotient> m_closed_form;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The sign of an expression, by means that get stronger and slower: intervals of doubles, intervals of more bits, exact
+// arithmetic with roots, which decides whether the number is zero, and bounds on roots, first our own, then those of CORE.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_bound.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// How many signs and comparisons were decided by what. Counts of several threads at once may miss some.
+struct Exact_root_number_counts
+{
+  class Counter
+  {
+  public:
+    Counter() : m_value(0) {}
+    void operator++() { m_value.store(value() + 1, std::memory_order_relaxed); }
+    void reset() { m_value.store(0, std::memory_order_relaxed); }
+    std::uint64_t value() const { return m_value.load(std::memory_order_relaxed); }
+
+  private:
+    std::atomic<std::uint64_t> m_value;
+  };
+
+  Counter by_identity;       // the same expression, or a rational
+  Counter by_doubles;        // intervals of doubles
+  Counter by_precision;      // intervals of up to 256 bits
+  Counter exactly_zero;      // proved to be zero by exact arithmetic
+  Counter exactly_not_zero;  // proved not to be; then intervals of any precision
+  Counter by_high_precision; // not settled by exact arithmetic, intervals of up to 65536 bits
+  Counter by_root_bound;     // intervals of so many bits that the number is zero if they do not tell
+  Counter by_core;
+
+  void reset()
+  {
+    for (Counter* c : {&by_identity, &by_doubles, &by_precision, &exactly_zero, &exactly_not_zero, &by_high_precision,
+                       &by_root_bound, &by_core})
+      c->reset();
+  }
+};
+
+// The value of an expression by exact arithmetic. Values without nested roots are kept with the nodes.
+class Radical_evaluation
+{
+public:
+  static constexpr std::size_t most_steps = std::size_t(1) << 22;
+
+  explicit Radical_evaluation(std::size_t steps = most_steps) : m_field(steps) {}
+
+  Vanishing operator()(Radical_node& top)
+  {
+    Vanishing result = Vanishing::UNKNOWN;
+    try
+    {
+      Radical_node::visit(top, [this](const Radical_node& n) { return !is_known(n); },
+                          [this](Radical_node& n) { evaluate(n); });
+      result = m_field.vanishing(value(top));
+    }
+    catch (const Radical_limit_exceeded&)
+    {
+    }
+    if (result == Vanishing::ZERO) top.set_closed_form(Radical_quotient());
+    // operands come first, and a node forgets only those that come before it
+    m_evaluated.push_back(&top);
+    for (Radical_node* n : m_evaluated) n->forget_operands();
+    return result;
+  }
+
+private:
+  static constexpr std::size_t most_terms_kept = 64;
+
+  bool is_known(const Radical_node& n) const { return n.closed_form() || m_values.count(&n) != 0; }
+  const Radical_quotient& value(const Radical_node& n) const
+  {
+    return n.closed_form() ? *n.closed_form() : m_values.at(&n);
+  }
+
+  void evaluate(Radical_node& n)
+  {
+    Radical_quotient q = computed(n);
+    if (n.rational() || q.has_symbols() || q.numerator.size() + q.denominator.size() > most_terms_kept)
+      m_values.emplace(&n, std::move(q));
+    else
+    {
+      n.set_closed_form(std::move(q));
+      m_evaluated.push_back(&n);
+    }
+  }
+
+  Radical_quotient computed(Radical_node& n)
+  {
+    const auto operand = [&](int i) -> const Radical_quotient& { return value(*n.operand(i)); };
+    switch (n.operation())
+    {
+    case Radical_operation::RATIONAL: return {Radical_sum(*n.rational()), Radical_sum(1)};
+    case Radical_operation::CORE_NUMBER: return m_field.unknown_number(&n);
+    case Radical_operation::NEGATE: return negative(operand(0));
+    case Radical_operation::ADD: return m_field.sum(operand(0), operand(1));
+    case Radical_operation::SUBTRACT: return m_field.sum(operand(0), negative(operand(1)));
+    case Radical_operation::MULTIPLY: return m_field.product(operand(0), operand(1));
+    case Radical_operation::DIVIDE: return m_field.quotient(operand(0), operand(1));
+    case Radical_operation::SQUARE_ROOT: return m_field.square_root(operand(0));
+    case Radical_operation::CLOSED_FORM: break;
+    }
+    return *n.closed_form();
+  }
+  static Radical_quotient negative(Radical_quotient q)
+  {
+    q.numerator.negate();
+    return q;
+  }
+
+  Radical_field m_field;
+  std::unordered_map<const Radical_node*, Radical_quotient> m_values;
+  std::vector<Radical_node*> m_evaluated;
+};
+
+class Radical_sign
+{
+public:
+  typedef Radical_node::Reference Reference;
+
+  static Exact_root_number_counts& counts()
+  {
+    static Exact_root_number_counts c;
+    return c;
+  }
+
+  static int of(const Reference& a)
+  {
+    if (!a || a->rational())
+    {
+      ++counts().by_identity;
+      return a ? a->rational()->sign() : 0;
+    }
+    if (a->has_sign())
+    {
+      ++counts().by_doubles;
+      return a->sign();
+    }
+    if (refined_has_sign(*a, Radical_node::first_precision, exact_from))
+    {
+      ++counts().by_precision;
+      return a->sign();
+    }
+    const Vanishing vanishing = Radical_evaluation()(*a);
+    if (vanishing == Vanishing::ZERO)
+    {
+      ++counts().exactly_zero;
+      return 0;
+    }
+    if (vanishing == Vanishing::NOT_ZERO)
+    {
+      refined_has_sign(*a, 2 * exact_from, ~std::size_t(0));
+      ++counts().exactly_not_zero;
+      return a->sign();
+    }
+    if (refined_has_sign(*a, 2 * exact_from, bound_from))
+    {
+      ++counts().by_high_precision;
+      return a->sign();
+    }
+    int sign = 0;
+    if (const auto bound = Radical_bound::bits(*a, most_bits_of_bound))
+    {
+      for (std::size_t bits = 2 * bound_from; !a->has_sign() && !a->is_below(*bound); bits *= 2) a->refine(bits);
+      ++counts().by_root_bound;
+      sign = a->sign();
+    }
+    else if (refined_has_sign(*a, 2 * bound_from, core_from))
+    {
+      ++counts().by_high_precision;
+      sign = a->sign();
+    }
+    else
+    {
+      sign = Radical_to_core::convert(a).sign();
+      ++counts().by_core;
+    }
+    if (sign == 0)
+    {
+      a->set_closed_form(Radical_quotient());
+      a->forget_operands();
+    }
+    return sign;
+  }
+
+  static int of_difference(const Reference& a, const Reference& b)
+  {
+    if (a == b || !a || !b)
+    {
+      if (!(a == b)) return a ? of(a) : -of(b);
+      ++counts().by_identity;
+      return 0;
+    }
+    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    if (x.high < y.low || y.high < x.low || (x.is_point() && y.is_point()))
+    {
+      ++counts().by_doubles;
+      return x.low > y.high ? 1 : x.high < y.low ? -1 : 0;
+    }
+    if (const auto parts = differing_parts(*a, *b)) return of_difference(*parts->first, *parts->second);
+    return of(Radical_expression::difference(a, b));
+  }
+
+  // 0 if intervals of few bits do not tell.
+  static int of_difference_by_intervals(const Reference& a, const Reference& b)
+  {
+    if (a == b) return 0;
+    if (!a || !b) return of_difference(a, b);
+    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    if (x.low > y.high) return 1;
+    if (x.high < y.low) return -1;
+    const Reference d = Radical_expression::difference(a, b);
+    return d && refined_has_sign(*d, Radical_node::first_precision, exact_from) ? d->sign() : 0;
+  }
+
+  // Finds the closed forms of what an expression is made of, as far as that takes no time.
+  static void simplify(const Reference& a)
+  {
+    if (a && !a->closed_form() && !a->rational()) Radical_evaluation{steps_to_simplify}(*a);
+  }
+
+  // Makes the enclosure of a number so tight that all its doubles are close to the number. False for zero.
+  static bool approximate(const Reference& a)
+  {
+    if (!a) return false;
+    for (std::size_t bits = Radical_node::first_precision; !a->enclosure().is_tight(); bits *= 2)
+    {
+      if (bits > exact_from && !a->has_sign() && of(a) == 0) return false;
+      a->refine(bits);
+    }
+    return true;
+  }
+
+private:
+  static constexpr std::size_t exact_from = 256, bound_from = 4096, core_from = 1 << 16; // bits
+  static constexpr std::size_t steps_to_simplify = std::size_t(1) << 10;
+  static constexpr std::size_t most_bits_of_bound = 1 << 21;
+
+  // Of two sums that share a term, the other terms; of two square roots, what is under them: they compare alike.
+  typedef std::pair<const Reference*, const Reference*> Parts;
+  static std::optional<Parts> differing_parts(const Radical_node& a, const Radical_node& b)
+  {
+    if (a.operation() != b.operation()) return std::nullopt;
+    if (a.operation() == Radical_operation::SQUARE_ROOT) return Parts(&a.operand(0), &b.operand(0));
+    if (a.operation() != Radical_operation::ADD) return std::nullopt;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (a.operand(i) == b.operand(j)) return Parts(&a.operand(1 - i), &b.operand(1 - j));
+    return std::nullopt;
+  }
+
+  static bool refined_has_sign(Radical_node& n, std::size_t bits, std::size_t most_bits)
+  {
+    for (; bits <= most_bits && !n.has_sign(); bits *= 2) n.refine(bits);
+    return n.has_sign();
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A field made from the rationals by adjoining one square root after the other, each new to the field before it. In such
+// a field inverses are computed and squares are recognised.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_TOWER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_TOWER_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Radical_tower
+{
+public:
+  // The coefficients of the products of adjoined roots: bit i of the position stands for root i. The length is 2^k for
+  // an element of the field with the first k roots.
+  typedef std::vector<Big_rational> Element;
+
+  explicit Radical_tower(Radical_work& work) : m_work(&work) {}
+
+  std::size_t levels() const { return m_squares.size(); }
+  std::size_t degree() const { return std::size_t(1) << levels(); }
+
+  // Adjoins the square root of an element that has none in the field. Integers come before all other elements.
+  void adjoin_root_of(const Big_integer& n)
+  {
+    Element square(degree());
+    square[0] = n;
+    m_squares.push_back(std::move(square));
+    m_integers.push_back(n);
+  }
+  void adjoin_root_of(Element square)
+  {
+    square.resize(degree());
+    m_squares.push_back(std::move(square));
+  }
+
+  static bool is_zero(const Element& a)
+  {
+    return std::all_of(a.begin(), a.end(), [](const Big_rational& c) { return c.is_zero(); });
+  }
+
+  Element product(const Element& a, const Element& b) const
+  {
+    m_work->spend(a.size());
+    if (a.size() == 1) return Element(1, a[0] * b[0]);
+    if (is_zero(a) || is_zero(b)) return Element(a.size());
+    const Element a0 = low(a), a1 = high(a), b0 = low(b), b1 = high(b);
+    return joined(sum(product(a0, b0), product(square_of_top(a), product(a1, b1))),
+                  sum(product(a0, b1), product(a1, b0)));
+  }
+
+  // Not for zero.
+  Element inverse(const Element& a) const
+  {
+    if (a.size() == 1) return Element(1, 1 / a[0]);
+    const Element a0 = low(a), a1 = high(a);
+    if (is_zero(a1)) return joined(inverse(a0), a1);
+    const Element scale = inverse(norm(a, a0, a1));
+    return joined(product(a0, scale), product(scaled(a1, -1), scale));
+  }
+
+  // Some q, b with a = q * b^2, q rational, if there are any. For a > 0 that is so if and only if the square root of a is
+  // in the field that has the square roots of all rationals besides those adjoined: that field is made from this one by
+  // adjoining roots of rationals, so it has no other quadratic extensions of this one than those by such roots.
+  std::optional<std::pair<Big_rational, Element>> rational_times_square(const Element& a) const
+  {
+    if (a.size() == 1) return std::make_pair(a[0], Element(1, 1));
+    const Element a0 = low(a), a1 = high(a), none(a0.size());
+    if (is_zero(a1))
+    {
+      // q x^2, or q y^2 s with the square s of the top root; an integer s may as well be in q
+      if (auto r = rational_times_square(a0)) return std::make_pair(r->first, joined(r->second, none));
+      const Element s = square_of_top(a);
+      if (a.size() <= std::size_t(1) << m_integers.size()) return std::nullopt;
+      if (auto r = rational_times_square(product(a0, s)))
+        return std::make_pair(r->first, joined(none, product(r->second, inverse(s))));
+      return std::nullopt;
+    }
+    // a = q (x + y root)^2, so the norm of a is d^2 with d = q (x^2 - s y^2), and q x^2 = (a0 + d) / 2
+    const auto d = root(norm(a, a0, a1));
+    if (!d) return std::nullopt;
+    for (int sign : {1, -1})
+    {
+      const Element x2 = scaled(sum(a0, scaled(*d, sign)), Big_rational(1, 2));
+      if (is_zero(x2)) continue;
+      if (const auto x = rational_times_square(x2))
+        return std::make_pair(x->first,
+                              joined(x->second, product(a1, inverse(scaled(x->second, 2 * x->first)))));
+    }
+    return std::nullopt;
+  }
+
+private:
+  static Element low(const Element& a) { return Element(a.begin(), a.begin() + a.size() / 2); }
+  static Element high(const Element& a) { return Element(a.begin() + a.size() / 2, a.end()); }
+  static Element joined(Element a, const Element& b)
+  {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+  static Element sum(Element a, const Element& b)
+  {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+    return a;
+  }
+  static Element scaled(Element a, const Big_rational& q)
+  {
+    for (Big_rational& c : a) c *= q;
+    return a;
+  }
+
+  // The square of the last of the roots that elements of the length of a are made of.
+  const Element& square_of_top(const Element& a) const
+  {
+    std::size_t level = 0;
+    while (std::size_t(2) << level < a.size()) ++level;
+    return m_squares[level];
+  }
+  Element norm(const Element& a, const Element& a0, const Element& a1) const
+  {
+    return sum(product(a0, a0), scaled(product(square_of_top(a), product(a1, a1)), -1));
+  }
+
+  // A square root within the field of elements of this length.
+  std::optional<Element> root(const Element& a) const
+  {
+    auto r = rational_times_square(a);
+    if (!r) return std::nullopt;
+    // a rational is a square in the field if it is one after multiplication by some of the integers
+    for (std::size_t set = 0; set < a.size() && set < std::size_t(1) << m_integers.size(); ++set)
+    {
+      m_work->spend(1);
+      Big_integer chosen = 1;
+      for (std::size_t i = 0; i < m_integers.size(); ++i)
+        if (set >> i & 1) chosen *= m_integers[i];
+      const Big_rational q = r->first * chosen;
+      const Big_integer over(numerator_of(q)), under(denominator_of(q));
+      if (q.sign() < 0 || !is_square(over) || !is_square(under)) continue;
+      Element root_of_q(a.size());
+      root_of_q[set] = Big_rational(boost::multiprecision::sqrt(over), boost::multiprecision::sqrt(under) * chosen);
+      return product(root_of_q, r->second);
+    }
+    return std::nullopt;
+  }
+
+  Radical_work* m_work;
+  std::vector<Element> m_squares;
+  std::vector<Big_integer> m_integers;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Step 4 of the pipeline: the distance inside one face, as the minimum over the windows that enter it, the sources that
+// lie in it, and the functions d(v) + |p - v| of its corners.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FACE_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FACE_FIELD_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The windows that start inside a face.
+template <class FT>
+inline auto local_windows(const Initial_windows<FT>& initial, Index face)
+{
+  typedef typename Initial_windows<FT>::Local_window Local_window;
+  struct By_face
+  {
+    bool operator()(const Local_window& a, Index f) const { return a.face < f; }
+    bool operator()(Index f, const Local_window& a) const { return f < a.face; }
+  };
+  return std::equal_range(initial.local.begin(), initial.local.end(), face, By_face());
+}
+
+template <class FT>
+class Face_field
+{
+public:
+  typedef Point_in_face<FT> Point;
+  typedef Face_window<FT> Window_in_face;
+
+  // set_face() must follow; the object can be used for one face after another.
+  Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_initial(initial), m_field(field)
+  {
+  }
+
+  Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+             Index face)
+    : Face_field(mesh, initial, field)
+  {
+    set_face(face);
+  }
+
+  void set_face(Index face)
+  {
+    start(face);
+    for (int k = 0; k < 3; ++k)
+      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) { add_window(w, k); });
+    add_local_windows();
+    for (int k = 0; k < 3; ++k) add_corner(k);
+  }
+
+  // The same from kept windows, but only what gives the point p its distance, or nearly so.
+  void set_face_at(Index face, const Point& p, const FT& distance)
+  {
+    start(face);
+    const FT limit = distance + rounding_of(distance);
+    add_local_windows();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
+      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.root, q, limit,
+                                   [&](const Window<FT>& w) { add_window(w, k); });
+      if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
+    }
+  }
+
+  Index face() const { return m_face; }
+  const Face_frame<FT>& frame() const { return m_frame; }
+  const FT& size() const { return m_size; } // length of the longest edge
+  const std::vector<Window_in_face>& windows() const { return m_windows; }
+  const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
+  bool has_local_sources() const { return m_has_local_sources; }
+
+  FT lower_bound() const
+  {
+    FT low = Number_policy<FT>::infinity();
+    for (const FT& l : m_lowest) low = (std::min)(low, l);
+    return low;
+  }
+
+  // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side
+  // rather than of the cap beside it. Every path round a chord is valid, so a point that rounding leaves between two
+  // cones is no exception.
+  FT distance(const Point& p, std::size_t& nearest) const
+  {
+    FT best = Number_policy<FT>::infinity();
+    nearest = m_windows.size();
+    for (std::size_t i = 0; i < m_windows.size(); ++i)
+    {
+      if (!(m_lowest[i] <= best)) continue;
+      const FT d = m_windows[i].path_length(p);
+      if (tie(d, best) ? preference(i, p) > preference(nearest, p) : d < best) nearest = i;
+      best = (std::min)(best, d);
+    }
+    return best;
+  }
+
+  // Whether two distances in the face are the same up to rounding; two infinite ones are not.
+  bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
+
+  int preference(std::size_t i, const Point& p) const
+  {
+    return 2 * int(m_windows[i].contains(p, rounding_of(FT(0)))) + int(!is_cap(i));
+  }
+
+private:
+  void start(Index face)
+  {
+    m_face = face;
+    m_frame = Face_frame<FT>(m_mesh, face);
+    m_size = m_frame.longest_edge();
+    m_windows.clear();
+    m_lowest.clear();
+    m_windows.reserve(16);
+    m_lowest.reserve(16);
+  }
+
+  void add_local_windows()
+  {
+    const auto range = local_windows(m_initial, m_face);
+    for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
+    m_has_local_sources = range.first != range.second;
+  }
+
+  FT rounding_of(const FT& distance) const
+  {
+    return Number_policy<FT>::rounding(64) * (distance + m_size);
+  }
+
+  bool is_cap(std::size_t i) const { return m_windows[i].root.side() == Source_side::CAP; }
+
+  void add(const Window_in_face& w, const FT& lowest)
+  {
+    m_windows.push_back(w);
+    m_lowest.push_back(lowest);
+  }
+
+  // The function d(v) + |p - v| of a corner. Its cone is the part of the corner where shortest paths by way of the vertex
+  // go on; without extent if there is none: then the function is still a valid bound, but never the distance alone.
+  void add_corner(int k)
+  {
+    const Index h = 3 * m_face + Index(k), v = m_mesh.source(h);
+    const FT& d = m_field.distance[v];
+    // rays from sources are among the local windows
+    if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) return;
+    const Point& c = m_frame.corner(k);
+    const int opposite = (k + 1) % 3;
+    FT left = m_frame.edge_length(opposite), right(0);
+    if (!m_mesh.can_be_pseudo_source(v))
+      left = right;
+    else if (!m_mesh.has_several_fans(v) && m_field.back[v].corner != no_index)
+    {
+      const Vertex_sector<FT> sector(m_mesh);
+      FT part_left(0), part_right(0);
+      sector.for_each_sector_behind(m_field.back[v].ray(), [&](const auto& from, const auto& to, Index first) {
+        const Ray_at_vertex<FT>*lower, *upper;
+        if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
+        const FT r = lower ? FT(left - sector.exit_of_ray(h, *lower)) : FT(0);
+        const FT l = upper ? FT(left - sector.exit_of_ray(h, *upper)) : left;
+        if (!(r < l)) return;
+        // at a border vertex both sectors may be in one corner: the cone then holds them both
+        part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
+        part_left = (std::max)(part_left, l);
+      });
+      left = part_left;
+      right = part_right;
+    }
+    add(Window_in_face{c.x, c.y, d, m_frame.on_edge(opposite, left), m_frame.on_edge(opposite, right), m_field.root[v],
+                       Window<FT>::make_bits(false, v), STARTS_AT_CORNER, (unsigned char)(k)},
+        d);
+  }
+
+  void add_window(const Window<FT>& w, int k)
+  {
+    Window_in_face f;
+    const Point s = w.is_parallel() ? m_frame.vector_from_halfedge(k, {w.x, w.y}) : m_frame.from_halfedge(k, {w.x, w.y});
+    f.x = s.x;
+    f.y = s.y;
+    f.sigma = w.is_parallel() ? FT(w.sigma + dot(s, m_frame.corner(k))) : w.sigma;
+    f.left = m_frame.on_edge(k, w.b0);
+    f.right = m_frame.on_edge(k, w.b1);
+    f.root = w.root;
+    f.bits = w.bits & ~2u;
+    f.origin = Face_window_origin(k);
+    f.edge = (unsigned char)(k);
+    add(f, minimum(w));
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  const Geodesic_field<FT>& m_field;
+  Index m_face = no_index;
+  Face_frame<FT> m_frame;
+  FT m_size = FT(0);
+  std::vector<Window_in_face> m_windows;
+  std::vector<FT> m_lowest;
+  bool m_has_local_sources = false;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,356 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The point of the surface that is farthest from the sources, from kept windows: branch and bound over faces and over
+// triangles in them.
+//
+// The distance in a face is the minimum of path lengths that are convex functions. So in a triangle it is at most the
+// minimum of the linear functions with the same values at the corners. The maximum of that minimum is a bound, too large by
+// an amount that is quadratic in the size of the triangle, and where it is taken is the place to look for a farthest point.
+// No case is special: the maximum may be at a vertex, on an edge, where three path lengths tie in a face, or all along a
+// ridge.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FARTHEST_POINT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FARTHEST_POINT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Max_min.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The search in one face after another, with the farthest point so far.
+template <class FT>
+class Farthest_in_face
+{
+public:
+  typedef Point_in_face<FT> Point;
+  typedef Face_window<FT> Window;
+  typedef std::array<FT, 3> Row;
+
+  explicit Farthest_in_face(const FT& distance) : m_best(distance) {}
+
+  // Values up to this cannot be told from the largest distance so far. `size`: longest edge of the face.
+  FT threshold(const FT& size) const { return m_best + allowance(size); }
+
+  // What the distances of the corners alone say of a face with these edges; infinity if they are all infinite.
+  FT bound(const std::array<FT, 3>& distances, const std::array<FT, 3>& lengths)
+  {
+    m_rows.clear();
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!Number_policy<FT>::is_finite(distances[k])) continue;
+      Row row;
+      row[k] = distances[k];
+      row[(k + 1) % 3] = distances[k] + lengths[k];
+      row[(k + 2) % 3] = distances[k] + lengths[(k + 2) % 3];
+      m_rows.push_back(row);
+    }
+    m_max_min(m_rows, threshold(Max_min<FT>::largest(lengths)));
+    return m_max_min.bound();
+  }
+
+  // The face to come. Returns an upper bound of its distances; `farther` as in search().
+  FT start(const std::array<Point, 3>& corners, const std::vector<Window>& windows, const FT& size, bool& farther)
+  {
+    m_corner = corners;
+    m_windows = &windows;
+    m_size = size;
+    m_farther = false;
+    m_heap.clear();
+    m_candidates.clear();
+    m_values.clear();
+    for (std::size_t i = 0; i < windows.size(); ++i)
+    {
+      Row values;
+      for (int k = 0; k < 3; ++k) values[k] = path_length(windows[i], corners[k]);
+      m_candidates.push_back(Candidate{i, values});
+      m_values.push_back(values[0]);
+    }
+    const FT one(1), zero(0);
+    add(Triangle{{Row{one, zero, zero}, Row{zero, one, zero}, Row{zero, zero, one}}, 0, windows.size(), zero}, 0);
+    farther = m_farther;
+    return m_heap.empty() ? FT(0) : m_heap.front().bound;
+  }
+
+  // Whether there is a point in the face that is farther than the farthest one so far. Call start() before.
+  bool search()
+  {
+    m_farther = false;
+    for (int count = 0; count < maximum_count && !m_heap.empty(); ++count)
+    {
+      std::pop_heap(m_heap.begin(), m_heap.end());
+      const Triangle t = m_heap.back();
+      m_heap.pop_back();
+      if (!(t.bound > threshold(m_size))) break;
+      split(t);
+    }
+    return m_farther;
+  }
+
+  const Row& weights() const { return m_weights; } // barycentric coordinates of the farthest point in its face
+
+private:
+  // So the search ends. Usually some fifty triangles are halved in a face, one for each bit of the distance; thousands in
+  // needle faces at whose edge the maximum lies.
+  static constexpr int maximum_count = 20000;
+
+  // A window that may give a distance in a triangle, and its path lengths to the corners.
+  struct Candidate
+  {
+    std::size_t window;
+    Row values;
+  };
+
+  struct Triangle
+  {
+    std::array<Row, 3> corner; // barycentric coordinates in the face
+    std::size_t first, last;   // in m_candidates
+    FT bound;
+    friend bool operator<(const Triangle& a, const Triangle& b) { return a.bound < b.bound; }
+  };
+
+  // Faces may be much larger than the distances in them.
+  FT allowance(const FT& size) const
+  {
+    return Number_policy<FT>::rounding(64) * m_best + Number_policy<FT>::rounding(4) * size;
+  }
+
+  // At the corners of the face, exactly there.
+  Point position(const Row& w) const
+  {
+    for (int k = 0; k < 3; ++k)
+      if (w[k] == FT(1)) return m_corner[k];
+    return w[0] * m_corner[0] + (w[1] * m_corner[1] + w[2] * m_corner[2]);
+  }
+
+  // Convex in all of the face: behind a source segment inside the face, its other side.
+  static FT path_length(const Window& w, const Point& p)
+  {
+    return w.is_in_front(p) ? w.path_length(p) : w.path_length(p + FT(2) * w.distance_at(p) * w.image());
+  }
+
+  FT edge_length(const Triangle& t, int k) const
+  {
+    return length(position(t.corner[(k + 1) % 3]) - position(t.corner[k]));
+  }
+
+  // Halves the longest edge.
+  void split(const Triangle& t)
+  {
+    int k = 0;
+    for (int i = 1; i < 3; ++i)
+      if (edge_length(t, i) > edge_length(t, k)) k = i;
+    const int l = (k + 1) % 3;
+    Row middle;
+    for (int i = 0; i < 3; ++i) middle[i] = (t.corner[k][i] + t.corner[l][i]) / FT(2);
+    const Point p = position(middle);
+    m_values.clear();
+    for (std::size_t i = t.first; i < t.last; ++i)
+      m_values.push_back(path_length((*m_windows)[m_candidates[i].window], p));
+    for (int corner : {k, l})
+    {
+      Triangle half = t;
+      half.corner[corner] = middle;
+      add(half, corner);
+    }
+  }
+
+  // Looks for a farther point in the triangle, and keeps the triangle if there may be still farther ones. Its candidates are
+  // those of the triangle it comes from, but with m_values at one corner.
+  void add(Triangle t, int corner)
+  {
+    const FT size = (std::max)({edge_length(t, 0), edge_length(t, 1), edge_length(t, 2)});
+    m_rows.clear();
+    for (std::size_t i = t.first; i < t.last; ++i)
+    {
+      m_rows.push_back(m_candidates[i].values);
+      m_rows.back()[corner] = m_values[i - t.first];
+    }
+    m_max_min(m_rows, threshold(m_size));
+    t.bound = m_max_min.bound();
+    if (!(t.bound > threshold(m_size)) || !Number_policy<FT>::is_finite(t.bound)) return;
+    // without the windows that are nowhere nearest: a path length falls by at most `size` from a corner to another point
+    const std::size_t first = m_candidates.size();
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      if (Max_min<FT>::largest(m_rows[i]) <= t.bound + size)
+        m_candidates.push_back(Candidate{m_candidates[t.first + i].window, m_rows[i]});
+    t.first = first;
+    t.last = m_candidates.size();
+    try_point(t, m_max_min.weights());
+    if (t.bound > threshold(m_size) && size > Number_policy<FT>::rounding(4) * m_size)
+    {
+      m_heap.push_back(t);
+      std::push_heap(m_heap.begin(), m_heap.end());
+    }
+    else
+      m_candidates.resize(first);
+  }
+
+  void try_point(const Triangle& t, const Row& weights)
+  {
+    Row w;
+    for (int i = 0; i < 3; ++i)
+      w[i] = weights[0] * t.corner[0][i] + weights[1] * t.corner[1][i] + weights[2] * t.corner[2][i];
+    const Point p = position(w);
+    FT d = Number_policy<FT>::infinity();
+    for (std::size_t i = t.first; i < t.last; ++i)
+      d = (std::min)(d, path_length((*m_windows)[m_candidates[i].window], p));
+    // a vertex is not left for what may be rounding
+    if (!(d > m_best + FT(0.25) * allowance(m_size))) return;
+    m_best = d;
+    m_weights = w;
+    m_farther = true;
+  }
+
+  FT m_best;
+  Row m_weights{};
+  bool m_farther = false;
+
+  std::array<Point, 3> m_corner;
+  const std::vector<Window>* m_windows = nullptr;
+  FT m_size = FT(0);
+
+  std::vector<Triangle> m_heap;
+  std::vector<Candidate> m_candidates;
+  std::vector<FT> m_values;
+  std::vector<Row> m_rows;
+  Max_min<FT> m_max_min;
+};
+
+template <class FT>
+class Farthest_point
+{
+public:
+  typedef Point_in_face<FT> Point;
+
+  Farthest_point(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_initial(initial), m_field(field)
+  {
+  }
+
+  // The largest finite distance of the surface, and the barycentric coordinates of a point where it is taken, exactly zero
+  // on edges; of several, a vertex. False if no point is reached. All of the surface must have its distance: no maximum.
+  bool operator()(Index& face, std::array<FT, 3>& weights, FT& distance) const
+  {
+    face = no_index;
+    distance = FT(0);
+    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      const FT& d = m_field.distance[v];
+      const Index corner = m_mesh.corner(v);
+      if (corner == no_index || !Number_policy<FT>::is_finite(d) || (face != no_index && !(distance < d))) continue;
+      distance = d;
+      face = m_mesh.face(corner);
+      weights = {FT(0), FT(0), FT(0)};
+      weights[corner % 3] = FT(1);
+    }
+    if (face == no_index) return false;
+    search_faces(face, weights, distance);
+    return true;
+  }
+
+private:
+  // The search is for a place: with an exact number type, floating point numbers find it.
+  typedef typename std::conditional<Number_policy<FT>::is_inexact, FT, double>::type NT;
+
+  struct Entry
+  {
+    NT bound;
+    Index face;
+    bool is_from_windows;
+    friend bool operator<(const Entry& a, const Entry& b) { return a.bound < b.bound; }
+  };
+
+  void search_faces(Index& face, std::array<FT, 3>& weights, FT& distance) const
+  {
+    Farthest_in_face<NT> search(approximate(distance));
+    Face_field<FT> field(m_mesh, m_initial, m_field);
+    std::vector<Face_window<NT>> windows;
+    std::vector<Entry> heap = entries(search);
+    while (!heap.empty())
+    {
+      std::pop_heap(heap.begin(), heap.end());
+      const Entry entry = heap.back();
+      heap.pop_back();
+      if (!(entry.bound > search.threshold(NT(0)))) break;
+      field.set_face(entry.face);
+      windows.clear();
+      for (const Face_window<FT>& w : field.windows()) windows.push_back(approximate(w));
+      const NT size = approximate(field.size());
+      bool farther;
+      const NT bound = search.start(corners(field.frame()), windows, size, farther);
+      if (entry.is_from_windows) farther = search.search() || farther;
+      else if (bound > search.threshold(size))
+      {
+        // it may be the turn of other faces first
+        heap.push_back(Entry{bound, entry.face, true});
+        std::push_heap(heap.begin(), heap.end());
+      }
+      if (!farther) continue;
+      const auto& w = search.weights();
+      const std::array<FT, 3> found{FT(w[0]), FT(w[1]), FT(w[2])};
+      std::size_t nearest;
+      const FT d = field.distance(field.frame().point(found), nearest);
+      if (!(distance < d)) continue;
+      face = entry.face;
+      weights = found;
+      distance = d;
+    }
+  }
+
+  // The faces that the distances of their corners do not exclude. Where these are infinite, no path leads.
+  std::vector<Entry> entries(Farthest_in_face<NT>& search) const
+  {
+    std::vector<Entry> result;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      if (m_mesh.source(3 * f) == no_index) continue;
+      std::array<NT, 3> distances, lengths;
+      for (Index k = 0; k < 3; ++k)
+      {
+        const FT& d = m_field.distance[m_mesh.source(3 * f + k)];
+        distances[k] = Number_policy<FT>::is_finite(d) ? approximate(d) : Number_policy<NT>::infinity();
+        lengths[k] = approximate(m_mesh[3 * f + k].length);
+      }
+      const NT bound = search.bound(distances, lengths);
+      if (bound > search.threshold(NT(0)) && Number_policy<NT>::is_finite(bound)) result.push_back(Entry{bound, f, false});
+    }
+    std::make_heap(result.begin(), result.end());
+    return result;
+  }
+
+  static NT approximate(const FT& x)
+  {
+    if constexpr (Number_policy<FT>::is_inexact) return x;
+    else return CGAL::to_double(x);
+  }
+  static Point_in_face<NT> approximate(const Point& p) { return {approximate(p.x), approximate(p.y)}; }
+  static Face_window<NT> approximate(const Face_window<FT>& w)
+  {
+    return {approximate(w.x), approximate(w.y), approximate(w.sigma), approximate(w.left), approximate(w.right),
+            w.root, w.bits, w.origin, w.edge};
+  }
+  static std::array<Point_in_face<NT>, 3> corners(const Face_frame<FT>& frame)
+  {
+    return {approximate(frame.corner(0)), approximate(frame.corner(1)), approximate(frame.corner(2))};
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  const Geodesic_field<FT>& m_field;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

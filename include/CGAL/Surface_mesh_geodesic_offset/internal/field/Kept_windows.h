@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The windows of the faces that the front has passed, for queries at any later time, as compactly as they come without loss:
+// what the vertices know already is not stored again.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_KEPT_WINDOWS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_KEPT_WINDOWS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Chord_path.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// How long the ways to a point of a face are, by the windows that enter the face.
+template <class FT>
+struct Nearest_kept_window
+{
+  FT straight = Number_policy<FT>::infinity(); // the shortest one along a ray
+  FT bent = Number_policy<FT>::infinity();     // the shortest one round the end of a window
+  Index window = no_index;                     // gives the straight one: for Kept_windows::rays_of_window()
+  int halfedge = 0;                            // of the face, by which it enters
+};
+
+template <class FT>
+class Kept_windows
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  bool is_empty() const { return m_begin.empty(); }
+
+  // Keeps the lists of the halfedges of a face; of those that have none, what was kept before stays. Windows of
+  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more.
+  void keep(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, std::size_t number_of_faces)
+  {
+    if (m_begin.empty()) m_begin.assign(4 * number_of_faces, 0);
+    Index begin[4];
+    for (Index k = 0; k < 3; ++k)
+    {
+      begin[k] = Index(m_size);
+      const Index h = 3 * face + k;
+      if (lists.has(h))
+      {
+        const Window_list<FT>& list = lists.get(h);
+        for (Index i = 0; i < list.taken; ++i)
+          if (!is_outdated(list.data[i], distance)) push(pack(list.data[i]));
+      }
+      else
+        for (Index i = first(h), n = last(h); i < n; ++i) push(at(i));
+    }
+    begin[3] = Index(m_size);
+    m_live += (begin[3] - begin[0]);
+    m_live -= m_begin[4 * face + 3] - m_begin[4 * face];
+    std::copy(begin, begin + 4, m_begin.begin() + 4 * face);
+  }
+
+  // Calls f(window) for the windows of a halfedge, in order. `distance` and `root`, per vertex, are those of the field.
+  template <class Function>
+  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Function& f) const
+  {
+    for_each_packed(h, [&](const Packed& p) { f(unpack(p, distance, root)); });
+  }
+
+  // Says that the windows of a face will be asked for at once.
+  BOOST_FORCEINLINE void prefetch(Index face) const
+  {
+    if (m_begin.empty()) return;
+    const Index begin = first(3 * face), n = last(3 * face + 2) - begin;
+    if (n != 0) internal::prefetch(&at(begin), (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed));
+  }
+
+  // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
+  // only where the window misses the ray to the point by no more than the allowance, a length: where rounding has lost rays.
+  void find_nearest(Index face, const std::array<Point_in_face<FT>, 3>& q, const FT& allowance,
+                    const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
+  {
+    if (m_begin.empty()) return;
+    const Index* begin = &m_begin[4 * face];
+    enum { block = 64 };
+    Index candidate[block]; // without branches, which could not be foreseen
+    for (Index i = begin[0], n = begin[3]; i < n;)
+    {
+      const Index size = (std::min)({Index(n - i), Index(page_size - i % page_size), Index(block)});
+      const Packed* const p = &at(i);
+      Index count = 0;
+      for (Index j = 0; j < size; ++j)
+      {
+        const Packed& w = p[j];
+        const Point_in_face<FT>& s = q[halfedge_of(begin, i + j)];
+        const FT height = w.bits & 1u ? FT(-w.y) : FT(s.y - w.y);
+        const FT entry = w.x * s.y - s.x * w.y, off = allowance * height; // entry times the height
+        candidate[count] = j;
+        count += Index(int(!(entry < w.b0 * height - off)) & int(!(entry > w.b1 * height + off)));
+      }
+      for (Index j = 0; j < count; ++j)
+      {
+        const int k = halfedge_of(begin, i + candidate[j]);
+        bool is_straight;
+        const FT d = path_length(p[candidate[j]], distance, q[k], is_straight);
+        if (!is_straight)
+          nearest.bent = (std::min)(nearest.bent, d);
+        else if (d < nearest.straight)
+        {
+          nearest.straight = d;
+          nearest.window = i + candidate[j];
+          nearest.halfedge = k;
+        }
+      }
+      i += size;
+    }
+  }
+
+  // But for the distances at the ends.
+  Window rays_of_window(Index i, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  {
+    return unpack_rays(at(i), distance, root);
+  }
+
+  // Calls f(window) for the windows of a halfedge through which a path to q is not longer than the limit.
+  template <class Function>
+  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Point_in_face<FT>& q,
+                       const FT& limit, const Function& f) const
+  {
+    for_each_packed(h, [&](const Packed& p) {
+      bool is_straight;
+      if (path_length(p, distance, q, is_straight) <= limit) f(unpack(p, distance, root));
+    });
+  }
+
+  // Gives the places back that were left behind when faces were kept anew, once they are many.
+  void tidy()
+  {
+    if (m_size <= m_live + m_live / 4) return;
+    Kept_windows fresh;
+    fresh.m_begin.assign(m_begin.size(), 0);
+    fresh.m_sigma = m_sigma;
+    for (std::size_t f = 0; 4 * f < m_begin.size(); ++f)
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        fresh.m_begin[4 * f + k] = Index(fresh.m_size);
+        if (k < 3)
+          for (Index i = m_begin[4 * f + k]; i < m_begin[4 * f + k + 1]; ++i) fresh.push(at(i));
+      }
+    fresh.m_live = fresh.m_size;
+    *this = std::move(fresh);
+  }
+
+  std::size_t bytes() const
+  {
+    return m_pages.size() * page_size * sizeof(Packed) + m_sigma.capacity() * sizeof(FT) +
+           m_begin.capacity() * sizeof(Index);
+  }
+
+private:
+  // An interval window starts at a vertex whose distance and root are known, or at a source at no distance. A
+  // parallel-source window, and one that was merged within a tolerance, has its sigma elsewhere.
+  struct Packed
+  {
+    FT x, y, b0, b1;
+    Root root;
+    Index bits; // bit 0: parallel; bit 31: merged; the others: the place of sigma, or 1 + pseudo-source vertex, 0 if none
+
+    bool is_merged() const { return bits & merged_flag; }
+    Index value() const { return (bits & ~merged_flag) >> 1; }
+  };
+  enum { page_size = 4096 };
+  static constexpr Index merged_flag = 1u << 31; // sigma is followed by the bound of the error
+
+  template <class Function>
+  void for_each_packed(Index h, const Function& f) const
+  {
+    if (m_begin.empty()) return;
+    for (Index i = first(h), n = last(h); i < n;)
+    {
+      const Packed* p = &at(i);
+      const Packed* const end = p + (std::min)(n - i, Index(page_size - i % page_size));
+      i += Index(end - p);
+      for (; p != end; ++p) f(*p);
+    }
+  }
+
+  FT sigma(const Packed& p, const std::vector<FT>& distance) const
+  {
+    const Index value = p.value();
+    if (p.bits & 1u || p.is_merged()) return m_sigma[value];
+    return value == 0 ? FT(0) : distance[value - 1];
+  }
+
+  FT path_length(const Packed& p, const std::vector<FT>& distance, const Point_in_face<FT>& q, bool& is_straight) const
+  {
+    const Point_in_face<FT> image{p.x, p.y}, left{p.b0, FT(0)}, right{p.b1, FT(0)};
+    const FT s = sigma(p, distance);
+    return Rays_through_chord<FT>{image, bool(p.bits & 1u), s, left, right}.path_length(q, is_straight);
+  }
+
+  static int halfedge_of(const Index* begin, Index i) { return int(i >= begin[1]) + int(i >= begin[2]); }
+
+  static bool is_outdated(const Window& w, const std::vector<FT>& distance)
+  {
+    const Index v = w.is_parallel() || w.is_merged() ? no_index : w.pseudo_source();
+    return v != no_index && w.sigma > distance[v] + Number_policy<FT>::rounding(256) * distance[v];
+  }
+
+  Packed pack(const Window& w)
+  {
+    Packed p{w.x, w.y, w.b0, w.b1, w.root, w.bits >> 2 << 1};
+    if (w.is_parallel() || w.is_merged())
+    {
+      p.bits = Index(m_sigma.size()) << 1 | Index(w.is_parallel());
+      m_sigma.push_back(w.sigma);
+    }
+    if (w.is_merged())
+    {
+      p.bits |= merged_flag;
+      m_sigma.push_back(FT(Merged_origin::error(w.pseudo_source())));
+    }
+    return p;
+  }
+
+  Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  {
+    Window w = unpack_rays(p, distance, root);
+    w.d0 = w.distance_at(w.b0);
+    w.d1 = w.distance_at(w.b1);
+    return w;
+  }
+
+  Window unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  {
+    Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root, 0};
+    const Index value = p.value();
+    if (p.bits & 1u || p.is_merged())
+    {
+      w.sigma = m_sigma[value];
+      w.bits = Window::make_bits(p.bits & 1u, p.is_merged() ? merged_origin(value) : no_index);
+    }
+    else if (value != 0)
+    {
+      w.sigma = distance[value - 1];
+      w.root = root[value - 1];
+      w.bits = Window::make_bits(false, value - 1);
+    }
+    return w;
+  }
+
+  Index merged_origin(Index place) const { return Merged_origin::with_error(CGAL::to_double(m_sigma[place + 1])); }
+
+  void push(const Packed& p)
+  {
+    if (m_size >= std::size_t(no_index) || m_sigma.size() >= std::size_t(no_index >> 2))
+      throw std::length_error("Surface_mesh_geodesic_offset: too many windows to be kept");
+    if (m_size == m_pages.size() * page_size)
+    {
+      m_pages.emplace_back();
+      m_pages.back().reserve(page_size);
+    }
+    m_pages.back().push_back(p);
+    ++m_size;
+  }
+
+  const Packed& at(Index i) const { return m_pages[i / page_size][i % page_size]; }
+  Index first(Index h) const { return m_begin[4 * (h / 3) + h % 3]; }
+  Index last(Index h) const { return m_begin[4 * (h / 3) + h % 3 + 1]; }
+
+  std::vector<std::vector<Packed>> m_pages;
+  std::size_t m_size = 0, m_live = 0; // windows in the pages, and those of them that belong to a face
+  std::vector<FT> m_sigma;            // of parallel-source windows
+  std::vector<Index> m_begin;         // four for each face: where the windows of its halfedges begin, and where they end
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

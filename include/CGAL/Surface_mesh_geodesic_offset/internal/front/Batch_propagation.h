@@ -1,0 +1,310 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All windows of a halfedge, unfolded across its face at once. Nothing but the result of the batch itself is written, so
+// that several batches can be worked on at one time.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BATCH_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BATCH_PROPAGATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Way_out.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits>
+class Batch_propagation
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef typename Wavefront_state<FT>::Output Output;
+
+  Batch_propagation(const Wavefront_state<FT>& state, const Traits& traits)
+    : m_state(state), m_mesh(state.mesh), m_traits(traits)
+  {
+  }
+
+  // What is to be told to the apex.
+  struct Arrival
+  {
+    Arrival(const FT& distance, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source, bool is_bent)
+      : distance(distance), back(back), root(root), pseudo_source(pseudo_source), is_bent(is_bent)
+    {
+    }
+
+    FT distance;
+    Ray_at_vertex<FT> back;
+    Root root;
+    Index pseudo_source;
+    bool is_bent;
+  };
+
+  // Propagates the fresh ones of the n windows w of a halfedge, its lower envelope or a row, across the face. `split`: the
+  // best distance given to the apex through the halfedge so far, and where its ray enters.
+  void operator()(Index h, const Window* w, std::size_t n, FT& split_distance, FT& split_entry)
+  {
+    const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
+    m_state.field.lists.prefetch_place(beyond_left); // where the children will go
+    m_state.field.lists.prefetch_place(beyond_right);
+    const Window_propagation<Traits> face(m_mesh, h, m_traits);
+    m_arrivals.clear();
+    m_apex = m_mesh.apex(h);
+    m_previous = m_mesh.previous(h);
+    m_best = split_distance;
+    m_entry = split_entry;
+    m_known = m_state.field.distance[m_apex];
+    sort_by_exit(h, face, w, n);
+    split_distance = m_best;
+    split_entry = m_entry;
+    const FT dp = m_state.field.distance[m_mesh.source(h)], dq = m_state.field.distance[m_mesh.target(h)], dr = m_known;
+    const Estimate across = estimate(face.left_length) + estimate(face.right_length) + estimate(face.length);
+    const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across);
+    const FT maximum = m_state.maximum;
+    Left left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
+              m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
+    Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
+                m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
+    // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
+    left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
+    right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
+    const Exit* const exit = m_exit.data();
+    for (std::size_t i = 0; i < n;)
+    {
+      if (exit[i] == LEFT) i = leave_whole(face, w, i, n, left);
+      else if (exit[i] == RIGHT) i = leave_whole(face, w, i, n, right);
+      else
+      {
+        if (exit[i] != NONE) split(face, w[i], exit[i], m_apex_distance[i], left, right);
+        ++i;
+      }
+    }
+    m_left.finish(left.output);
+    m_right.finish(right.output);
+  }
+
+  // The result: what arrives at the apex, and what goes onto the twins of the two other halfedges.
+  Index apex() const { return m_apex; }
+  const std::vector<Arrival>& arrivals() const { return m_arrivals; }
+  const Output& left() const { return m_left; }
+  const Output& right() const { return m_right; }
+  std::size_t number_of_windows() const { return m_number; }
+
+private:
+  typedef typename Estimation<FT>::Estimate Estimate;
+
+  typedef Way_out<Traits, true> Left;
+  typedef Way_out<Traits, false> Right;
+
+  // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
+  // are exact for all rays.
+  enum Exit : int { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
+  static constexpr bool is_exact = !Number_policy<FT>::is_inexact;
+
+  // The windows from i on that leave through one edge with all their rays. Returns where they end.
+  template <class Way>
+  BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,
+                                         std::size_t n, Way& way) const
+  {
+    const Exit* const exit = m_exit.data();
+    const Exit whole = Way::is_left ? LEFT : RIGHT;
+    if (!way.is_open())
+    {
+      while (i < n && exit[i] == whole) ++i;
+      return i;
+    }
+    const Paired_exit<Traits, Way::is_left> edge(face, m_traits);
+    for (; i < n && exit[i] == whole; ++i)
+    {
+      if (w[i].is_parallel())
+        way.template take_whole<true>(face, edge, w[i]);
+      else
+        way.template take_whole<false>(face, edge, w[i]);
+    }
+    return i;
+  }
+
+  void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex, Left& left,
+             Right& right)
+  {
+    if (w.is_parallel())
+      split<true>(face, w, exit, d_apex, left, right);
+    else
+      split<false>(face, w, exit, d_apex, left, right);
+  }
+
+  // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the side of the
+  // best ray's entry, the rays that enter before it.
+  template <bool is_parallel>
+  BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
+                            Left& left, Right& right)
+  {
+    const FT split = face.entry_of_apex(w);
+    const Estimate at_split = estimate(split), at_entry = estimate(m_entry);
+    const bool may_be_best = CGAL::possibly(estimate(d_apex) <= estimate(m_best));
+    const bool to_apex = may_be_best || CGAL::possibly(at_split <= at_entry);
+    const bool from_apex = may_be_best || CGAL::possibly(at_split >= at_entry);
+    const FT end = to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
+    const FT begin = from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
+    if (exit != FROM_APEX && CGAL::possibly(estimate(end) > estimate(w.b0)))
+      left.template take<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex);
+    if (exit != UP_TO_APEX && CGAL::possibly(estimate(begin) < estimate(w.b1)))
+      right.template take<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex);
+  }
+
+  // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
+  // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
+  // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
+  // on either side. Finds the best distance given to the apex through h so far, and where its ray enters.
+  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n)
+  {
+    if (m_exit.size() < n)
+    {
+      m_exit.resize(n);
+      m_apex_distance.resize(n);
+    }
+    const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
+    bool covered = false;
+    Exit* const exits = m_exit.data();
+    std::size_t number = n;
+    FT farthest(0);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Window& w = windows[i];
+      if (w.is_propagated())
+      {
+        exits[i] = NONE;
+        --number;
+        continue;
+      }
+      if constexpr (!is_exact) farthest = (std::max)(farthest, w.d1);
+      const Exit exit = exits[i] = exit_of(h, face, w);
+      if (exit == LEFT)
+        last_left = &w;
+      else if (exit == RIGHT)
+      {
+        if (!first_right) first_right = &w;
+      }
+      else
+      {
+        covered = true;
+        const FT& d = m_apex_distance[i] = face.distance_at_apex(w);
+        if (d < m_best)
+        {
+          m_best = d;
+          nearest = &w;
+        }
+      }
+    }
+    m_number = number;
+    m_farthest = farthest;
+    if (nearest)
+    {
+      const Window& w = *nearest;
+      m_entry = face.entry_of_apex(w);
+      const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+      update_apex(h, face, m_best, bx, by, w);
+    }
+    if (is_exact) return;
+    if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
+    if (first_right && !covered) round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
+    go_along_edge(m_mesh.source(h), face.left_length, FT(1), FT(0));
+    go_along_edge(m_mesh.target(h), face.right_length, m_mesh[m_previous].apex_x, m_mesh[m_previous].apex_y);
+  }
+
+  // The path to the apex along an edge from another corner of the face, in the direction (x, y) from the apex. It is shorter
+  // only in needle faces, where windows have the round-off of much longer edges.
+  void go_along_edge(Index corner, const FT& length, const FT& x, const FT& y)
+  {
+    const FT& before = m_state.field.distance[corner];
+    const FT d = before + length;
+    if (!(d < m_known - m_known * Number_policy<FT>::rounding(64)) || !Number_policy<FT>::is_finite(m_known)) return;
+    const Index pseudo_source = m_state.field.back[corner].corner == no_index ? no_index : corner;
+    m_arrivals.emplace_back(d, Ray_at_vertex<FT>{m_previous, x, y}, m_state.field.root[corner], pseudo_source, false);
+    m_known = d;
+  }
+
+  BOOST_FORCEINLINE Exit exit_of(Index h, const Window_propagation<Traits>& face, const Window& w)
+  {
+    if constexpr (!is_exact)
+    {
+      bool is_clear;
+      const int side = w.is_parallel() ? face.template clear_side<true>(w, is_clear)
+                                       : face.template clear_side<false>(w, is_clear);
+      if (BOOST_LIKELY(is_clear)) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    }
+    return exit_near_apex(h, face, w);
+  }
+
+  // The same by side tests.
+  BOOST_NOINLINE Exit exit_near_apex(Index h, const Window_propagation<Traits>& face, const Window& w)
+  {
+    const auto compare = m_traits.compare_entry_with_apex_2_object();
+    const Sign at_b0 = compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y);
+    if (at_b0 == POSITIVE)
+    {
+      if (!is_exact && face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w, w.b0, w.d0);
+      return RIGHT;
+    }
+    const Sign at_b1 = compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y);
+    if (at_b1 == NEGATIVE)
+    {
+      if (!is_exact && face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w, w.b1, w.d1);
+      return LEFT;
+    }
+    return !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
+  }
+
+  // The path that leaves the window at its end b, at distance d.
+  void round_the_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
+  {
+    if (!(d < m_known)) return;
+    const FT bx = b - face.apex_x, by = -face.apex_y;
+    const FT length = square_root<FT>(bx * bx + by * by);
+    // if the window misses the apex by rounding only, the way to the image tells the direction better, also in tiny faces
+    const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+    const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
+    const bool is_bent = off > away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
+    const bool is_in_corner = !CGAL::is_positive(FT(iy * face.apex_x - ix * face.apex_y)) &&
+                              !CGAL::is_negative(FT(iy * (face.apex_x - face.length) - ix * face.apex_y));
+    update_apex(h, face, d + length, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
+  }
+
+  // (bx, by): from the apex back towards the source, in the frame of h.
+  void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by,
+                   const Window& w, bool is_bent = false)
+  {
+    const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
+    m_arrivals.emplace_back(d, back, w.root, w.pseudo_source(), is_bent);
+    if (d < m_known) m_known = d;
+  }
+
+  const Wavefront_state<FT>& m_state;
+  const Unfolded_mesh<FT>& m_mesh;
+  const Traits& m_traits;
+  Output m_left, m_right;
+  std::vector<Arrival> m_arrivals;
+  std::size_t m_number = 0;
+  Index m_apex, m_previous; // and the halfedge that leaves it
+  FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the best through the halfedge, where this enters
+  std::vector<Exit> m_exit;
+  std::vector<FT> m_apex_distance; // of those that leave through both edges
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

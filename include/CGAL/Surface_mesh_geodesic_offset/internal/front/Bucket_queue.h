@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order of the wavefront: buckets of equal width in distance. Within a bucket, halfedges come before vertices, so
+// that a vertex becomes a pseudo-source once its distance is settled, and faces come first, as they are finished when
+// the front enters the bucket.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BUCKET_QUEUE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BUCKET_QUEUE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Bucket_queue
+{
+public:
+  struct Bucket
+  {
+    std::vector<Index> faces, halfedges, vertices;
+    bool empty() const { return faces.empty() && halfedges.empty() && vertices.empty(); }
+  };
+
+  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(64) {}
+
+  template <class FT>
+  std::size_t bucket_of(const FT& distance) const
+  {
+    const double b = CGAL::to_double(distance) * m_scale;
+    return b < 9e15 ? (b > 0 ? std::size_t(b) : 0) : std::size_t(9e15);
+  }
+
+  std::size_t current() const { return m_current; }
+  double width() const { return m_width; }
+
+  void push_halfedge(std::size_t bucket, Index h)
+  {
+    at(bucket).halfedges.push_back(h);
+    ++m_events;
+  }
+  void push_vertex(std::size_t bucket, Index v)
+  {
+    at(bucket).vertices.push_back(v);
+    ++m_events;
+  }
+  void push_face(std::size_t bucket, Index f) { at(bucket).faces.push_back(f); }
+
+  // Moves on to the next bucket that is not empty; false when there is nothing left that can move the front.
+  bool advance()
+  {
+    if (!has_events()) return false;
+    while (is_at_empty_bucket()) move_on();
+    return true;
+  }
+
+  // The same in steps, for queues that move on together.
+  bool has_events() const { return m_events != 0; }
+  bool is_at_empty_bucket() const { return m_ring[m_begin].empty(); }
+  void move_on()
+  {
+    m_begin = (m_begin + 1) & (m_ring.size() - 1);
+    ++m_current;
+  }
+
+  // How many wait in this bucket.
+  std::size_t number_of_faces() const { return m_ring[m_begin].faces.size(); }
+  std::size_t number_of_halfedges() const { return m_ring[m_begin].halfedges.size(); }
+  std::size_t number_of_vertices() const { return m_ring[m_begin].vertices.size(); }
+
+  // The halfedge that is next, or i halfedges later, unless others come first; no_index if there is none in this bucket.
+  Index next_halfedge(std::size_t i = 0) const
+  {
+    const std::vector<Index>& h = m_ring[m_begin].halfedges;
+    return i < h.size() ? h[h.size() - 1 - i] : no_index;
+  }
+
+  bool pop_face(Index& f) { return pop(&Bucket::faces, f); }
+  bool pop_halfedge(Index& h) { return pop_event(&Bucket::halfedges, h); }
+  bool pop_vertex(Index& v) { return pop_event(&Bucket::vertices, v); }
+
+private:
+  bool pop(std::vector<Index> Bucket::*items, Index& item)
+  {
+    std::vector<Index>& v = m_ring[m_begin].*items;
+    if (v.empty()) return false;
+    item = v.back();
+    v.pop_back();
+    return true;
+  }
+
+  bool pop_event(std::vector<Index> Bucket::*items, Index& item)
+  {
+    if (!pop(items, item)) return false;
+    --m_events;
+    return true;
+  }
+
+  Bucket& at(std::size_t bucket)
+  {
+    const std::size_t i = bucket > m_current ? bucket - m_current : 0;
+    if (i >= m_ring.size()) grow(i);
+    return m_ring[(m_begin + i) & (m_ring.size() - 1)];
+  }
+
+  BOOST_NOINLINE void grow(std::size_t i)
+  {
+    std::size_t size = m_ring.size();
+    while (size <= i) size *= 2;
+    std::rotate(m_ring.begin(), m_ring.begin() + std::ptrdiff_t(m_begin), m_ring.end());
+    m_begin = 0;
+    m_ring.resize(size);
+  }
+
+  double m_width, m_scale;
+  std::size_t m_current = 0;
+  std::size_t m_events = 0;   // halfedges and vertices waiting
+  std::vector<Bucket> m_ring; // of a power of two; the current one is at m_begin
+  std::size_t m_begin = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is done with the windows of one halfedge when it is taken: they are reduced to their lower envelope, merged
+// within the tolerance, and what is new of it is propagated across the face. Nothing but the result is written.
+//
+// Where only distances at vertices are wanted, windows that are in a row, as the children of one batch mostly are, are
+// propagated as they are: neighbours cut each other's ends where they meet the windows of another batch, one or two faces
+// later, at no cost but a window now and then that would have gone before. And windows that were reduced are not written
+// anew, unless they are for the second time: what they have lost is lost again should others come. More windows give no other
+// distances.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Batch_propagation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Lower_envelope.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits>
+class Halfedge_batch
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
+                 const Merging_tolerance<FT>& tolerance)
+    : m_mesh(state.mesh), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
+      m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes || m_merging.is_on())
+  {
+  }
+
+  // Propagates what is new in the list of a halfedge, of which only flags and the split are written. Returns what is to take
+  // the place of its windows, their lower envelope, valid until the next call; null if they may stay.
+  const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
+  {
+    const bool may_stay = !m_needs_envelopes && list.taken == 0 && !list.waiting.data;
+    if constexpr (is_inexact)
+    {
+      if (may_stay && Lower_envelope<Traits>::is_row(list.begin(), list.end()))
+      {
+        m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
+        return nullptr;
+      }
+    }
+    // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
+    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
+    const std::vector<Window>& envelope =
+      m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end()));
+    m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
+    return may_stay ? nullptr : &envelope;
+  }
+
+  // What came of the propagation.
+  const Batch_propagation<Traits>& propagated() const { return m_propagate; }
+  const Window_merging<FT>& merging() const { return m_merging; }
+
+private:
+  static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
+
+  const Unfolded_mesh<FT>& m_mesh;
+  Lower_envelope<Traits> m_envelope;
+  Window_merging<FT> m_merging;
+  Batch_propagation<Traits> m_propagate;
+  const bool m_needs_envelopes;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How the halfedges and vertices of the front's bucket are worked on: here one after the other, each on what the one before
+// has left. Parallel_taking.h does it in rounds.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_TAKING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_TAKING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_passing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_batch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+
+#include <CGAL/tags.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The tag that counts for a number type: operations on others than floating point numbers may share memory.
+template <class Concurrency_tag, class FT>
+struct Concurrency
+{
+  static constexpr bool is_parallel = std::is_convertible<Concurrency_tag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  typedef std::conditional_t<is_parallel && std::is_floating_point<FT>::value, Parallel_tag, Sequential_tag> Tag;
+};
+
+template <class Traits, class Concurrency_tag>
+class Halfedge_taking;
+
+template <class Traits>
+class Halfedge_taking<Traits, Sequential_tag>
+{
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+public:
+  Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
+                  const Merging_tolerance<FT>& tolerance)
+    : m_state(state), m_batch(state, source_of, traits, tolerance)
+  {
+  }
+
+  static Front_parts parts() { return Front_parts(1); }
+
+  // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
+  void pass_faces(const Face_passing<FT>& passing, std::vector<Index>& passed) { passing.look(0, passed); }
+
+  // Gives up the lists of faces that the front has passed.
+  void release(const std::vector<Index>& faces)
+  {
+    m_state.field.lists.release_faces(faces, m_state.field.lists.arena(0));
+  }
+
+  // Works on all halfedges and vertices of the bucket.
+  void take_all(const Ray_spreading<Traits>& spreading)
+  {
+    Bucket_queue& queue = m_state.part(0).queue;
+    for (Index i;;)
+      if (m_state.pop_halfedge(queue, i))
+        take(i);
+      else if (queue.pop_vertex(i))
+        spreading.spread_from_pseudo_source(i, m_state);
+      else
+        return;
+  }
+
+  const Window_merging<FT>& merging() const { return m_batch.merging(); }
+  Merging_counts merging_counts() const { return merging().counts(); }
+
+private:
+  // Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new.
+  void take(Index h)
+  {
+    Window_list<FT>* const known = m_state.field.lists.find(h);
+    if (!known) return;
+    Window_list<FT>& list = *known;
+    if (list.bucket != m_state.current() || !list.has_new()) return;
+    list.bucket = Window_list<FT>::not_queued;
+    if (const std::vector<Window>* const envelope = m_batch(h, list)) m_state.field.lists.assign(h, list, *envelope);
+    list.taken = list.size;
+    m_state.schedule(m_state.mesh.face(h));
+    const auto& propagated = m_batch.propagated();
+    m_state.part(0).counts.windows_propagated += propagated.number_of_windows();
+    for (const auto& a : propagated.arrivals())
+      m_state.update_vertex(propagated.apex(), a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
+    m_state.append(propagated.left());
+    m_state.append(propagated.right());
+  }
+
+  Wavefront_state<FT>& m_state;
+  Halfedge_batch<Traits> m_batch;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rays that start at a point or a segment: from the sources, and from pseudo-sources on the way.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits>
+class Ray_spreading
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Ray_at_vertex<FT> Ray;
+
+  Ray_spreading(Wavefront_state<FT>& state, const Initial_windows<FT>& initial, const Traits& traits)
+    : m_state(state), m_mesh(state.mesh), m_initial(initial), m_traits(traits), m_sector(state.mesh)
+  {
+  }
+
+  // Everything that starts from the sources, but for primitives before the given one.
+  void start(Index first_primitive)
+  {
+    const auto starts = [&](const auto& what) { return what.root.primitive() >= first_primitive; };
+    // first the vertices that are sources, which have their own fans; then what reaches vertices, maybe at no distance
+    for (const bool is_source : {true, false})
+      for (const auto& s : m_initial.seeds)
+        if (starts(s) && (s.back.corner == no_index) == is_source)
+          m_state.update_vertex(s.vertex, s.distance, s.back, s.root, no_index);
+    for (const auto& f : m_initial.fans)
+      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.root, no_index, m_state);
+    for (const auto& e : m_initial.edges)
+    {
+      if (!starts(e)) continue;
+      Window w{FT(0), FT(-1), FT(0), e.b0, e.b1, FT(0), FT(0), e.root, Window::make_bits(true, no_index)};
+      m_state.append(e.halfedge, w);
+    }
+    for (const auto& l : m_initial.local)
+    {
+      if (!starts(l.window)) continue;
+      m_state.schedule(l.face);
+      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays are those of a fan
+      const Face_frame<FT> frame(m_mesh, l.face);
+      for (int k = 0; k < 3; ++k)
+        if (l.window.edge == 3 || l.window.edge == k) leave_face(l.face, frame, k, l.window);
+    }
+  }
+
+  // Behind a vertex reached along a direction, shortest paths go on only at angles of at least pi to it on either side. What
+  // comes of it is told to `front`: the state itself, or something that keeps it for later.
+  template <class Front>
+  void spread_from_pseudo_source(Index v, Front& front) const
+  {
+    if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
+    m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
+    const Ray back = m_state.field.back[v].ray();
+    const Root root = m_state.field.root[v];
+    m_sector.for_each_sector_behind(
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
+    if (m_mesh.has_several_fans(v))
+      m_mesh.for_each_fan(v, [&](Index first) {
+        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
+      });
+  }
+
+private:
+  // The part of a window that starts in a face and leaves it through halfedge k.
+  void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
+  {
+    const Index g = m_mesh.twin(3 * face + k);
+    if (g == no_index) return;
+    Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.root, local.bits};
+    frame.window_to_twin(m_traits, k, w);
+    // Rays along the edge do not leave through it. Rounding of the direction must not make them cross it.
+    if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
+    const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
+    const auto towards = [&](const Point_in_face<FT>& c) {
+      return w.is_parallel() ? Point_in_face<FT>{-w.x, -w.y} : Point_in_face<FT>{c.x - w.x, c.y - w.y};
+    };
+    if (local.edge == k)
+    {
+      w.b0 = left.x;
+      w.b1 = right.x;
+    }
+    else if (!clip(left, towards(left), FT(-1), w) || !clip(right, towards(right), FT(1), w))
+      return;
+    if (w.b0 < FT(0)) w.b0 = FT(0);
+    if (w.b1 > m_mesh[g].length) w.b1 = m_mesh[g].length;
+    if (!(w.b0 < w.b1)) return;
+    w.d0 = w.distance_at(w.b0);
+    w.d1 = w.distance_at(w.b1);
+    if (in_front(w)) m_state.add(g, w);
+  }
+
+  // Cuts off what rounding has left behind a segment.
+  static bool in_front(Window& w)
+  {
+    if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
+    if (!w.is_parallel() || (!CGAL::is_positive(w.d0) && !CGAL::is_positive(w.d1))) return false;
+    const FT b = w.b0 + (w.d0 / (w.d0 - w.d1)) * (w.b1 - w.b0);
+    (CGAL::is_negative(w.d0) ? w.b0 : w.b1) = b;
+    (CGAL::is_negative(w.d0) ? w.d0 : w.d1) = FT(0);
+    return w.b0 < w.b1;
+  }
+
+  // Clips the interval to the side of the ray from c with direction u where the cross product has the given sign.
+  static bool clip(const Point_in_face<FT>& c, const Point_in_face<FT>& u, const FT& sign, Window& w)
+  {
+    const FT g0 = sign * (u.x * (FT(0) - c.y) - u.y * (w.b0 - c.x));
+    const FT g1 = sign * (u.x * (FT(0) - c.y) - u.y * (w.b1 - c.x));
+    if (!CGAL::is_positive(g0) && !CGAL::is_positive(g1)) return false;
+    const FT b0 = w.b0, b1 = w.b1;
+    if (CGAL::is_negative(g0)) w.b0 = b0 + (g0 / (g0 - g1)) * (b1 - b0);
+    if (CGAL::is_negative(g1)) w.b1 = b1 + (g1 / (g1 - g0)) * (b0 - b1);
+    return true;
+  }
+
+  bool in_fan(Index c, Index first) const
+  {
+    Index i = first;
+    do
+    {
+      if (i == c) return true;
+      i = m_mesh.corner_ccw(i);
+    } while (i != no_index && i != first);
+    return false;
+  }
+
+  // The rays from v in a sector: windows on the edges opposite to v, and distances along the edges.
+  template <class Front>
+  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source, Front& front) const
+  {
+    const FT sigma = m_state.field.distance[v];
+    m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
+      const Index e = m_mesh.next(h), p = m_mesh.previous(h);
+      front.schedule(m_mesh.face(h));
+      front.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root,
+                          pseudo_source);
+      front.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source);
+      const Index g = m_mesh.twin(e);
+      if (g == no_index) return;
+      const FT length = m_mesh[e].length;
+      Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), root,
+               Window::make_bits(false, pseudo_source)};
+      if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
+      if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
+      if (!(w.b0 < w.b1)) return;
+      w.d0 = w.distance_at(w.b0);
+      w.d1 = w.distance_at(w.b1);
+      front.add(g, w);
+    });
+  }
+
+  Wavefront_state<FT>& m_state;
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  const Traits& m_traits;
+  Vertex_sector<FT> m_sector;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How long ago the front reached the faces that it has not passed yet: every face with a point nearer than the oldest of
+// them is finished.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_UNFINISHED_FACES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_UNFINISHED_FACES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_parts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Unfinished_faces
+{
+public:
+  Unfinished_faces(std::size_t number_of_faces, Front_parts parts)
+    : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
+  {
+  }
+
+  // The front has reached face f in this bucket; buckets never decrease.
+  void add(Index f, std::size_t bucket)
+  {
+    // beyond the range of an index: early is always right
+    const Index b = Index((std::min)(bucket, std::size_t((std::numeric_limits<Index>::max)() - 1)));
+    Counts& counts = m_counts[m_parts.of_face(f)];
+    if (counts.numbers.empty()) counts.first = b;
+    if (b >= counts.first + counts.numbers.size()) counts.numbers.resize(b - counts.first + 1, 0);
+    ++counts.numbers[b - counts.first];
+    m_reached_in[f] = b;
+  }
+
+  void remove(Index f)
+  {
+    Counts& counts = m_counts[m_parts.of_face(f)];
+    --counts.numbers[m_reached_in[f] - counts.first];
+  }
+
+  // The bucket in which the oldest of them was reached; `otherwise` if there is none.
+  std::size_t oldest(std::size_t otherwise)
+  {
+    for (Counts& counts : m_counts)
+    {
+      while (!counts.numbers.empty() && counts.numbers.front() == 0)
+      {
+        counts.numbers.pop_front();
+        ++counts.first;
+      }
+      if (!counts.numbers.empty()) otherwise = (std::min)(otherwise, counts.first);
+    }
+    return otherwise;
+  }
+
+private:
+  // Of a part of the front.
+  struct alignas(64) Counts
+  {
+    std::deque<Index> numbers; // of unfinished faces, by bucket
+    std::size_t first = 0;     // bucket of the first number
+  };
+
+  Front_parts m_parts;
+  std::vector<Index> m_reached_in; // per face
+  std::vector<Counts> m_counts;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Step 3 of the pipeline: the wavefront. A halfedge is taken with its whole list of windows, and the list, or its lower
+// envelope, is propagated across the face at once; vertices where shortest paths bend become pseudo-sources; faces that the
+// front has passed are handed to the consumer and released.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_passing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_taking.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Parallel_taking.h>
+#endif
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// `Concurrency_tag`: Sequential_tag, or Parallel_tag with floating point numbers.
+template <class Traits, class Concurrency_tag = Sequential_tag>
+class Wavefront
+{
+  typedef Wavefront_state<typename Traits::FT> State;
+  typedef Halfedge_taking<Traits, Concurrency_tag> Taking;
+
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
+            const FT& maximum_distance, bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
+            const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
+    : m_mesh(mesh), m_keep(keep_lists),
+      m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, Taking::parts()), m_passing(m_state),
+      m_spreading(m_state, initial, traits), m_taking(m_state, initial.source_of, traits, tolerance)
+  {
+  }
+
+  // Propagates what starts from the primitives from `first_primitive` on. What the field says already stays where nothing
+  // improves it.
+  //
+  // consumer.take(faces) is called with the faces that the front has passed, with each once, while the distances at their
+  // corners and, if it reads them, the lists of their halfedges are final and still there; consumer.settle(distance)
+  // whenever all faces with points nearer than the distance have been taken.
+  //
+  // goes_on(distance, faces) is asked ever so often, once all points up to the distance are final; `faces` is the number of
+  // those that the front has passed. If it says no, the distance becomes the distance limit.
+  template <class Consumer, class Condition>
+  void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
+  {
+    const bool is_update = first_primitive > 0;
+    m_state.field.maximum = m_state.maximum;
+    m_spreading.start(first_primitive);
+    std::size_t settled = 1, asked = 1;
+    while (m_state.advance())
+    {
+      if (m_state.current() > asked)
+      { // less one bucket, against rounding
+        asked = m_state.current();
+        const FT final_up_to(double(asked - 1) * m_state.bucket_width());
+        if (!goes_on(final_up_to, m_number_of_passed))
+        {
+          m_state.maximum = (std::min)(m_state.maximum, final_up_to);
+          m_state.field.maximum = m_state.maximum;
+          break;
+        }
+      }
+      if (const std::size_t oldest = m_state.unfinished.oldest(m_state.current()); oldest > settled)
+      { // less one bucket, against rounding
+        consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
+        settled = oldest;
+      }
+      m_taking.pass_faces(m_passing, m_passed);
+      hand_over(consumer);
+      m_taking.take_all(m_spreading);
+    }
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (!m_passing.is_finished(f) && (is_update ? m_state.face_state[f] != 0 : is_reached(f)))
+        m_passing.finish(f, m_passed);
+    hand_over(consumer);
+    for (FT& d : m_state.field.distance)
+      if (d > m_state.maximum) d = Number_policy<FT>::infinity();
+  }
+
+  Wavefront_counts counts() const { return m_state.counts(); }
+  const Window_merging<FT>& merging() const { return m_taking.merging(); }
+  Merging_counts merging_counts() const { return m_taking.merging_counts(); }
+
+  const FT& maximum() const { return m_state.maximum; }
+
+  // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
+  bool has_bent_paths() const { return m_state.has_bent_paths(); }
+
+  FT largest_distance(Index f) const { return m_passing.largest_distance(f); }
+
+private:
+  bool is_reached(Index f) const
+  {
+    if (m_mesh.source(3 * f) == no_index) return false;
+    if (m_state.face_state[f]) return true;
+    for (Index k = 0; k < 3; ++k)
+      if (m_state.field.distance[m_mesh.source(3 * f + k)] <= m_state.maximum) return true;
+    return false;
+  }
+
+  template <class Consumer>
+  void hand_over(Consumer& consumer)
+  {
+    if (m_passed.empty()) return;
+    consumer.take(m_passed);
+    if (m_keep)
+      for (Index f : m_passed)
+        m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
+    m_taking.release(m_passed);
+    m_number_of_passed += m_passed.size();
+    m_passed.clear();
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const bool m_keep;
+  State m_state;
+  const Face_passing<FT> m_passing;
+  Ray_spreading<Traits> m_spreading;
+  Taking m_taking;
+  std::vector<Index> m_passed; // faces that the consumer has not taken yet
+  std::size_t m_number_of_passed = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the parts of the wavefront share: the field so far, the queue, and the ways to add to them.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_STATE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_STATE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Bucket_queue.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Unfinished_faces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+struct Wavefront_counts
+{
+  std::size_t windows_created = 0, windows_propagated = 0;
+};
+
+template <class FT>
+class Wavefront_state
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+  typedef Ray_at_vertex<FT> Ray;
+  typedef Window_output<FT, Window> Output;
+
+  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
+  enum Face_state : char { SCHEDULED = 1, FINISHED = 2, BOUNDED = 4 };
+
+  // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
+  struct alignas(64) Part
+  {
+    explicit Part(double bucket_width) : queue(bucket_width) {}
+
+    Bucket_queue queue;
+    Wavefront_counts counts;
+    bool has_bent_paths = false;
+    Output single;
+  };
+
+  // The field says what is known already. `needs_envelopes`: whether the lists of a face that the front has passed must be
+  // lower envelopes, and not just contain them.
+  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, bool needs_envelopes,
+                  Geodesic_field<FT>& field, Front_parts parts = Front_parts())
+    : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
+      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
+      unfinished(mesh.number_of_faces(), parts),
+      m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
+  {
+    field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
+  }
+
+  Part& part(Index i) { return m_part[i]; }
+
+  std::size_t current() const { return m_part.front().queue.current(); }
+  double bucket_width() const { return m_part.front().queue.width(); }
+
+  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
+  bool advance()
+  {
+    if (!any_part([](const Part& p) { return p.queue.has_events(); })) return false;
+    while (!any_part([](const Part& p) { return !p.queue.is_at_empty_bucket(); }))
+      for (Part& p : m_part) p.queue.move_on();
+    return true;
+  }
+
+  Wavefront_counts counts() const
+  {
+    Wavefront_counts sum;
+    for (const Part& p : m_part)
+    {
+      sum.windows_created += p.counts.windows_created;
+      sum.windows_propagated += p.counts.windows_propagated;
+    }
+    return sum;
+  }
+
+  // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
+  bool has_bent_paths() const
+  {
+    return any_part([](const Part& p) { return p.has_bent_paths; });
+  }
+
+  // Takes a halfedge out of the queue. What will be needed of the next ones is asked for.
+  BOOST_FORCEINLINE bool pop_halfedge(Bucket_queue& queue, Index& h) const
+  {
+    if (!queue.pop_halfedge(h)) return false;
+    field.lists.prefetch_next(queue, [this](Index g) { this->mesh.prefetch_face(g); });
+    return true;
+  }
+
+  // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
+  // shortest paths bend becomes a pseudo-source once the front is there. A bent path has gone round the end of a window that
+  // misses v by rounding: a straight one that is as long tells the direction better.
+  void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source, bool is_bent = false)
+  {
+    FT& known = field.distance[v];
+    const FT rounding = known * Number_policy<FT>::rounding(64);
+    if (!is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && root == field.root[v] &&
+        CGAL::abs(FT(d - known)) <= rounding)
+    {
+      field.back[v] = Way_back<FT>(back, pseudo_source);
+      vertex_state[v] &= char(~IS_BENT);
+    }
+    if (!(d < known)) return;
+    // what rounding improves comes from no other root, and is no reason to spread again
+    const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
+    if (ties && (vertex_state[v] & HAS_SPREAD)) return;
+    known = d;
+    if (ties) return;
+    field.back[v] = Way_back<FT>(back, pseudo_source);
+    field.root[v] = root;
+    vertex_state[v] &= char(~(WAITS | IS_BENT));
+    if (is_bent) vertex_state[v] |= IS_BENT;
+    Part& p = m_part[parts.of_vertex(v)];
+    if (is_bent) p.has_bent_paths = true;
+    if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
+    vertex_state[v] |= WAITS;
+    p.queue.push_vertex(p.queue.bucket_of(d), v);
+  }
+
+  // A face that the front has reached is looked at again when the front may have passed it.
+  void schedule(Index f)
+  {
+    if (face_state[f]) return;
+    face_state[f] = SCHEDULED;
+    Bucket_queue& queue = m_part[parts.of_face(f)].queue;
+    unfinished.add(f, queue.current());
+    queue.push_face(queue.current() + 2, f);
+  }
+
+  // Adds a window to the list of g, trimmed by the distances of the ends of g.
+  void add(Index g, Window& w)
+  {
+    if (admits(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
+  }
+
+  // Whether g takes a window, trimmed by the ends of g, at distances ds and dt: if something is left of it, and not beyond
+  // the maximum.
+  bool admits(Index g, const FT& ds, const FT& dt, Window& w) const
+  {
+    if (!takes_windows(g)) return false;
+    const FT& length = mesh[g].length;
+    const auto allowance = pruning_allowance<FT>(estimate(w.d1) + estimate(length));
+    return Window_pruning<FT>(length, ds, dt, allowance).trim(w) && !certainly_less(maximum, minimum(w));
+  }
+
+  void append(Index g, const Window& w)
+  {
+    if (!takes_windows(g)) return;
+    Output& output = m_part[parts.of_halfedge(g)].single;
+    auto cursor = output.start(g, true, 1);
+    cursor.next() = w;
+    keep(cursor, maximum);
+    output.finish(cursor);
+    append(output);
+  }
+
+  // A border or a face that the front has passed takes none.
+  bool takes_windows(Index g) const { return g != no_index && !(face_state[mesh.face(g)] & FINISHED); }
+
+  // Takes the next window, unless it is farther than the maximum.
+  static BOOST_FORCEINLINE void keep(typename Output::Cursor& output, const FT& maximum)
+  {
+    const FT nearest = minimum(output.next());
+    if (!certainly_less(maximum, nearest)) output.keep(nearest);
+  }
+
+  // Writes windows behind the list of their halfedge, and puts the halfedge into the queue.
+  void append(const Output& output)
+  {
+    const std::size_t n = output.size();
+    if (n == 0) return;
+    const Index h = output.halfedge();
+    auto& list = field.list(h);
+    field.lists.append(h, list, output.begin(), n);
+    enqueue(h, list, n, output.nearest());
+  }
+
+  // Puts a halfedge that has n more windows into the bucket of the nearest one, or into the current one if that is later,
+  // unless it waits in an earlier one.
+  void enqueue(Index h, Window_list<FT>& list, std::size_t n, const FT& nearest)
+  {
+    Part& p = m_part[parts.of_halfedge(h)];
+    p.counts.windows_created += n;
+    const std::size_t bucket = (std::max)(p.queue.bucket_of(nearest), p.queue.current());
+    if (bucket >= list.bucket) return;
+    list.bucket = bucket;
+    mesh.prefetch_face(h); // into the outer caches at least
+    p.queue.push_halfedge(bucket, h);
+  }
+
+  const Unfolded_mesh<FT>& mesh;
+  FT maximum;
+  const bool needs_envelopes;
+  Geodesic_field<FT>& field;
+  const Front_parts parts;
+  std::vector<char> vertex_state, face_state;
+  Unfinished_faces unfinished;
+
+private:
+  // The width of a bucket, in mean edges. Where the front is divided it makes larger rounds, which wait less for their ends.
+  static double bucket_edges(const Front_parts& parts) { return parts.number() > 1 ? 0.35 : 0.25; }
+
+  template <class Predicate>
+  bool any_part(const Predicate& predicate) const
+  {
+    return std::any_of(m_part.begin(), m_part.end(), predicate);
+  }
+
+  std::vector<Part> m_part;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Memory for lists of windows: blocks that are used again while they are hot.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_ARENA_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_ARENA_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Blocks of 4, 8, 16, ... windows. A freed block is used again for the next list of its size.
+template <class Window>
+class Window_arena
+{
+public:
+  Window* allocate(Index size_class)
+  {
+    std::vector<Window*>& free_blocks = m_free[size_class];
+    if (!free_blocks.empty())
+    {
+      Window* block = free_blocks.back();
+      free_blocks.pop_back();
+      return block;
+    }
+    const std::size_t n = capacity(size_class);
+    if (m_left < n)
+    {
+      const std::size_t page = (std::max)(n, std::size_t(page_size));
+      m_pages.emplace_back(new Window[page]);
+      m_top = m_pages.back().get();
+      m_left = page;
+    }
+    Window* block = m_top;
+    m_top += n;
+    m_left -= n;
+    return block;
+  }
+
+  void release(Window* block, Index size_class) { m_free[size_class].push_back(block); }
+  std::size_t number_of_free_blocks(Index size_class) const { return m_free[size_class].size(); }
+
+  // Gives n free blocks to another arena.
+  void give(Window_arena& other, Index size_class, std::size_t n)
+  {
+    std::vector<Window*>& from = m_free[size_class];
+    const auto first = from.end() - std::ptrdiff_t(n);
+    other.m_free[size_class].insert(other.m_free[size_class].end(), first, from.end());
+    from.erase(first, from.end());
+  }
+
+  static constexpr Index number_of_size_classes = 28;
+  static std::size_t capacity(Index size_class) { return std::size_t(4) << size_class; }
+  static Index size_class(std::size_t n, Index least = 0)
+  {
+    while (capacity(least) < n) ++least;
+    return least;
+  }
+
+private:
+  enum { page_size = 8192 };
+  std::vector<std::unique_ptr<Window[]>> m_pages;
+  Window* m_top = nullptr;
+  std::size_t m_left = 0;
+  std::array<std::vector<Window*>, number_of_size_classes> m_free;
+};
+
+// Windows in a block of their own.
+template <class Window>
+struct Window_block
+{
+  Window* data = nullptr;
+  Index size = 0, size_class = 0;
+
+  const Window* begin() const { return data; }
+  const Window* end() const { return data + size; }
+
+  Window_block() = default;
+
+  // A copy of n > 0 windows in a block of an arena.
+  Window_block(Window_arena<Window>& arena, const Window* first, std::size_t n)
+    : size(Index(n)), size_class(Window_arena<Window>::size_class(n))
+  {
+    data = arena.allocate(size_class);
+    std::copy(first, first + n, data);
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

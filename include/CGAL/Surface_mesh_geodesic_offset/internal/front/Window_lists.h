@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The list of windows of each halfedge that the front has reached.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_LISTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_LISTS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_parts.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_arena.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The first `taken` windows are already propagated, sorted and disjoint if envelopes are needed; the others wait.
+template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
+struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_t))) Window_list
+{
+  typedef Window_ Window;
+  static constexpr std::size_t not_queued = ~std::size_t(0);
+
+  Window* data = nullptr;
+  Index size = 0;
+  Index taken = 0;
+  Index size_class = 0;
+  std::size_t bucket = not_queued;
+  FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": the best distance given to the
+  FT split_entry = FT(0);                            // apex through this halfedge, and where its ray enters
+  Window_block<Window> waiting;                      // more of those that wait
+
+  bool has_new() const { return taken != size || waiting.data; }
+  const Window* begin() const { return data; }
+  const Window* end() const { return data + size; }
+};
+
+// Each part of the front has its own lists, so that several threads may work on different parts at one time. Their blocks
+// come from an arena, which may be another one each time; each thread has its own.
+template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
+class Window_lists
+{
+public:
+  typedef Window_ Window;
+  typedef Window_list<FT, Window> List;
+  typedef Window_arena<Window> Arena;
+
+  Window_lists() = default;
+  explicit Window_lists(std::size_t number_of_halfedges, Front_parts parts = Front_parts())
+    : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number())
+  {
+  }
+
+  bool has(Index h) const { return h < m_place.size() && m_place[h] != no_index; }
+  const List& get(Index h) const
+  {
+    static const List empty;
+    return has(h) ? part_of(h).lists[m_place[h]] : empty;
+  }
+
+  // The list of a halfedge; null if it has none.
+  List* find(Index h) { return m_place[h] == no_index ? nullptr : &part_of(h).lists[m_place[h]]; }
+
+  List& get_or_create(Index h)
+  {
+    List* const list = find(h);
+    return list ? *list : create(h);
+  }
+
+  List& create(Index h)
+  {
+    Part& part = part_of(h);
+    if (part.free.empty())
+    {
+      m_place[h] = Index(part.lists.size());
+      part.lists.emplace_back();
+      return part.lists.back();
+    }
+    m_place[h] = part.free.back();
+    part.free.pop_back();
+    return part.lists[m_place[h]] = List();
+  }
+
+  // Writes n windows behind the last one of the list of a halfedge; a block that waits comes after them.
+  void append(Index h, List& list, const Window* first, std::size_t n) { append(h, list, first, n, m_arenas.front()); }
+  void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
+  {
+    write(list, first, n, arena);
+    count(h, std::ptrdiff_t(n));
+  }
+
+  // Puts a block behind the windows of the list of a halfedge. Windows are copied only if there are two blocks already.
+  void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
+  {
+    count(h, std::ptrdiff_t(block.size));
+    if (!list.data)
+    { // a block is as good as another
+      list.data = block.data;
+      list.size = block.size;
+      list.size_class = block.size_class;
+      return;
+    }
+    write(list, list.waiting.data, list.waiting.size, arena);
+    drop_waiting(list, arena);
+    list.waiting = block;
+  }
+
+  // Replaces all windows of the list of a halfedge.
+  void assign(Index h, List& list, const std::vector<Window>& windows) { assign(h, list, windows, m_arenas.front()); }
+  void assign(Index h, List& list, const std::vector<Window>& windows, Arena& arena)
+  {
+    count(h, std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size + list.waiting.size));
+    list.size = 0;
+    drop_waiting(list, arena);
+    write(list, windows.data(), windows.size(), arena);
+  }
+
+  // Gives up the lists of all halfedges of faces. They have not been asked for long: they are fetched all together.
+  void release_faces(const std::vector<Index>& faces, Arena& arena)
+  {
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) prefetch_list(h);
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) release(h, arena);
+  }
+
+  void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
+  Arena& arena(std::size_t i) { return m_arenas[i]; }
+
+  // Threads that free more blocks than they need would leave the others without: the free ones are shared out again.
+  void balance_arenas()
+  {
+    if (m_arenas.size() < 2) return;
+    for (Index c = 0; c < Arena::number_of_size_classes; ++c)
+    {
+      const auto has_less = [c](const Arena& a, const Arena& b) {
+        return a.number_of_free_blocks(c) < b.number_of_free_blocks(c);
+      };
+      for (std::size_t i = 1; i < m_arenas.size(); ++i)
+      {
+        const auto ends = std::minmax_element(m_arenas.begin(), m_arenas.end(), has_less);
+        const std::size_t more = ends.second->number_of_free_blocks(c) - ends.first->number_of_free_blocks(c);
+        if (more < 16) break;
+        ends.second->give(*ends.first, c, more / 2);
+      }
+    }
+  }
+
+  std::size_t number_of_windows() const
+  {
+    std::ptrdiff_t n = 0;
+    for (const Part& p : m_part) n += p.live;
+    return std::size_t(n);
+  }
+
+  // The largest number so far; with several parts, of those at which it was asked to look.
+  std::size_t peak() const { return m_part.size() == 1 ? std::size_t(m_part.front().peak) : m_peak; }
+  void look_for_peak() { m_peak = (std::max)(m_peak, number_of_windows()); }
+
+  // Says that the next halfedges of a queue will be taken soon. prefetch_face(h) says it of the face of h.
+  template <class Queue, class Prefetch_face>
+  BOOST_FORCEINLINE void prefetch_next(const Queue& queue, const Prefetch_face& prefetch_face) const
+  {
+    prefetch(queue.next_halfedge());
+    prefetch_list(queue.next_halfedge(1));
+    if (const Index h = queue.next_halfedge(2); h != no_index) prefetch_face(h);
+    prefetch_place(queue.next_halfedge(3));
+  }
+
+  BOOST_FORCEINLINE void prefetch_place(Index h) const
+  {
+    if (h != no_index) internal::prefetch(&m_place[h]);
+  }
+
+private:
+  static void reserve(List& list, std::size_t n, Arena& arena)
+  {
+    if (list.data && n <= Arena::capacity(list.size_class)) return;
+    const Index c = Arena::size_class(n, list.size_class);
+    Window* const data = arena.allocate(c);
+    std::copy(list.data, list.data + list.size, data);
+    if (list.data) arena.release(list.data, list.size_class);
+    list.data = data;
+    list.size_class = c;
+  }
+
+  // Writes behind the last window, without counting.
+  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
+  {
+    reserve(list, list.size + n, arena);
+    std::copy(first, first + n, list.data + list.size);
+    list.size += Index(n);
+  }
+
+  void release(Index h, Arena& arena)
+  {
+    if (m_place[h] == no_index) return;
+    Part& part = part_of(h);
+    List& list = part.lists[m_place[h]];
+    part.live -= list.size + list.waiting.size;
+    drop_waiting(list, arena);
+    if (list.data) arena.release(list.data, list.size_class);
+    part.free.push_back(m_place[h]);
+    m_place[h] = no_index;
+  }
+
+  // Says that there are more windows, or less, in the part of a halfedge.
+  void count(Index h, std::ptrdiff_t change)
+  {
+    Part& part = part_of(h);
+    part.live += change;
+    if (part.live > part.peak) part.peak = part.live;
+  }
+
+  // Says that a list will be asked for soon: its windows; earlier, what says where these are; and earlier, where that is.
+  BOOST_FORCEINLINE void prefetch(Index h) const
+  {
+    if (h == no_index || m_place[h] == no_index) return;
+    const List& list = part_of(h).lists[m_place[h]];
+    // by one branch, not by a loop of which the number of turns could not be foreseen
+    internal::prefetch(list.data, 4 * sizeof(Window));
+    if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
+    if (list.waiting.data) internal::prefetch(list.waiting.data, 4 * sizeof(Window));
+  }
+
+  BOOST_FORCEINLINE void prefetch_list(Index h) const
+  {
+    if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
+  }
+
+  static void drop_waiting(List& list, Arena& arena)
+  {
+    if (!list.waiting.data) return;
+    arena.release(list.waiting.data, list.waiting.size_class);
+    list.waiting = Window_block<Window>();
+  }
+
+  struct alignas(64) Part
+  {
+    std::vector<List> lists;
+    std::vector<Index> free;
+    std::ptrdiff_t live = 0, peak = 0;
+  };
+
+  Part& part_of(Index h) { return m_part[m_parts.of_halfedge(h)]; }
+  const Part& part_of(Index h) const { return m_part[m_parts.of_halfedge(h)]; }
+
+  Front_parts m_parts;
+  std::vector<Index> m_place; // per halfedge
+  std::vector<Part> m_part = std::vector<Part>(1);
+  std::vector<Arena> m_arenas = std::vector<Arena>(1);
+  std::size_t m_peak = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

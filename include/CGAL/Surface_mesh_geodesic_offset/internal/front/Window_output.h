@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Windows on their way to one halfedge: collected first, then appended to its list in one go.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_OUTPUT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_OUTPUT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT, class Window>
+class Window_output
+{
+public:
+  // Where the next window goes; in registers while a batch is propagated.
+  class Cursor
+  {
+  public:
+    bool is_open() const { return m_next != nullptr; }
+
+    // A place for one more window, and taking it, with its smallest distance.
+    Window& next() const { return *m_next; }
+    void keep(const FT& nearest)
+    {
+      m_nearest = lesser(m_nearest, nearest);
+      ++m_next;
+    }
+
+  private:
+    friend class Window_output;
+    Window* m_next = nullptr;
+    FT m_nearest = Number_policy<FT>::infinity();
+  };
+
+  // For up to n windows on a halfedge, if it takes any.
+  Cursor start(Index halfedge, bool is_open, std::size_t n)
+  {
+    m_halfedge = halfedge;
+    if (m_windows.size() < n) m_windows.resize(n);
+    Cursor cursor;
+    m_size = 0;
+    if (is_open) cursor.m_next = m_windows.data();
+    return cursor;
+  }
+
+  // All have been written.
+  void finish(const Cursor& cursor)
+  {
+    m_size = cursor.is_open() ? std::size_t(cursor.m_next - m_windows.data()) : 0;
+    m_nearest = cursor.m_nearest;
+  }
+
+  Index halfedge() const { return m_halfedge; }
+  const FT& nearest() const { return m_nearest; }
+  const Window* begin() const { return m_windows.data(); }
+  std::size_t size() const { return m_size; }
+
+private:
+  Index m_halfedge = no_index;
+  std::vector<Window> m_windows;
+  std::size_t m_size = 0;
+  FT m_nearest = FT(0);
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The numbers of vertices and faces in the flat arrays: the indices of the mesh, or, where these scatter neighbours over
+// the memory, numbers along a space-filling curve.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_ELEMENT_NUMBERS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_ELEMENT_NUMBERS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Spatial_order.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class TriangleMesh, class VertexIndexMap, class FaceIndexMap>
+class Element_numbers
+{
+public:
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim)
+    : m_tm(tm), m_vim(vim), m_fim(fim)
+  {
+    for (const vertex_descriptor v : vertices(tm))
+      m_vertices_end = (std::max)(m_vertices_end, std::size_t(get(vim, v)) + 1);
+    for (const face_descriptor f : faces(tm)) m_faces_end = (std::max)(m_faces_end, std::size_t(get(fim, f)) + 1);
+    if (m_vertices_end >= (std::size_t(1) << 29) || 3 * m_faces_end >= std::size_t(no_index))
+      throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices");
+  }
+
+  // By the indices of the faces.
+  std::vector<Face_links> face_links() const { return internal::face_links(m_tm, m_vim, m_fim, m_faces_end); }
+
+  // Until then the numbers are the indices.
+  template <class VertexPointMap>
+  void renumber_if_scattered(const std::vector<Face_links>& links, const VertexPointMap& vpm)
+  {
+    if (is_scattered(links)) renumber(links, vpm);
+  }
+
+  // Above all numbers; not all below need be in use.
+  std::size_t vertices_end() const { return m_vertices_end; }
+  std::size_t faces_end() const { return m_faces_end; }
+
+  // no_index, or another number that is not in use, for what is not of the mesh.
+  Index of(vertex_descriptor v) const { return number(m_vertex, get(m_vim, v)); }
+  Index of(face_descriptor f) const { return number(m_face, get(m_fim, f)); }
+  Index of_halfedge(halfedge_descriptor h) const // not on the border
+  {
+    const face_descriptor f = face(h, m_tm);
+    const halfedge_descriptor first = halfedge(f, m_tm);
+    return 3 * of(f) + (h == first ? 0 : next(first, m_tm) == h ? 1 : 2);
+  }
+
+  // By indices that are of the mesh.
+  Index of_vertex(Index index) const { return m_vertex.empty() ? index : m_vertex[index]; }
+  Index of_face(Index index) const { return m_face.empty() ? index : m_face[index]; }
+
+  // The number by which the user knows a face.
+  std::size_t index_in_mesh(face_descriptor f) const { return std::size_t(get(m_fim, f)); }
+
+private:
+  enum
+  {
+    worthwhile = 1 << 14, // faces: fewer stay in the caches anyway
+    near = 1 << 10,       // numbers apart: then neighbours are likely to be in the caches together
+    sample = 1 << 12      // faces
+  };
+
+  template <class I>
+  static Index number(const std::vector<Index>& renumbered, const I& i)
+  {
+    return renumbered.empty() ? Index(i) : std::size_t(i) < renumbered.size() ? renumbered[std::size_t(i)] : no_index;
+  }
+
+  // Whether the indices of neighbours are often far apart, judged by some of the faces.
+  static bool is_scattered(const std::vector<Face_links>& links)
+  {
+    if (links.size() < worthwhile) return false;
+    const auto are_far = [](std::size_t i, std::size_t j) { return (i < j ? j - i : i - j) >= near; };
+    const std::size_t step = (std::max)(std::size_t(1), links.size() / sample);
+    std::size_t pairs = 0, far = 0;
+    for (std::size_t f = 0; f < links.size(); f += step)
+    {
+      const Face_links& l = links[f];
+      if (!l.is_face()) continue;
+      for (int k = 0; k < 3; ++k)
+      {
+        far += l.beyond[k] != no_index && are_far(f, l.beyond[k]);
+        far += are_far(l.source[k], l.source[(k + 1) % 3]);
+      }
+      pairs += 6;
+    }
+    return 4 * far > pairs;
+  }
+
+  template <class VertexPointMap>
+  void renumber(const std::vector<Face_links>& links, const VertexPointMap& vpm)
+  {
+    std::vector<Spatial_order::Point> points;
+    std::vector<Index> indices;
+    points.reserve(m_vertices_end);
+    indices.reserve(m_vertices_end);
+    const auto coordinate = [](const auto& x) {
+      const double d = CGAL::to_double(x);
+      return std::isfinite(d) ? d : 0.; // it is complained of later
+    };
+    for (const vertex_descriptor v : vertices(m_tm))
+    {
+      const auto& p = get(vpm, v);
+      points.push_back({coordinate(p.x()), coordinate(p.y()), coordinate(p.z())});
+      indices.push_back(Index(get(m_vim, v)));
+    }
+    m_vertex.assign(m_vertices_end, no_index);
+    const Spatial_order order(points);
+    for (std::size_t i = 0; i < points.size(); ++i) m_vertex[indices[order[i]]] = Index(i);
+    m_vertices_end = points.size();
+
+    // faces by the lowest number of their vertices
+    std::vector<Index> first(m_vertices_end + 1, 0);
+    m_face.assign(m_faces_end, no_index);
+    for (std::size_t f = 0; f < links.size(); ++f)
+    {
+      const auto& v = links[f].source;
+      if (links[f].is_face()) ++first[(m_face[f] = (std::min)({m_vertex[v[0]], m_vertex[v[1]], m_vertex[v[2]]})) + 1];
+    }
+    for (std::size_t i = 1; i <= m_vertices_end; ++i) first[i] += first[i - 1];
+    m_faces_end = first.back();
+    for (Index& f : m_face)
+      if (f != no_index) f = first[f]++;
+  }
+
+  const TriangleMesh& m_tm;
+  VertexIndexMap m_vim;
+  FaceIndexMap m_fim;
+  std::size_t m_vertices_end = 0, m_faces_end = 0;
+  std::vector<Index> m_vertex, m_face; // by the index of the mesh; empty: as that
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The faces of a mesh with what is around them, as plain numbers. The mesh is walked through once, in its own order, which
+// its memory has; all that is done in another order is done with these.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LINKS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LINKS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Indices of the mesh. The halfedges of a face are counted from halfedge(f).
+struct Face_links
+{
+  std::array<Index, 3> source; // vertices; no_index if there is no such face
+  std::array<Index, 3> beyond; // the faces across the halfedges; no_index on the border
+
+  bool is_face() const { return source[0] != no_index; }
+
+  // Which halfedge starts at a vertex of the face.
+  Index halfedge_from(Index vertex) const { return Index(source[1] == vertex) + 2 * Index(source[2] == vertex); }
+};
+
+// By the indices of the faces, which are below `end`.
+template <class TriangleMesh, class VertexIndexMap, class FaceIndexMap>
+std::vector<Face_links> face_links(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                                   std::size_t end)
+{
+  std::vector<Face_links> links;
+  links.reserve(end);
+  const Face_links none{{no_index, no_index, no_index}, {no_index, no_index, no_index}};
+  for (const auto f : faces(tm))
+  {
+    const std::size_t i = std::size_t(get(fim, f));
+    const auto h0 = halfedge(f, tm), h1 = next(h0, tm), h2 = next(h1, tm);
+    if (h1 == h0 || next(h2, tm) != h0)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(i) + " is not a triangle");
+    const auto end_of = [&](const auto& h) { return Index(get(vim, target(h, tm))); };
+    const auto beyond = [&](const auto& h) {
+      const auto o = opposite(h, tm);
+      return is_border(o, tm) ? no_index : Index(get(fim, face(o, tm)));
+    };
+    const Face_links l{{end_of(h2), end_of(h0), end_of(h1)}, {beyond(h0), beyond(h1), beyond(h2)}};
+    if (i >= links.size()) links.resize(i, none);
+    if (i == links.size()) links.push_back(l);
+    else links[i] = l;
+  }
+  links.resize(end, none);
+  return links;
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The user's mesh together with its unfolded form, and the way between the two. Immutable, shared by the main class and
+// the offset curves that come out of it.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_SURFACE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_SURFACE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Element_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
+struct Geodesic_surface
+{
+  typedef typename Computation<Traits>::Computing_traits Computing_traits;
+  typedef typename Computing_traits::FT Number; // of the unfolded mesh
+  typedef typename Traits::Kernel Kernel;
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Point_3 Point_3;
+  typedef typename Traits::Vector_3 Vector_3;
+  typedef typename Traits::Triangle_mesh Triangle_mesh;
+  typedef boost::graph_traits<Triangle_mesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef std::array<FT, 3> Barycentric_coordinates;
+  typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
+
+  Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                   const VertexPointMap& vpm, const Traits& traits = Traits())
+    : tm(tm), vpm(vpm), numbers(tm, vim, fim)
+  {
+    const std::vector<Face_links> links = numbers.face_links();
+    numbers.renumber_if_scattered(links, vpm);
+    face_of.resize(numbers.faces_end());
+    std::vector<Index> face_at(numbers.faces_end(), no_index);
+    for (face_descriptor f : faces(tm))
+    {
+      const Index i = index_of(f);
+      face_of[i] = f;
+      face_at[i] = Index(numbers.index_in_mesh(f));
+    }
+    vertex_of.resize(numbers.vertices_end());
+    std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
+    for (vertex_descriptor v : vertices(tm))
+    {
+      const Index i = index_of(v);
+      vertex_of[i] = v;
+      // others may have coordinates that no number can be made of
+      if (halfedge(v, tm) != Graph_traits::null_halfedge())
+        points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
+    }
+    unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits));
+    if (!unfolded.is_laid_out()) complain();
+  }
+
+  // Numbers of the unfolded mesh, for the user, and the other way round.
+  static decltype(auto) exported(const Number& x) { return converted_number<FT>(x); }
+  static decltype(auto) imported(const FT& x) { return converted_number<Number>(x); }
+  static Barycentric_coordinates exported(const std::array<Number, 3>& w)
+  {
+    return {exported(w[0]), exported(w[1]), exported(w[2])};
+  }
+  static std::array<Number, 3> imported(const Barycentric_coordinates& w)
+  {
+    return {imported(w[0]), imported(w[1]), imported(w[2])};
+  }
+
+  // As a point of the traits, of whatever kernel the mesh's points are.
+  Point_3 position(vertex_descriptor v) const { return converted_point<Point_3, FT>(get(vpm, v)); }
+
+  // The numbers in the unfolded mesh.
+  Index index_of(vertex_descriptor v) const { return numbers.of(v); }
+  Index index_of(face_descriptor f) const { return numbers.of(f); }
+  Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not on the border
+
+  Face_location location(Index face, const Point_in_face<Number>& p) const
+  {
+    return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric(p)));
+  }
+
+  // A point known to lie on halfedge `edge` of the face; 3 if on none.
+  Face_location location(Index face, const Point_in_face<Number>& p, int edge) const
+  {
+    if (edge == 3) return location(face, p);
+    return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
+  }
+
+  // At an isolated vertex there is no face.
+  Face_location location(const Surface_point<Number>& p) const
+  {
+    if (p.kind == Surface_point<Number>::FACE) return location(p.element, {p.x, p.y});
+    Face_location l(boost::graph_traits<Triangle_mesh>::null_face(), Barycentric_coordinates{FT(0), FT(0), FT(0)});
+    const Index h = p.kind == Surface_point<Number>::EDGE ? p.element : unfolded.corner(p.element);
+    if (h == no_index) return l;
+    const FT t = p.kind == Surface_point<Number>::EDGE ? exported(Number(p.x / unfolded[h].length)) : FT(0);
+    l.first = face_of[h / 3];
+    l.second[h % 3] = FT(1) - t;
+    l.second[(h % 3 + 1) % 3] = t;
+    return l;
+  }
+
+  // As it was asked for.
+  Face_location location(const Located_point<Number>& p) const
+  {
+    if (p.kind != Surface_point<Number>::FACE) return location(static_cast<const Surface_point<Number>&>(p));
+    return Face_location(face_of[p.element], exported(p.weights));
+  }
+
+  Face_location location(const Path_crossing<Number>& p) const
+  {
+    const FT part = exported(p.part);
+    Face_location l(face_of[p.halfedge / 3], Barycentric_coordinates{FT(0), FT(0), FT(0)});
+    l.second[p.halfedge % 3] = FT(1) - part;
+    l.second[(p.halfedge % 3 + 1) % 3] = part;
+    return l;
+  }
+
+  Point_3 point(const Path_crossing<Number>& p) const { return between(p.source, p.target, exported(p.part)); }
+
+  Point_3 point(const Located_point<Number>& p) const
+  {
+    return p.kind == Surface_point<Number>::FACE ? point(location(p)) : point(static_cast<const Surface_point<Number>&>(p));
+  }
+
+  Point_3 point(const Surface_point<Number>& p) const
+  {
+    if (p.kind == Surface_point<Number>::FACE) return point(location(p));
+    if (p.kind == Surface_point<Number>::EDGE)
+      return between(unfolded.source(p.element), unfolded.target(p.element),
+                     exported(Number(p.x / unfolded[p.element].length)));
+    return position(vertex_of[p.element]);
+  }
+
+  // At the part t of the way from vertex a to vertex b.
+  Point_3 between(Index a, Index b, const FT& t) const
+  {
+    const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // not copied if the map has them
+    const Point_3 &p = converted_point<Point_3, FT>(at_a), &q = converted_point<Point_3, FT>(at_b);
+    const FT s = FT(1) - t;
+    return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
+  }
+
+  halfedge_descriptor halfedge_of(Index h) const
+  {
+    const halfedge_descriptor first = halfedge(face_of[h / 3], tm);
+    return h % 3 == 0 ? first : h % 3 == 1 ? next(first, tm) : prev(first, tm);
+  }
+
+  // A vector in the frame of a halfedge, in space.
+  Vector_3 vector(Index halfedge, const Point_in_face<Number>& v) const
+  {
+    const halfedge_descriptor h = halfedge_of(halfedge);
+    const auto corner = [&](halfedge_descriptor g) { return position(source(g, tm)); };
+    const Point_3 p = corner(h);
+    const Vector_3 x = corner(next(h, tm)) - p;
+    const Vector_3 y = CGAL::cross_product(CGAL::cross_product(x, corner(prev(h, tm)) - p), x);
+    const auto unit = [](const Vector_3& u) { return u / square_root<FT>(u.squared_length()); };
+    return exported(v.x) * unit(x) + exported(v.y) * unit(y);
+  }
+
+  Point_3 point(const Face_location& l) const
+  {
+    FT x(0), y(0), z(0);
+    halfedge_descriptor h = halfedge(l.first, tm);
+    for (int k = 0; k < 3; ++k, h = next(h, tm))
+    {
+      const Point_3 p = position(source(h, tm));
+      const FT& w = l.second[k];
+      x += w * p.x();
+      y += w * p.y();
+      z += w * p.z();
+    }
+    return Point_3(x, y, z);
+  }
+
+  const Triangle_mesh& tm;
+  VertexPointMap vpm;
+  Element_numbers<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
+  Unfolded_mesh<Number> unfolded;
+  std::vector<face_descriptor> face_of;     // by number
+  std::vector<vertex_descriptor> vertex_of; // by number
+
+private:
+  // Of the first face that can't be laid out.
+  void complain() const
+  {
+    for (face_descriptor f : faces(tm))
+      if (!unfolded.has_area(index_of(f)))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
+                                    " is degenerate or has a coordinate that is not finite");
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,315 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Step 1 of the pipeline: the mesh as flat arrays, each face laid out in the plane.
+//
+// Halfedge 3f+k is the k-th halfedge of the face with the number f, starting at halfedge(f). Its frame has its origin at the
+// source of the halfedge, its x axis along the halfedge and the face above. Border halfedges have no index.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_UNFOLDED_MESH_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_UNFOLDED_MESH_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+struct Unfolded_halfedge
+{
+  FT length;
+  FT apex_x, apex_y; // the third vertex of the face, in the frame of this halfedge
+  Index twin;        // no_index on the border
+  Index origin;      // vertex
+};
+
+// A direction at a vertex: a vector in the frame of a halfedge that leaves the vertex, inside the corner
+// between this halfedge and the next one counterclockwise.
+template <class FT>
+struct Ray_at_vertex
+{
+  Index corner = no_index;
+  FT x = FT(0), y = FT(0);
+};
+
+template <class FT_>
+class Unfolded_mesh
+{
+public:
+  typedef FT_ FT;
+  typedef Unfolded_halfedge<FT> Halfedge;
+
+  Unfolded_mesh() = default;
+
+  // numbers: Element_numbers; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
+  // there is none; points: of the vertices, by number.
+  template <class Numbers, class Traits>
+  Unfolded_mesh(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+                const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+    : m_corner(points.size(), no_index), m_can_bend(points.size(), 0)
+  {
+    lay_out_faces(numbers, links, face_at, points, traits);
+    if (m_is_laid_out) find_corners();
+  }
+
+  // Otherwise there are faces of which has_area() is false, and the object is of no further use.
+  bool is_laid_out() const { return m_is_laid_out; }
+
+  bool has_area(Index face) const
+  {
+    bool result = true;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) result &= has_area(m_halfedges[h].length, m_halfedges[h].apex_y);
+    return result;
+  }
+
+  std::size_t number_of_faces() const { return m_halfedges.size() / 3; }
+  std::size_t number_of_halfedges() const { return m_halfedges.size(); }
+  std::size_t number_of_vertices() const { return m_corner.size(); }
+
+  const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
+
+  // Says that the face of h will be asked for soon.
+  void prefetch_face(Index h) const
+  {
+    const Halfedge* const first = &m_halfedges[3 * face(h)];
+    prefetch(first, 3 * sizeof(Halfedge));
+    prefetch(&first[2].origin); // which may be in one line more
+  }
+
+  // without comparisons, of which compilers make branches that could not be foreseen
+  static Index next(Index h) { return h + 1 - 3 * (h % 3 >> 1); }
+  static Index previous(Index h) { return h + 2 - 3 * ((h % 3 + 1) >> 1); }
+  static Index face(Index h) { return h / 3; }
+
+  Index twin(Index h) const { return m_halfedges[h].twin; }
+  Index source(Index h) const { return m_halfedges[h].origin; }
+  Index target(Index h) const { return m_halfedges[next(h)].origin; }
+  Index apex(Index h) const { return m_halfedges[previous(h)].origin; }
+
+  // The corner, that is the halfedge leaving the same vertex, that follows counterclockwise / clockwise.
+  Index corner_ccw(Index h) const { return twin(previous(h)); }
+  Index corner_cw(Index h) const { return twin(h) == no_index ? no_index : next(twin(h)); }
+
+  // A first corner of the vertex: the most clockwise one if the vertex is on the border; none if isolated.
+  Index corner(Index v) const { return m_corner[v]; }
+
+  // The most clockwise corner of the fan of c, if it is bounded by the border; no_index if it closes.
+  Index first_on_border(Index c) const
+  {
+    Index first = c;
+    for (Index d = corner_cw(c); d != no_index; d = corner_cw(d))
+    {
+      if (d == c) return no_index;
+      first = d;
+    }
+    return first;
+  }
+
+  // First corners of the further fans of a vertex in which several fans meet (a pinched vertex).
+  template <class Function>
+  void for_each_fan(Index v, const Function& f) const
+  {
+    if (m_corner[v] == no_index) return;
+    f(m_corner[v]);
+    auto it = std::lower_bound(m_more_fans.begin(), m_more_fans.end(), std::make_pair(v, Index(0)));
+    for (; it != m_more_fans.end() && it->first == v; ++it) f(it->second);
+  }
+
+  // Can shortest paths bend here? True for saddle vertices (total angle above 2 pi), border vertices with an
+  // inner angle above pi, and pinched vertices.
+  bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
+
+  bool has_several_fans(Index v) const
+  {
+    auto it = std::lower_bound(m_more_fans.begin(), m_more_fans.end(), std::make_pair(v, Index(0)));
+    return it != m_more_fans.end() && it->first == v;
+  }
+
+  const FT& longest_edge() const { return m_longest_edge; }
+
+  FT mean_edge_length() const
+  {
+    FT sum(0);
+    for (const Halfedge& h : m_halfedges) sum += h.length;
+    return m_halfedges.empty() ? FT(1) : FT(sum / FT(double(m_halfedges.size())));
+  }
+
+  // Cosine and sine of the corner at the source of h.
+  void corner_direction(Index h, FT& c, FT& s) const
+  {
+    const FT l = m_halfedges[previous(h)].length;
+    c = m_halfedges[h].apex_x / l;
+    s = m_halfedges[h].apex_y / l;
+  }
+
+private:
+  static bool has_area(const FT& length, const FT& apex_y)
+  {
+    return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
+  }
+
+  template <class Numbers, class Traits>
+  void lay_out_faces(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+                     const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+  {
+    constexpr std::size_t ahead = 32;
+    const auto construct_apices = traits.construct_apices_2_object();
+    m_halfedges.reserve(3 * face_at.size());
+    for (std::size_t i = 0; i < face_at.size(); ++i)
+    {
+      const Index f = face_at[i], h = Index(3 * i);
+      if (i + ahead < face_at.size() && face_at[i + ahead] < links.size())
+        prefetch(&links[face_at[i + ahead]], sizeof(Face_links));
+      if (f >= links.size())
+      {
+        m_halfedges.resize(h + 3, {FT(0), FT(0), FT(0), no_index, no_index});
+        continue;
+      }
+      const Face_links& l = links[f];
+      const Index v[3] = {numbers.of_vertex(l.source[0]), numbers.of_vertex(l.source[1]), numbers.of_vertex(l.source[2])};
+      FT length[3] = {FT(0), FT(0), FT(0)}, x[3] = {FT(0), FT(0), FT(0)}, y[3] = {FT(0), FT(0), FT(0)};
+      construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
+      for (int k = 0; k < 3; ++k)
+      {
+        m_is_laid_out &= has_area(length[k], y[k]);
+        m_longest_edge = (std::max)(m_longest_edge, length[k]);
+        m_corner[v[k]] = (std::min)(m_corner[v[k]], h + k);
+        const Index b = l.beyond[k];
+        Index twin = no_index;
+        if (b != no_index)
+        {
+          twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[(k + 1) % 3]);
+          // one number for both sides of an edge: an exact number knows itself at once
+          if constexpr (!Number_policy<FT>::is_inexact)
+            if (twin < h) length[k] = m_halfedges[twin].length;
+        }
+        m_halfedges.push_back({length[k], x[k], y[k], twin, v[k]});
+      }
+      ++m_number_of_faces;
+    }
+  }
+
+  // The corners around a vertex, from border to border or all around.
+  struct Fan
+  {
+    Index first; // if there is a border: the most clockwise one
+    Index size;
+    bool bends; // whether shortest paths can, at the vertex
+  };
+
+  void find_corners()
+  {
+    std::size_t corners = 0;
+    for (Index v = 0; v < m_corner.size(); ++v)
+    {
+      if (m_corner[v] == no_index) continue;
+      const Fan fan = fan_of(m_corner[v]);
+      m_corner[v] = fan.first;
+      m_can_bend[v] = fan.bends;
+      corners += fan.size;
+    }
+    if (corners != 3 * m_number_of_faces) find_more_fans();
+  }
+
+  void find_more_fans()
+  {
+    std::vector<char> seen(m_halfedges.size(), 0);
+    const auto see = [&](const Fan& fan) {
+      Index c = fan.first;
+      for (Index i = 0; i < fan.size; ++i, c = corner_ccw(c)) seen[c] = 1;
+    };
+    for (const Index c : m_corner)
+      if (c != no_index) see(fan_of(c));
+    for (Index h = 0; h < m_halfedges.size(); ++h)
+    {
+      const Index v = m_halfedges[h].origin;
+      if (seen[h] || v == no_index) continue;
+      const Fan fan = fan_of(h);
+      see(fan);
+      m_more_fans.emplace_back(v, fan.first);
+      m_can_bend[v] = 1;
+    }
+    std::sort(m_more_fans.begin(), m_more_fans.end());
+  }
+
+  // Multiplies the apices as complex numbers: the angle of the product is the sum of the corner angles. As these are smaller
+  // than pi, it changes between the two half-planes at each half turn. How long it is does not matter.
+  Fan fan_of(Index first) const
+  {
+    FT x(1), y(0);
+    int half_turns = 0;
+    bool is_below = false; // with an angle in [pi, 2 pi)
+    Fan fan{first, 0, false};
+    Index c = first;
+    do
+    {
+      const Halfedge& h = m_halfedges[c];
+      const FT real = x * h.apex_x - y * h.apex_y;
+      y = x * h.apex_y + y * h.apex_x;
+      x = real;
+      const Sign side = CGAL::sign(y);
+      const bool was_below = is_below;
+      is_below = side == ZERO ? CGAL::is_negative(x) : side == NEGATIVE;
+      half_turns += int(is_below != was_below);
+      keep_within_range(x, y);
+      ++fan.size;
+      c = corner_ccw(c);
+    } while (c != no_index && c != first);
+    const bool on_border = c == no_index;
+    if (on_border && twin(first) != no_index) return fan_of(first_on_border(first));
+    const int limit = on_border ? 1 : 2;
+    if (half_turns != limit) fan.bends = half_turns > limit;
+    else
+    {
+      if (on_border)
+      {
+        x = -x;
+        y = -y;
+      }
+      const FT allowance = Number_policy<FT>::rounding(16. * fan.size);
+      fan.bends = CGAL::is_negative(x) || y > allowance * (x + y);
+    }
+    return fan;
+  }
+
+  // So that its product with a length whose square is within the range of the numbers is within it, too.
+  static void keep_within_range(FT& x, FT& y)
+  {
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      const FT size = CGAL::abs(x) + CGAL::abs(y);
+      if (size > FT(small_size()) && size < FT(1 / small_size())) return;
+      x /= size;
+      y /= size;
+    }
+  }
+
+  static constexpr double small_size() { return std::is_same<FT, double>::value ? 0x1p-256 : 0x1p-32; }
+
+  std::vector<Halfedge> m_halfedges;
+  std::size_t m_number_of_faces = 0; // gaps are not counted
+  bool m_is_laid_out = true;
+  FT m_longest_edge = FT(0);
+  std::vector<Index> m_corner;
+  std::vector<char> m_can_bend;
+  std::vector<std::pair<Index, Index>> m_more_fans; // (vertex, first corner), sorted
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

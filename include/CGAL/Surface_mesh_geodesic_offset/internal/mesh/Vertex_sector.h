@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Directions around a vertex: turning by quarter turns, and the sector between two directions. All by walking from
+// corner to corner with unfolded vectors and side tests; no angle is ever computed.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_VERTEX_SECTOR_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_VERTEX_SECTOR_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+inline FT cross(const FT& ax, const FT& ay, const FT& bx, const FT& by)
+{
+  return ax * by - ay * bx;
+}
+
+template <class FT>
+class Vertex_sector
+{
+public:
+  typedef Ray_at_vertex<FT> Ray;
+
+  explicit Vertex_sector(const Unfolded_mesh<FT>& mesh) : m_mesh(&mesh) {}
+
+  // The direction reached from `ray` by one or two quarter turns counterclockwise; no corner if the border is met
+  // before.
+  Ray turn_ccw(const Ray& ray, int quarter_turns) const
+  {
+    Ray r = ray;
+    r.x = quarter_turns == 1 ? FT(-ray.y) : FT(-ray.x);
+    r.y = quarter_turns == 1 ? ray.x : FT(-ray.y);
+    // The corner is less than a half turn wide, so a half turn always leaves the first corner.
+    bool may_be_inside = quarter_turns == 1;
+    const Index limit = Index(m_mesh->number_of_halfedges());
+    for (Index guard = 0; guard <= limit; ++guard)
+    {
+      const auto& h = (*m_mesh)[r.corner];
+      if (may_be_inside && !CGAL::is_positive(cross(h.apex_x, h.apex_y, r.x, r.y))) return r;
+      may_be_inside = true;
+      FT c, s;
+      m_mesh->corner_direction(r.corner, c, s);
+      const FT t = c * r.x + s * r.y;
+      r.y = c * r.y - s * r.x;
+      r.x = t;
+      r.corner = m_mesh->corner_ccw(r.corner);
+      if (r.corner == no_index) return r;
+    }
+    return Ray();
+  }
+
+  Ray turn_cw(const Ray& ray, int quarter_turns) const
+  {
+    Ray r = ray;
+    r.x = quarter_turns == 1 ? ray.y : FT(-ray.x);
+    r.y = quarter_turns == 1 ? FT(-ray.x) : FT(-ray.y);
+    bool may_be_inside = quarter_turns == 1;
+    const Index limit = Index(m_mesh->number_of_halfedges());
+    for (Index guard = 0; guard <= limit; ++guard)
+    {
+      if (may_be_inside && !CGAL::is_negative(r.y)) return r;
+      may_be_inside = true;
+      r.corner = m_mesh->corner_cw(r.corner);
+      if (r.corner == no_index) return r;
+      FT c, s;
+      m_mesh->corner_direction(r.corner, c, s);
+      const FT t = c * r.x - s * r.y;
+      r.y = s * r.x + c * r.y;
+      r.x = t;
+    }
+    return Ray();
+  }
+
+  // Whether the border lies between a and b, going counterclockwise from a.
+  bool passes_border(const Ray& a, const Ray& b) const
+  {
+    if (same_corner_in_order(a, b)) return false;
+    for (Index c = m_mesh->corner_ccw(a.corner); c != no_index; c = m_mesh->corner_ccw(c))
+    {
+      if (c == b.corner) return false;
+      if (c == a.corner) return false;
+    }
+    return true;
+  }
+
+  // Whether the angle from a counterclockwise to b (a full turn if they are equal) is at least pi. The border must not
+  // lie between.
+  bool is_reflex(const Ray& a, const Ray& b) const
+  {
+    if (same_corner_in_order(a, b)) return false;
+    const Ray half = turn_ccw(a, 2);
+    if (half.corner == no_index) return false;
+    for (Index c = m_mesh->corner_ccw(a.corner); c != no_index; c = m_mesh->corner_ccw(c))
+    {
+      if (c == half.corner) return c != b.corner || !CGAL::is_negative(cross(half.x, half.y, b.x, b.y));
+      if (c == b.corner || c == a.corner) return false;
+    }
+    return false;
+  }
+
+  // Calls f(corner, from, to) for each corner of the sector that reaches from `from` counterclockwise to `to`; the
+  // rays are null where the sector covers the corner up to its edge. Without a corner, `from` stands for the border at
+  // `first`, and `to` for the border at the other end.
+  template <class Function>
+  void for_each_corner(const Ray& from, const Ray& to, Index first, const Function& f) const
+  {
+    Index c = from.corner != no_index ? from.corner : first;
+    const Index start = c;
+    if (from.corner != no_index && from.corner == to.corner)
+    {
+      // either a narrow sector inside one corner, or nothing: the sector never closes on itself
+      if (CGAL::is_positive(cross(from.x, from.y, to.x, to.y))) f(c, &from, &to);
+      return;
+    }
+    const Ray* lower = from.corner != no_index ? &from : nullptr;
+    do
+    {
+      const bool last = c == to.corner;
+      f(c, lower, last ? &to : nullptr);
+      lower = nullptr;
+      if (last) return;
+      c = m_mesh->corner_ccw(c);
+    } while (c != no_index && c != start);
+  }
+
+  // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
+  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
+  // wider by a small angle at both ends if `back` is known up to that angle only.
+  template <class Function>
+  void for_each_sector_behind(const Ray& back, const Function& f, const FT& angle = FT(0)) const
+  {
+    const bool is_known = CGAL::is_zero(angle);
+    const Ray from = turn_ccw(is_known ? back : turned(back, FT(-angle)), 2);
+    const Ray to = turn_cw(is_known ? back : turned(back, angle), 2);
+    const Index first = m_mesh->first_on_border(back.corner);
+    if (first != no_index)
+    {
+      if (from.corner != no_index) f(from, Ray(), first);
+      if (to.corner != no_index) f(Ray(), to, first);
+    }
+    // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
+    else if (!comes_first(back.corner, from.corner, to.corner))
+      f(from, to, from.corner);
+  }
+
+  // The part of the directions [from, to] in the corner at the source of h: its bounding rays, null for the corner's own
+  // edges. False if there is none.
+  bool part_in_corner(const Ray& from, const Ray& to, Index first, Index h, const Ray*& lower, const Ray*& upper) const
+  {
+    bool found = false;
+    for_each_corner(from, to, first, [&](Index c, const Ray* l, const Ray* u) {
+      if (c != h) return;
+      found = true;
+      lower = l;
+      upper = u;
+    });
+    return found;
+  }
+
+  // Where a ray from the source of h leaves the face, in the frame of the twin of the opposite edge.
+  FT exit_of_ray(Index h, const Ray& r) const
+  {
+    const FT length = (*m_mesh)[m_mesh->next(h)].length;
+    const FT b = cross(r.x, r.y, (*m_mesh)[h].apex_x, (*m_mesh)[h].apex_y), a = cross(r.x, r.y, (*m_mesh)[h].length, FT(0));
+    if (!CGAL::is_positive(b)) return FT(0);
+    if (!CGAL::is_negative(a)) return length;
+    return (b / (b - a)) * length;
+  }
+
+private:
+  // The ray, turned counterclockwise by a small angle; at most up to the border.
+  Ray turned(const Ray& ray, const FT& angle) const
+  {
+    Ray r{ray.corner, ray.x - angle * ray.y, ray.y + angle * ray.x};
+    FT c, s;
+    if (CGAL::is_negative(r.y))
+    {
+      const Index before = m_mesh->corner_cw(r.corner);
+      if (before == no_index) return {ray.corner, FT(1), FT(0)};
+      m_mesh->corner_direction(before, c, s);
+      return {before, c * r.x - s * r.y, s * r.x + c * r.y};
+    }
+    const auto& h = (*m_mesh)[r.corner];
+    if (!CGAL::is_positive(cross(h.apex_x, h.apex_y, r.x, r.y))) return r;
+    const Index after = m_mesh->corner_ccw(r.corner);
+    if (after == no_index) return {ray.corner, h.apex_x, h.apex_y};
+    m_mesh->corner_direction(r.corner, c, s);
+    return {after, c * r.x + s * r.y, c * r.y - s * r.x};
+  }
+
+  bool comes_first(Index c, Index from, Index to) const
+  {
+    for (Index i = from; i != no_index && i != to; i = m_mesh->corner_ccw(i))
+      if (i == c) return true;
+    return false;
+  }
+
+  bool same_corner_in_order(const Ray& a, const Ray& b) const
+  {
+    return a.corner == b.corner && CGAL::is_positive(cross(a.x, a.y, b.x, b.y));
+  }
+
+  const Unfolded_mesh<FT>* m_mesh;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounding boxes in the frame of a face, and a tree over a sequence of them. Windows of one edge lie in order, so boxes of
+// consecutive windows are neighbours: the tree takes them as they come, without sorting.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BOX_IN_FACE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BOX_IN_FACE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+struct Box_in_face
+{
+  typedef Point_in_face<FT> Point;
+
+  Point low, high;
+
+  explicit Box_in_face(const Point& p) : low(p), high(p) {}
+
+  void add(const Point& p)
+  {
+    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
+    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
+  }
+  void add(const Box_in_face& o)
+  {
+    add(o.low);
+    add(o.high);
+  }
+  void widen(const FT& d)
+  {
+    low = {low.x - d, low.y - d};
+    high = {high.x + d, high.y + d};
+  }
+  void intersect(const Box_in_face& o)
+  {
+    low = {(std::max)(low.x, o.low.x), (std::max)(low.y, o.low.y)};
+    high = {(std::min)(high.x, o.high.x), (std::min)(high.y, o.high.y)};
+  }
+  bool is_empty() const { return high.x < low.x || high.y < low.y; }
+  bool meets(const Box_in_face& o) const
+  {
+    return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y;
+  }
+};
+
+template <class FT>
+class Box_tree
+{
+public:
+  typedef Box_in_face<FT> Box;
+
+  // To be followed by build() once all boxes are there.
+  void clear() { m_boxes.clear(); }
+  void push_back(const Box& b) { m_boxes.push_back(b); }
+
+  void build()
+  {
+    m_levels.clear();
+    std::size_t first = 0, n = m_boxes.size();
+    while (n > fan)
+    {
+      m_levels.push_back({first, n});
+      const std::size_t next = m_boxes.size();
+      for (std::size_t i = 0; i < n; i += fan)
+      {
+        Box b = m_boxes[first + i];
+        for (std::size_t j = i + 1; j < (std::min)(i + fan, n); ++j) b.add(m_boxes[first + j]);
+        m_boxes.push_back(b);
+      }
+      first = next;
+      n = m_boxes.size() - next;
+    }
+    m_levels.push_back({first, n});
+  }
+
+  const Box& operator[](std::size_t i) const { return m_boxes[i]; }
+
+  // Calls f(i) for the boxes that meet b, in order, until it returns true; returns whether it did.
+  template <class Function>
+  bool any_of(const Box& b, const Function& f) const
+  {
+    return any_of(m_levels.size() - 1, 0, m_levels.back().second, b, f);
+  }
+
+private:
+  static constexpr std::size_t fan = 8;
+
+  template <class Function>
+  bool any_of(std::size_t level, std::size_t begin, std::size_t end, const Box& b, const Function& f) const
+  {
+    const std::size_t first = m_levels[level].first;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (!m_boxes[first + i].meets(b)) continue;
+      if (level == 0 ? f(i)
+                     : any_of(level - 1, fan * i, (std::min)(fan * i + fan, m_levels[level - 1].second), b, f))
+        return true;
+    }
+    return false;
+  }
+
+  std::vector<Box> m_boxes;                                  // the given ones, then those of eight together, and so on
+  std::vector<std::pair<std::size_t, std::size_t>> m_levels; // first index and number
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

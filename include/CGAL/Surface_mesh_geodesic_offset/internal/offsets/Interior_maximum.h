@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Can the distance have a local maximum inside a face? Only if the rays that reach its points come from all around.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INTERIOR_MAXIMUM_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INTERIOR_MAXIMUM_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// False only if the directions of all rays in the face lie in an open half-plane: then the distance grows along the
+// middle one of them everywhere. (Corner functions count where shortest paths go on behind the corner; elsewhere they are
+// never smaller than the rest.)
+template <class FT>
+bool may_have_interior_maximum(const Face_field<FT>& field)
+{
+  typedef Point_in_face<FT> Point;
+  // A window's directions reach, counterclockwise, from its right ray to its left ray by less than a half turn. Keep the
+  // cone of all directions as [from, to], counterclockwise and less than a half turn wide, as long as there is one.
+  bool empty = true;
+  Point from{FT(1), FT(0)}, to{FT(1), FT(0)};
+  for (const Face_window<FT>& w : field.windows())
+  {
+    if (w.origin == STARTS_IN_FACE) return true;
+    if (w.is_empty()) continue;
+    const Point r = w.ray_direction(w.right), l = w.ray_direction(w.left);
+    if (empty)
+    {
+      from = r;
+      to = l;
+      empty = false;
+      continue;
+    }
+    for (const Point& u : {r, l})
+    {
+      const bool after_from = !CGAL::is_negative(cross(from, u)), before_to = !CGAL::is_negative(cross(u, to));
+      if (after_from && before_to && CGAL::is_positive(dot(u, from + to))) continue;
+      if (after_from && CGAL::is_positive(cross(from, u)) && !before_to) to = u;
+      else if (before_to && CGAL::is_positive(cross(u, to)) && !after_from) from = u;
+      else return true;
+    }
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

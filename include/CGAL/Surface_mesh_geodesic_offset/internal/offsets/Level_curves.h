@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pieces of one level so far, and how they make curves: chains of pieces run between gates, and a gate is shared by
+// the two faces beside an edge. So chains are linked by the gates' numbers alone, never by proximity.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CURVES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CURVES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Level_curves
+{
+public:
+  typedef Level_piece<FT> Piece;
+
+  // A gate, crossed by a chain in each of the two faces beside its edge, or in the one face if it lies on the border.
+  Index new_gate(bool on_border)
+  {
+    m_link_at.push_back(no_index);
+    if (!on_border) ++m_waiting;
+    return Index(m_link_at.size() - 1);
+  }
+
+  // The second face has come.
+  void gate_found() { --m_waiting; }
+
+  // Whether all faces that the known curves go through have come.
+  bool is_complete() const { return m_waiting == 0; }
+
+  // A chain of pieces between two gates; no_index for a loop.
+  void add_chain(Index start, Index end, const std::vector<Piece>& pieces)
+  {
+    const std::size_t first = m_pieces.size();
+    for (const Piece& p : pieces)
+    {
+      if (m_pieces.size() > first && continues(m_pieces.back(), p))
+      {
+        m_pieces.back().end = p.end;
+        m_pieces.back().end_edge = p.end_edge;
+      }
+      else
+        m_pieces.push_back(p);
+    }
+    if (start != no_index) m_link_at[start] = Index(m_links.size());
+    m_links.push_back({start, end, Index(first), Index(m_pieces.size())});
+  }
+
+  // Calls out(closed, pieces) for each curve that is more than a point; those that start on the border come first.
+  template <class Function>
+  void for_each_curve(const FT& scale, const Function& out) const
+  {
+    std::vector<char> used(m_links.size(), 0), entered(m_link_at.size(), 0);
+    for (const Link& l : m_links)
+      if (l.end != no_index) entered[l.end] = 1;
+    for (const bool open : {true, false})
+      for (std::size_t i = 0; i < m_links.size(); ++i)
+      {
+        if (used[i] || (open && (m_links[i].start == no_index || entered[m_links[i].start]))) continue;
+        std::size_t number = 0;
+        std::vector<Index> order;
+        for (Index j = Index(i); j != no_index && !used[j];
+             j = m_links[j].end == no_index ? no_index : m_link_at[m_links[j].end])
+        {
+          used[j] = 1;
+          order.push_back(j);
+          number += m_links[j].last - m_links[j].first;
+        }
+        std::vector<Piece> pieces;
+        pieces.reserve(number);
+        for (const Index j : order)
+          pieces.insert(pieces.end(), m_pieces.begin() + m_links[j].first, m_pieces.begin() + m_links[j].last);
+        if (!is_point(pieces, scale)) out(!open, std::move(pieces));
+      }
+  }
+
+  std::size_t number_of_pieces() const { return m_pieces.size(); }
+
+private:
+  struct Link // a chain
+  {
+    Index start, end;  // gates
+    Index first, last; // pieces
+  };
+
+  // Neighbouring pieces of one image are one arc, as long as it stays shorter than a half turn.
+  static bool continues(const Piece& a, const Piece& b)
+  {
+    if (a.is_straight != b.is_straight || !(a.root == b.root) || a.pseudo_source != b.pseudo_source) return false;
+    if (!a.is_straight && !CGAL::is_positive(cross(a.start - a.center, b.end - a.center))) return false;
+    const FT allowance = Number_policy<FT>::rounding(64) * (CGAL::abs(a.radius) + CGAL::abs(a.center.x) +
+                                                            CGAL::abs(a.center.y));
+    return CGAL::abs(a.radius - b.radius) <= allowance && CGAL::abs(a.center.x - b.center.x) <= allowance &&
+           CGAL::abs(a.center.y - b.center.y) <= allowance;
+  }
+
+  std::deque<Piece> m_pieces; // grows without copies
+  std::vector<Link> m_links;
+  std::vector<Index> m_link_at; // the chain that starts at a gate
+  std::size_t m_waiting = 0;    // gates that only one face has been cut at, yet
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts of a curve that belong to the chosen side of the sources.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SIDE_SELECTION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SIDE_SELECTION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+class Side_selection
+{
+public:
+  // `inside`: of closed polylines, which side is the inner one; needed where the selection asks for it.
+  Side_selection(const Offset_selection& selection, const std::vector<Source_primitive>& primitives,
+                 std::map<Index, Source_side> inside)
+    : m_selection(selection), m_primitives(primitives), m_inside(std::move(inside))
+  {
+  }
+
+  bool operator()(Root root) const
+  {
+    switch (root.side())
+    {
+    case Source_side::NONE: return true;
+    case Source_side::CAP: return m_selection.end == Offset_end::ROUND;
+    default: break;
+    }
+    switch (m_selection.side)
+    {
+    case Offset_side::LEFT: return root.side() == Source_side::LEFT;
+    case Offset_side::RIGHT: return root.side() == Source_side::RIGHT;
+    case Offset_side::INSIDE: return is_inside(root);
+    case Offset_side::OUTSIDE: return !is_inside(root);
+    default: return true;
+    }
+  }
+
+  // Calls out(closed, pieces) for the longest parts of a curve that belong to the selection and are more than points.
+  template <class FT, class Function>
+  void operator()(const FT& scale, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
+  {
+    const auto is_wanted = [&](const Level_piece<FT>& p) { return (*this)(p.root); };
+    if (m_selection.is_everything() || std::all_of(pieces.begin(), pieces.end(), is_wanted))
+    {
+      out(closed, std::move(pieces));
+      return;
+    }
+    // a closed curve is taken from behind a piece that is not wanted
+    if (closed) std::rotate(pieces.begin(), std::find_if_not(pieces.begin(), pieces.end(), is_wanted), pieces.end());
+    for (auto first = pieces.begin(); first != pieces.end();)
+    {
+      first = std::find_if(first, pieces.end(), is_wanted);
+      const auto last = std::find_if_not(first, pieces.end(), is_wanted);
+      std::vector<Level_piece<FT>> part(first, last);
+      if (!is_point(part, scale)) out(false, std::move(part));
+      first = last;
+    }
+  }
+
+private:
+  bool is_inside(Root root) const { return m_inside.at(m_primitives[root.primitive()].source) == root.side(); }
+
+  Offset_selection m_selection;
+  const std::vector<Source_primitive>& m_primitives;
+  std::map<Index, Source_side> m_inside; // by source id
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a path is handed out as: what it meets, one after the other, or points in space. Its legs are remembered as that.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_OUTPUT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_OUTPUT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// What a leg has passed, as it is found.
+template <class FT>
+struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
+{
+  static const Path_crossing<FT>& item(const Path_crossing<FT>& c) { return c; }
+};
+
+// The same as points in space. They are made at once: a processor that waits for the next turn of the way has the time.
+template <class Surface>
+struct Passed_points : boost::container::small_vector<typename Surface::Point_3, 128>
+{
+  explicit Passed_points(const Surface& surface) : surface(surface) {}
+
+  typename Surface::Point_3 item(const Path_crossing<typename Surface::Number>& c) const { return surface.point(c); }
+
+  const Surface& surface;
+};
+
+// Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
+// it passes, and for the source point where it ends; out(crossing) for each edge that it crosses.
+template <class FT, class Function>
+class Path_elements
+{
+public:
+  typedef Path_crossing<FT> Item;
+
+  explicit Path_elements(Function& out) : m_out(out) {}
+
+  template <class P>
+  void start(const P& p)
+  {
+    m_out(p);
+  }
+
+  // Takes what a leg passes; the leg is whole with its end.
+  Passed_crossings<FT>& passed() { return m_passed; }
+  void end_leg(const Leg_end<FT>&) {}
+
+  // The items of a leg.
+  void append(const Item* q, const Item* last, const Leg_end<FT>& end)
+  {
+    for (; q != last; ++q)
+      if (q->halfedge != no_index) m_out(*q);
+      else m_out(Surface_point<FT>::at_vertex(q->source));
+    m_out(end.point);
+  }
+
+private:
+  Function& m_out;
+  Passed_crossings<FT> m_passed;
+};
+
+// Keeps the point where a path ends.
+template <class FT>
+struct Path_end
+{
+  Surface_point<FT> point;
+  void operator()(const Surface_point<FT>& p) { point = p; }
+  void operator()(const Path_crossing<FT>&) {}
+};
+
+// Tells a visitor, as that of Surface_mesh_shortest_path, what a path meets.
+template <class Surface, class Visitor>
+class Path_visits
+{
+public:
+  typedef typename Surface::Number FT;
+
+  Path_visits(const Surface& surface, Visitor& visitor) : m_surface(surface), m_visitor(visitor) {}
+
+  void operator()(const Path_crossing<FT>& p) const
+  {
+    m_visitor(m_surface.halfedge_of(p.halfedge), Surface::exported(p.part));
+  }
+
+  // P: a surface point, or a located one.
+  template <class P>
+  void operator()(const P& p) const
+  {
+    if (p.kind == P::VERTEX)
+      m_visitor(m_surface.vertex_of[p.element]);
+    else if (p.kind == P::EDGE)
+      m_visitor(m_surface.halfedge_of(p.element), Surface::exported(FT(p.x / m_surface.unfolded[p.element].length)));
+    else
+    {
+      const auto location = m_surface.location(p);
+      m_visitor(location.first, location.second);
+    }
+  }
+
+private:
+  const Surface& m_surface;
+  Visitor& m_visitor;
+};
+
+// The vector that an output iterator appends to, if it does; else null.
+template <class Item, class OutputIterator>
+inline std::nullptr_t vector_behind(const OutputIterator&)
+{
+  return nullptr;
+}
+
+template <class Item, class Allocator>
+inline std::vector<Item, Allocator>* vector_behind(const std::back_insert_iterator<std::vector<Item, Allocator>>& out)
+{
+  typedef std::back_insert_iterator<std::vector<Item, Allocator>> Iterator;
+  struct Opened : Iterator
+  {
+    static std::vector<Item, Allocator>* container_of(const Iterator& i) { return i.*(&Opened::container); }
+  };
+  return Opened::container_of(out);
+}
+
+// Points in space, the end of each leg among the items.
+template <class Surface, class OutputIterator>
+class Path_points
+{
+public:
+  typedef typename Surface::Number FT;
+  typedef typename Surface::Point_3 Item;
+
+  Path_points(const Surface& surface, OutputIterator out) : m_surface(surface), m_out(out), m_passed(surface) {}
+
+  template <class P>
+  void start(const P& p)
+  {
+    const Item q = m_surface.point(p); // appending what has a name to a vector is not a call
+    *m_out++ = q;
+  }
+
+  Passed_points<Surface>& passed() { return m_passed; }
+  void end_leg(const Leg_end<FT>& end) { m_passed.push_back(m_surface.point(end.point)); }
+
+  void append(const Item* q, const Item* last, const Leg_end<FT>&)
+  {
+    if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
+    else
+      for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda can't be assigned
+  }
+
+  const OutputIterator& out() const { return m_out; }
+
+private:
+  static constexpr bool is_vector =
+    !std::is_same<decltype(vector_behind<Item>(std::declval<const OutputIterator&>())), std::nullptr_t>::value;
+
+  // At the end of the vector: to fill it at once is faster than to append one by one.
+  Item* room_for(std::size_t n)
+  {
+    auto& items = *vector_behind<Item>(m_out);
+    const std::size_t size = items.size();
+    items.resize(size + n);
+    return items.data() + size;
+  }
+
+  const Surface& m_surface;
+  OutputIterator m_out;
+  Passed_points<Surface> m_passed;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

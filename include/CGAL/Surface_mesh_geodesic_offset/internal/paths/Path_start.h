@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The distance of a point, and how the shortest path begins there: at a vertex as the propagation has left it, elsewhere
+// by the windows of the faces around.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_START_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_START_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Straight_walk.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A shortest path goes from `from` straight to `to`, in the frame of a halfedge of the face where it starts: up to the
+// pseudo-source, or to the source if there is none.
+template <class FT>
+struct Path_start
+{
+  FT distance = Number_policy<FT>::infinity();
+  Root root;
+  Index pseudo_source = no_index;
+  Index halfedge = no_index; // none at a source and where the distance is infinite
+  int exit = -1;             // the edge, counted from that halfedge, that the path leaves through, if it leaves the face
+  Point_in_face<FT> from, to;
+
+  bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
+};
+
+template <class FT>
+class Path_starts
+{
+public:
+  typedef Point_in_face<FT> Point;
+
+  Path_starts(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_initial(initial), m_field(field)
+  {
+  }
+
+  // Other points than vertices need kept windows.
+  Path_start<FT> operator()(const Located_point<FT>& p) const
+  {
+    if (p.kind == Surface_point<FT>::VERTEX) return at_vertex(p.element);
+    if (p.kind == Surface_point<FT>::EDGE) return at_point(p, distance(p));
+    const Nearest nearest = nearest_in(p.element, p.weights);
+    Path_start<FT> start;
+    if (!starts_clearly(p, nearest, start)) start = at_point(p, nearest.distance);
+    return start;
+  }
+
+  Path_start<FT> at_vertex(Index v) const
+  {
+    Path_start<FT> start;
+    start.distance = m_field.distance[v];
+    start.root = m_field.root[v];
+    const Way_back<FT>& back = m_field.back[v];
+    if (!start.is_reached() || CGAL::is_zero(start.distance) || back.corner == no_index) return start;
+    start.pseudo_source = back.pseudo_source;
+    start.halfedge = back.corner;
+    start.exit = 1;
+    const Point u{back.x, back.y};
+    start.from = {FT(0), FT(0)};
+    if constexpr (!Number_policy<FT>::is_inexact)
+      if (dot(u, u) != FT(1))
+      {
+        start.to = u; // the way itself: only directions of parallel rays and of edges are unit vectors
+        return start;
+      }
+    FT way = start.distance;
+    if (back.pseudo_source != no_index) way -= m_field.distance[back.pseudo_source];
+    start.to = (way / length(u)) * u;
+    return start;
+  }
+
+  FT distance(const Located_point<FT>& p) const
+  {
+    if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance[p.element];
+    if (p.kind == Surface_point<FT>::FACE) return nearest_in(p.element, p.weights).distance;
+    FT result = Number_policy<FT>::infinity();
+    for (const Index h : {p.element, m_mesh.twin(p.element)})
+    {
+      if (h == no_index) continue;
+      const FT t = p.x / m_mesh[h].length;
+      std::array<FT, 3> w;
+      w[h % 3] = h == p.element ? FT(FT(1) - t) : t;
+      w[(h + 1) % 3] = h == p.element ? t : FT(FT(1) - t);
+      w[(h + 2) % 3] = FT(0);
+      result = (std::min)(result, nearest_in(m_mesh.face(h), w).distance);
+    }
+    return result;
+  }
+
+private:
+  struct Nearest : Nearest_kept_window<FT>
+  {
+    FT distance = Number_policy<FT>::infinity();
+    FT by_corner = Number_policy<FT>::infinity(); // the shortest way by a corner
+    int corner = 0;
+    bool is_near_source = false; // something starts in the face
+    std::array<Point, 3> q;      // the point in the frames of the face's halfedges
+  };
+
+  // From kept windows, without making them. Of ways that tie, a straight one tells the distance best.
+  Nearest nearest_in(Index face, const std::array<FT, 3>& w) const
+  {
+    Nearest n;
+    const Index h = 3 * face;
+    const std::array<FT, 3> d = {m_field.distance[m_mesh.source(h)], m_field.distance[m_mesh.source(h + 1)],
+                                 m_field.distance[m_mesh.source(h + 2)]};
+    const bool is_reached = Number_policy<FT>::is_finite(d[0]);
+    if (!is_reached && !Number_policy<FT>::is_finite(m_field.maximum)) return n;
+    m_field.kept.prefetch(face);
+    for (int k = 0; k < 3; ++k)
+    {
+      n.q[k] = position_in_frame(m_mesh, h + Index(k), w[(k + 1) % 3], w[(k + 2) % 3]);
+      const FT way = d[k] + length(n.q[k]);
+      if (way < n.by_corner)
+      {
+        n.by_corner = way;
+        n.corner = k;
+      }
+    }
+    const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
+    // no corner of a face with a source is farther than that
+    if (!is_reached || d[0] <= extent) look_at_sources(face, n);
+    const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
+    m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
+    const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
+    const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
+    n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
+    // on the source
+    if (n.distance <= Number_policy<FT>::rounding(8) * extent) n.distance = FT(0);
+    return n;
+  }
+
+  void look_at_sources(Index face, Nearest& n) const
+  {
+    const auto local = local_windows(m_initial, face);
+    n.is_near_source = local.first != local.second;
+    for (auto i = local.first; i != local.second; ++i)
+    {
+      bool is_straight;
+      const FT d = i->window.path_length(n.q[0], is_straight);
+      FT& best = is_straight ? n.straight : n.bent;
+      best = (std::min)(best, d);
+    }
+  }
+
+  // The start without more ado if one window, or one corner, is known to be the right one.
+  bool starts_clearly(const Located_point<FT>& p, const Nearest& n, Path_start<FT>& start) const
+  {
+    if (!Number_policy<FT>::is_finite(n.distance)) return true;
+    if (n.is_near_source) return false;
+    if (n.window != no_index && n.distance == n.straight)
+    {
+      const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.root);
+      if (w.root.side() == Source_side::CAP) return false; // the side of a segment may tie
+      start.root = w.root;
+      start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();
+      start.halfedge = 3 * p.element + Index(n.halfedge);
+      start.exit = 0;
+      start.from = n.q[n.halfedge];
+      start.to = {w.x, w.y};
+      if (w.is_parallel()) start.to = start.from + n.distance * start.to;
+    }
+    else
+    {
+      const Index h = 3 * p.element + Index(n.corner), v = m_mesh.source(h);
+      const FT extent = m_mesh[h].length + m_mesh[h + 1 - 3 * Index(n.corner == 2)].length;
+      const FT tied = n.distance + Number_policy<FT>::rounding(256) * (n.distance + extent);
+      if (n.distance != n.by_corner || CGAL::is_zero(m_field.distance[v]) || (std::min)(n.straight, n.bent) <= tied)
+        return false;
+      start.root = m_field.root[v];
+      start.pseudo_source = v;
+      start.halfedge = h;
+      start.from = n.q[n.corner];
+      start.to = {FT(0), FT(0)};
+    }
+    start.distance = n.distance;
+    return true;
+  }
+
+  template <class Function>
+  void for_each_face(const Surface_point<FT>& p, const Function& f) const
+  {
+    if (p.kind == Surface_point<FT>::FACE) return f(p.element, Point{p.x, p.y});
+    for (const Index h : {p.element, m_mesh.twin(p.element)})
+      if (h != no_index)
+        f(m_mesh.face(h), Face_frame<FT>(m_mesh, m_mesh.face(h))
+                            .on_edge(int(h % 3), h == p.element ? p.x : FT(m_mesh[h].length - p.x)));
+  }
+
+  Path_start<FT> at_point(const Surface_point<FT>& p, const FT& distance) const
+  {
+    Path_start<FT> start;
+    start.distance = distance;
+    if (!start.is_reached()) return start;
+    int liking = -1;
+    FT shortest;
+    Face_field<FT> field(m_mesh, m_initial, m_field);
+    for_each_face(p, [&](Index f, const Point& q) {
+      field.set_face_at(f, q, start.distance);
+      for (std::size_t i = 0; i < field.windows().size(); ++i)
+      {
+        const FT d = field.windows()[i].path_length(q);
+        const int preference = field.tie(d, start.distance) ? field.preference(i, q) : -1;
+        if (preference > liking || (preference == liking && preference >= 0 && d < shortest))
+        {
+          liking = preference;
+          shortest = d;
+          set(start, f, q, field.windows()[i]);
+        }
+      }
+    });
+    // through the edge that the point is on: the path starts on the other side
+    if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE)
+    {
+      Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+      const Index h = walk.edge(start.exit), beyond = m_mesh.twin(h);
+      if (beyond != no_index && (h == p.element || beyond == p.element))
+      {
+        walk.cross_over(start.exit, walk.crossing(start.exit));
+        start.halfedge = beyond;
+        start.from = walk.position();
+        start.to = walk.goal();
+        start.exit = walk.exit();
+      }
+    }
+    return start;
+  }
+
+  static void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w)
+  {
+    start.root = w.root;
+    start.pseudo_source = w.pseudo_source();
+    start.halfedge = 3 * face;
+    start.exit = w.origin <= ENTERS_HALFEDGE_2 ? int(w.edge) : -1;
+    start.from = p;
+    start.to = w.is_parallel() ? p + w.distance_at(p) * w.image() : w.image();
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  const Geodesic_field<FT>& m_field;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A shortest path back to the source: straight on through the unfolded faces, from pseudo-source to pseudo-source. It takes
+// windows only where it starts, and none at all at a vertex.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_TRACING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_TRACING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goal.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Strip_walk.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Path_tracing
+{
+public:
+  typedef Point_in_face<FT> Point;
+  typedef Surface_point<FT> Surface_point_;
+
+  Path_tracing(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_field(field), m_start(mesh, initial, field), m_goals(mesh, initial, field)
+  {
+  }
+
+  // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
+  // Returns the primitive where it ends. Nothing if p is not reached.
+  template <class Point_, class Legs, class Output>
+  Index operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out) const
+  {
+    if (!first.is_reached()) return no_index;
+    out.start(p);
+    const Index limit = Index(m_mesh.number_of_vertices());
+    Path_start<FT> further;
+    auto& passed = out.passed();
+    Index v = p.kind == Surface_point_::VERTEX ? p.element : no_index;
+    for (Index guard = 0; guard <= limit; ++guard)
+    {
+      if (const typename Legs::Leg* const leg = known_leg(legs, v))
+      {
+        out.append(leg->first_item(), leg->last_item(), leg->end());
+        if (leg->end().primitive != no_index) return leg->end().primitive;
+        v = leg->end().point.element;
+        continue;
+      }
+      if (guard != 0) further = m_start.at_vertex(v);
+      const Path_start<FT>& start = guard == 0 ? first : further;
+      if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+      if constexpr (Legs::keeps)
+        if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
+      passed.clear();
+      const End end = follow(start, passed);
+      out.end_leg(end);
+      if constexpr (Legs::keeps)
+        if (v != no_index) legs.keep(v, passed, end, guard == 0);
+      out.append(passed.data(), passed.data() + passed.size(), end);
+      if (end.primitive != no_index) return end.primitive;
+      v = end.point.element;
+    }
+    return v == no_index ? first.root.primitive() : m_field.root[v].primitive();
+  }
+
+  // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
+  void find_way_back(Index v, Way_back<FT>& back, Root& root) const
+  {
+    if (back.corner == no_index || starts_within_face(v, back.corner)) return;
+    const Path_start<FT> start = m_start.at_vertex(v);
+    if (start.halfedge == no_index) return;
+    const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
+    const FT limit = start.distance * (FT(1) + Number_policy<FT>::rounding(512));
+    const auto may_lead_to = [&](int k) { return m_field.distance[walk.vertex(k)] + length(walk.corner(k)) <= limit; };
+    if (!may_lead_to(1) && !may_lead_to(2)) return;
+    Passed_crossings<FT> passed;
+    const End end = follow(start, passed);
+    if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
+    const Index next = end.point.element;
+    for (int k : {1, 2})
+      if (walk.vertex(k) == next)
+      {
+        back = Way_back<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
+        if (root.primitive() != m_field.root[next].primitive()) root = m_field.root[next];
+      }
+  }
+
+private:
+  typedef Leg_end<FT> End;
+
+  // Whether a path from v that starts in the face of h is known not to lead to another corner of it, as most do not: at one
+  // glance, and therefore with more allowance than where that is decided.
+  bool starts_within_face(Index v, Index h) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return (void)v, (void)h, false;
+    const auto &next = m_mesh[m_mesh.next(h)], &previous = m_mesh[m_mesh.previous(h)];
+    const FT limit = m_field.distance[v] * (FT(1) + Number_policy<FT>::rounding(1024));
+    return m_field.distance[next.origin] + m_mesh[h].length > limit &&
+           m_field.distance[previous.origin] + previous.length > limit;
+  }
+
+  // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
+  struct Detour
+  {
+    FT length = Number_policy<FT>::infinity();
+    Index vertex = no_index;
+    std::size_t passed = 0;
+  };
+
+  static constexpr double nearby = Path_goals<FT>::nearby;
+
+  template <class Legs>
+  static const typename Legs::Leg* known_leg(const Legs& legs, Index v)
+  {
+    if constexpr (Legs::keeps) return v == no_index ? nullptr : legs.find(v);
+    else return (void)legs, (void)v, nullptr;
+  }
+
+  // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
+  // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
+  template <class Passed>
+  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
+  {
+    const auto goal = m_goals.of(start);
+    const FT reach = length(start.to - start.from);
+    Index h = start.halfedge;
+    Point from = start.from, to = start.to;
+    bool is_under_way = false;
+    // not with exact numbers, of which strips make long expressions
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, m_mesh.face(h)))
+    {
+      Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
+      const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
+      const FT ahead = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
+      is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
+      if (is_under_way)
+      {
+        if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
+            strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
+          return goal.end;
+        h = strip.halfedge();
+        from = strip.position();
+        to = strip.goal();
+      }
+    }
+    Straight_walk<FT> walk(m_mesh, h, from, to);
+    int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
+    Detour detour;
+    Index last_vertex = no_index;
+    const Index limit = Index(m_mesh.number_of_halfedges());
+    for (Index guard = 0; guard <= limit; ++guard)
+    {
+      const bool is_first = guard == 0 && !is_under_way;
+      if (has_missed) look_for_detour(walk, is_first, start, reach, passed.size(), detour);
+      FT last;
+      if (m_goals.is_in_sight(goal, walk, is_first, last))
+      {
+        if constexpr (!Number_policy<FT>::is_inexact) return goal.end;
+        const FT left = length(walk.goal() - walk.position());
+        const FT rounding =
+          Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
+        if (last <= left + rounding || (has_missed && reach - left + last + m_goals.distance_of(goal) <= detour.length))
+          return goal.end;
+        break;
+      }
+      if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
+      const auto crossing = walk.crossing(exit);
+      const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
+      if (crossing.goal.y <= beside)
+      {
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, end)) return end;
+        if (crossing.goal.y < -beside) break;
+      }
+      const Index beyond = walk.beyond(exit);
+      // the corners that have not been looked at
+      if (is_first)
+      {
+        const int first = exit, last = (exit + 1) % 3;
+        const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(last) - walk.corner(first)));
+        for (int k : {ahead ? last : first, ahead ? first : last})
+          if (passes(walk, k, crossing, start)) return m_goals.at_vertex(walk.vertex(k));
+      }
+      else if (passes(walk, 2, crossing, start))
+        return m_goals.at_vertex(walk.vertex(2));
+      if (beyond == no_index) break;
+      // vertices in the way that the path passes by, but not as closely as to start from there anew
+      const FT rounding = (Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0)) * crossing.length;
+      const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
+                      : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
+                                                                 : no_index;
+      if (v == no_index)
+        passed.push_back(
+          passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
+      else if (v != last_vertex)
+        passed.push_back(passed.item({no_index, v, v, FT(0)}));
+      last_vertex = v;
+      walk.cross_over(exit, crossing);
+    }
+    if (!has_missed)
+    {
+      passed.clear();
+      return follow(start, passed, true);
+    }
+    if (detour.vertex != no_index)
+    {
+      passed.resize(detour.passed);
+      return m_goals.at_vertex(detour.vertex);
+    }
+    return goal.end;
+  }
+
+  // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on; if
+  // numbers are exact, whether it meets the corner.
+  bool passes(const Straight_walk<FT>& walk, int k, const typename Straight_walk<FT>::Crossing& crossing,
+              const Path_start<FT>& start) const
+  {
+    const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
+    const FT off = walk.side(k);
+    if constexpr (!Number_policy<FT>::is_inexact)
+      return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
+             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal);
+    const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
+    const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
+    if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
+      return false;
+    const FT& d = m_field.distance[walk.vertex(k)];
+    const FT straight_on = length(to_goal);
+    const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
+    return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance;
+  }
+
+  void look_for_detour(const Straight_walk<FT>& walk, bool is_first, const Path_start<FT>& start, const FT& reach,
+                       std::size_t passed, Detour& detour) const
+  {
+    const FT so_far = reach - length(walk.goal() - walk.position());
+    for (int k = is_first ? 0 : 2; k < 3; ++k)
+    {
+      const FT to_vertex = length(walk.corner(k) - walk.position());
+      const FT& d = m_field.distance[walk.vertex(k)];
+      const FT way = so_far + to_vertex + d;
+      if (way < detour.length && d < start.distance) detour = {way, walk.vertex(k), passed};
+    }
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Geodesic_field<FT>& m_field;
+  const Path_starts<FT> m_start;
+  const Path_goals<FT> m_goals;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Straight on through the unfolded faces, from a point towards another one: from edge to edge, always in the frame of the
+// halfedge through which the way has entered the face.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_STRAIGHT_WALK_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_STRAIGHT_WALK_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Edges and corners of the face are counted from the halfedge of the frame: edge k goes from corner k to corner k + 1. Which
+// edge comes next can't be foreseen: everything is looked up by its number, and nothing branches on it.
+template <class FT>
+class Straight_walk
+{
+public:
+  typedef Point_in_face<FT> Point;
+
+  // Where the way leaves through an edge: the place on the edge and the goal, in the frame of the twin.
+  struct Crossing
+  {
+    FT t, length; // of the edge
+    Point goal;
+  };
+
+  // Both points in the frame of h; `from` lies in its face.
+  Straight_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& goal)
+    : m_mesh(&mesh), m_position(from), m_goal(goal)
+  {
+    enter(h);
+  }
+
+  Index halfedge() const { return m_edge[0]; }
+  Index face() const { return m_edge[0] / 3; }
+  const Point& position() const { return m_position; }
+  const Point& goal() const { return m_goal; }
+
+  Index edge(int k) const { return m_edge[k]; }
+  Index vertex(int k) const { return (*m_mesh)[m_edge[k]].origin; }
+  Index beyond(int k) const { return (*m_mesh)[m_edge[k]].twin; }
+  const Point& corner(int k) const { return m_corner[k]; }
+
+  // No smaller than the longest edge of the face.
+  FT extent() const { return m_length[0] + m_length[1]; }
+
+  // Positive for a corner on the left of the way: the distance from it, times that of the goal.
+  FT side(int k) const { return cross(m_goal - m_position, m_corner[k] - m_position); }
+
+  // The edge through which the way leaves that has entered through the frame's halfedge.
+  int exit() const { return 2 - int(CGAL::is_positive(side(2))); }
+
+  // The same for a way that starts anywhere in the face.
+  int exit_from_inside() const
+  {
+    for (int k = 0; k < 3; ++k)
+      if (!CGAL::is_positive(side(k)) && CGAL::is_positive(side(after(k)))) return k;
+    return 0;
+  }
+
+  Crossing crossing(int k) const
+  {
+    const FT first = side(k), last = side(after(k)), &length = m_length[k]; // on the right and on the left
+    const Point &u = m_direction[k], g = m_goal - m_corner[after(k)];
+    const FT t = !CGAL::is_positive(last) ? FT(0) : !CGAL::is_negative(first) ? length : FT(last / (last - first) * length);
+    return {t, length, {dot(u, g), cross(u, g)}};
+  }
+
+  // Over edge k, which is not on the border.
+  void cross_over(int k, const Crossing& c)
+  {
+    m_position = {c.t, FT(0)};
+    m_goal = c.goal;
+    enter(beyond(k));
+  }
+
+private:
+  static int after(int k) { return (k + 1) % 3; }
+
+  void enter(Index h)
+  {
+    const Index first = h - h % 3;
+    m_edge = {h, first + (h + 1) % 3, first + (h + 2) % 3};
+    const auto &e = (*m_mesh)[h], &n = (*m_mesh)[m_edge[1]], &p = (*m_mesh)[m_edge[2]];
+    m_length = {e.length, n.length, p.length};
+    m_corner = {Point{FT(0), FT(0)}, Point{e.length, FT(0)}, Point{e.apex_x, e.apex_y}};
+    // the angle at the target from the vectors there: differences of coordinates would lose all digits on a tiny edge
+    const FT to_unit = FT(1) / e.length, to_unit_left = FT(1) / p.length;
+    m_direction = {Point{FT(-1), FT(0)}, Point{to_unit * n.apex_x, -to_unit * n.apex_y},
+                   Point{to_unit_left * e.apex_x, to_unit_left * e.apex_y}};
+  }
+
+  const Unfolded_mesh<FT>* m_mesh;
+  Point m_position, m_goal;
+  std::array<Index, 3> m_edge;
+  std::array<FT, 3> m_length;
+  std::array<Point, 3> m_corner, m_direction; // m_direction: of the frames of the twins
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Step 2 of the pipeline: what starts from the sources, as windows inside faces, windows on source edges, fans of rays
+// from vertices, and first distances of vertices. See Source_start for where they start.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_INITIAL_WINDOWS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_INITIAL_WINDOWS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A point or segment of a source.
+struct Source_primitive
+{
+  Index source; // id of the source
+  Index part;   // number of the point, or of the segment, within the source
+  bool is_segment;
+};
+
+// Where it is: from `first` straight to `second`, in a face that both lie in; a point is `first` alone.
+template <class FT>
+struct Source_place
+{
+  Surface_point<FT> first, second;
+};
+
+template <class FT>
+class Initial_windows
+{
+public:
+  typedef Surface_point<FT> Surface_point_;
+  typedef Point_in_face<FT> Point;
+  typedef Ray_at_vertex<FT> Ray;
+
+  struct Local_window
+  {
+    Index face;
+    Face_window<FT> window;
+  };
+  struct Edge_window // a part of an edge is source: distance 0 on it
+  {
+    Index halfedge;
+    FT b0, b1;
+    Root root;
+  };
+  struct Vertex_fan // rays from a source vertex, see Vertex_sector::for_each_corner
+  {
+    Index vertex;
+    Ray from, to;
+    Index first;
+    Root root;
+  };
+  struct Vertex_seed // a first distance of a vertex, with the direction back to the source
+  {
+    Index vertex;
+    FT distance;
+    Ray back;
+    Root root;
+  };
+
+  explicit Initial_windows(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh) {}
+
+  void add_point(Index source, const Surface_point_& p)
+  {
+    const Root root(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
+    if (p.kind == Surface_point_::VERTEX)
+    {
+      seeds.push_back({p.element, FT(0), Ray(), root});
+      m_mesh.for_each_fan(p.element, [&](Index first) { fans.push_back({p.element, Ray(), Ray(), first, root}); });
+    }
+    else
+      add_flat_sector(p, nullptr, nullptr, root);
+  }
+
+  // Call once everything is added: shows the fans in the faces round their vertices, and orders the local windows by
+  // face, those on edges by halfedge.
+  void finish()
+  {
+    for (const Vertex_fan& f : fans)
+      Vertex_sector<FT>(m_mesh).for_each_corner(f.from, f.to, f.first, [&](Index h, const Ray* lower, const Ray* upper) {
+        add_corner(h, lower, upper, f.root);
+      });
+    std::stable_sort(local.begin(), local.end(),
+                     [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge_window& a, const Edge_window& b) { return a.halfedge < b.halfedge; });
+  }
+
+  // Calls f(window) for the parts of a halfedge that are source. Call finish() first.
+  template <class Function>
+  void for_each_edge_window(Index h, const Function& f) const
+  {
+    auto i = std::lower_bound(edges.begin(), edges.end(), h, [](const Edge_window& w, Index g) { return w.halfedge < g; });
+    for (; i != edges.end() && i->halfedge == h; ++i) f(*i);
+  }
+
+  std::vector<Source_primitive> primitives;
+  std::vector<Source_place<FT>> places; // per primitive
+  std::vector<Index> source_of;         // per primitive, its source
+  std::vector<Local_window> local;
+  std::vector<Edge_window> edges;
+  std::vector<Vertex_fan> fans;
+  std::vector<Vertex_seed> seeds;
+
+  Index add_primitive(const Source_primitive& primitive, const Source_place<FT>& place)
+  {
+    primitives.push_back(primitive);
+    places.push_back(place);
+    source_of.push_back(primitive.source);
+    return Index(primitives.size() - 1);
+  }
+
+  // The rays from a segment inside a face to one side, with unit normal n; `left` and `right` seen along the rays.
+  void add_strip(Index face, const Point& left, const Point& right, const Point& n, Root root)
+  {
+    local.push_back({face, Face_window<FT>{-n.x, -n.y, -dot(n, left), left, right, root,
+                                           Window<FT>::make_bits(true, no_index), STARTS_IN_FACE, 3}});
+  }
+
+  void add_edge_windows(Index h, const FT& b0, const FT& b1, Root on_left, Root on_right)
+  {
+    edges.push_back({h, b0, b1, on_left});
+    if (m_mesh.twin(h) != no_index)
+      edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});
+  }
+
+  void seed_corner(Index face, const Face_frame<FT>& frame, int k, const FT& distance, const Point& back, Root root)
+  {
+    const Point u = frame.vector_to_halfedge(k, back);
+    seeds.push_back({m_mesh.source(3 * face + k), distance, Ray{3 * face + Index(k), u.x, u.y}, root});
+  }
+
+  // The rays from a point inside a face or an edge. The sector reaches counterclockwise from `from` to `to` (at most
+  // a half turn), in the frame of the point's face or halfedge; without them, all directions.
+  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
+  {
+    if (p.kind == Surface_point_::FACE)
+    {
+      add_sector_in_face(p.element, {p.x, p.y}, from, to, root);
+      return;
+    }
+    for (const Index h : {p.element, m_mesh.twin(p.element)})
+    {
+      if (h == no_index) continue;
+      const int k = int(h % 3);
+      const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+      const bool turned = h != p.element;
+      const Point position = frame.on_edge(k, turned ? FT(m_mesh[h].length - p.x) : p.x);
+      Point f, t;
+      if (from) f = frame.vector_from_halfedge(k, turned ? FT(-1) * *from : *from);
+      if (to) t = frame.vector_from_halfedge(k, turned ? FT(-1) * *to : *to);
+      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, root, k);
+    }
+  }
+
+  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, int on_edge = -1)
+  {
+    const Face_frame<FT> frame(m_mesh, face);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point back = p - frame.corner(k);
+      seed_corner(face, frame, k, length(back), back, root);
+      if (k == on_edge || !CGAL::is_positive(frame.height(k, p))) continue;
+      // seen from p, the right end of the edge is its source
+      Point right = frame.corner(k), left = frame.corner((k + 1) % 3);
+      if (from && !clip(p, *from, FT(1), right, left)) continue;
+      if (to && !clip(p, *to, FT(-1), right, left)) continue;
+      // where a polyline goes straight on up to rounding, its strips meet and nothing is between them
+      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) continue;
+      local.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root,
+                                             Window<FT>::make_bits(false, no_index), STARTS_IN_FACE,
+                                             (unsigned char)(k)}});
+    }
+  }
+
+  void add_seeds_of_point(const Surface_point_& p, Root root)
+  {
+    for (Index f : faces_of(m_mesh, p))
+    {
+      Point position;
+      unsigned edges_of_p;
+      position_in_face(m_mesh, p, f, position, edges_of_p);
+      const Face_frame<FT> frame(m_mesh, f);
+      for (int k = 0; k < 3; ++k)
+      {
+        const Point back = position - frame.corner(k);
+        seed_corner(f, frame, k, length(back), back, root);
+      }
+    }
+  }
+
+private:
+  // What a fan sends into one face, at its corner at the source of h; the rays are counterclockwise from `lower` to `upper`.
+  void add_corner(Index h, const Ray* lower, const Ray* upper, Root root)
+  {
+    const Vertex_sector<FT> sector(m_mesh);
+    const int k = int(h % 3), opposite = (k + 1) % 3;
+    const FT length = m_mesh[m_mesh.next(h)].length;
+    const FT right = lower ? FT(length - sector.exit_of_ray(h, *lower)) : FT(0);
+    const FT left = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
+    if (!(right + Number_policy<FT>::rounding(64) * length < left)) return;
+    const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+    const Point& c = frame.corner(k);
+    local.push_back({m_mesh.face(h), Face_window<FT>{c.x, c.y, FT(0), frame.on_edge(opposite, left),
+                                                     frame.on_edge(opposite, right), root,
+                                                     Window<FT>::make_bits(false, no_index), STARTS_AT_CORNER,
+                                                     (unsigned char)(k)}});
+  }
+
+  // Clips the chord to the side of the line through p with direction u where cross(u, . - p) has the given sign.
+  static bool clip(const Point& p, const Point& u, const FT& sign, Point& right, Point& left)
+  {
+    const FT r = sign * cross(u, right - p), l = sign * cross(u, left - p);
+    if (!CGAL::is_positive(r) && !CGAL::is_positive(l)) return false;
+    if (CGAL::is_negative(r)) right = right + (r / (r - l)) * (left - right);
+    if (CGAL::is_negative(l)) left = left + (l / (l - r)) * (right - left);
+    return true;
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where rays start from polylines and edges: parallel-source windows to both sides of every segment; interval windows only
+// where shortest paths can start from a point, that is at a vertex of a polyline in the sector between the normals on its
+// reflex side, and in the half disk beyond an end.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_START_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_START_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Source_start
+{
+public:
+  typedef Surface_point<FT> Surface_point_;
+  typedef Point_in_face<FT> Point;
+  typedef Ray_at_vertex<FT> Ray;
+
+  Source_start(const Unfolded_mesh<FT>& mesh, Initial_windows<FT>& out) : m_mesh(mesh), m_sector(mesh), m_out(out) {}
+
+  void add_polyline(Index source, const std::vector<Surface_point_>& points, bool closed)
+  {
+    const std::size_t n = points.size();
+    if (n == 0) return;
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i + 1 < n + (closed ? 1 : 0); ++i)
+    {
+      Segment s;
+      if (make_segment(points[i], points[(i + 1) % n], s))
+      {
+        s.part = Index(i);
+        segments.push_back(s);
+      }
+    }
+    if (segments.empty())
+    {
+      m_out.add_point(source, points.front());
+      return;
+    }
+    for (const Segment& s : segments) add_segment(source, s);
+    const std::size_t m = segments.size();
+    if (!closed)
+    {
+      add_end(source, segments.front().first, segments.front(), false, 0);
+      add_end(source, segments.back().second, segments.back(), true, Index(n - 1));
+    }
+    for (std::size_t i = closed ? 0 : 1; i < m; ++i)
+      add_joint(source, segments[(i + m - 1) % m], segments[i]);
+  }
+
+  // Edges, given by one halfedge each.
+  void add_edges(Index source, const std::vector<Index>& halfedges)
+  {
+    std::vector<Index> ends;
+    std::vector<char> is_source(m_mesh.number_of_halfedges(), 0);
+    for (std::size_t i = 0; i < halfedges.size(); ++i)
+    {
+      const Index h = halfedges[i];
+      if (is_source[h]) continue;
+      is_source[h] = 1;
+      const Index primitive = m_out.add_primitive(
+        {source, Index(i), true},
+        {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
+      const Root root(primitive, Source_side::NONE);
+      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, root, root);
+      if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
+      ends.push_back(m_mesh.source(h));
+      ends.push_back(m_mesh.target(h));
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (Index v : ends)
+    {
+      const Surface_point_ place = Surface_point_::at_vertex(v);
+      const Root root(m_out.add_primitive({source, v, false}, {place, place}), Source_side::NONE);
+      m_out.seeds.push_back({v, FT(0), Ray(), root});
+      m_mesh.for_each_fan(v, [&](Index first) { add_fan_between_edges(v, first, is_source, root); });
+    }
+  }
+
+private:
+  struct Segment
+  {
+    Surface_point_ first, second;
+    Index face; // a face that contains both ends
+    Point a, b;
+    unsigned edge; // bit of the halfedge that both ends lie on, or 0
+    Index part;
+  };
+
+  // Returns false if the two points coincide; throws if they have no face in common.
+  bool make_segment(const Surface_point_& p, const Surface_point_& q, Segment& s) const
+  {
+    s.first = p;
+    s.second = q;
+    bool found = false;
+    for (Index f : faces_of(m_mesh, p))
+    {
+      Point a, b;
+      unsigned ea, eb;
+      if (!position_in_face(m_mesh, q, f, b, eb) || !position_in_face(m_mesh, p, f, a, ea)) continue;
+      // a face in which both lie on one edge says more than one in which they don't
+      if (!found || (ea & eb))
+      {
+        s.face = f;
+        s.a = a;
+        s.b = b;
+        s.edge = ea & eb;
+      }
+      found = true;
+      if (s.edge) break;
+    }
+    if (!found)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: two consecutive points of a polyline have no "
+                                  "face in common");
+    if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;
+    return CGAL::is_positive(length(s.b - s.a));
+  }
+
+  void add_segment(Index source, const Segment& s)
+  {
+    const Index primitive = m_out.add_primitive({source, s.part, true}, {s.first, s.second});
+    const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
+    const Face_frame<FT> frame(m_mesh, s.face);
+    if (s.edge)
+    {
+      const int k = edge_of_bit(s.edge);
+      const Index h = 3 * s.face + Index(k);
+      FT ta = position_on_edge(s.first, h), tb = position_on_edge(s.second, h);
+      const bool forward = ta < tb;
+      if (!forward) std::swap(ta, tb);
+      m_out.add_edge_windows(h, ta, tb, forward ? left : right, forward ? right : left);
+      return;
+    }
+    const FT size = length(s.b - s.a);
+    const FT extent = frame.longest_edge();
+    const Point t = (FT(1) / size) * (s.b - s.a);
+    const Point n = {-t.y, t.x};
+    m_out.add_strip(s.face, s.a, s.b, n, left);
+    m_out.add_strip(s.face, s.b, s.a, FT(-1) * n, right);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point v = frame.corner(k) - s.a;
+      const FT foot = dot(t, v);
+      // on the normal through an end, up to the rounding of its direction
+      const FT direction = Number_policy<FT>::rounding(16) * (size + extent) / size;
+      const FT allowance = (std::min)(direction, Number_policy<FT>::rounding(1 << 20)) * (size + length(v));
+      if (foot < -allowance || foot > size + allowance) continue;
+      const FT beyond = CGAL::is_negative(foot) ? FT(-foot) : (std::max)(FT(foot - size), FT(0));
+      const FT height = dot(n, v), distance = square_root<FT>(height * height + beyond * beyond);
+      const Point back = CGAL::is_negative(height) ? n : FT(-1) * n;
+      m_out.seed_corner(s.face, frame, k, distance, back, CGAL::is_negative(height) ? right : left);
+    }
+  }
+
+  // Exactly 0 or the length at a vertex.
+  FT position_on_edge(const Surface_point_& p, Index h) const
+  {
+    if (p.kind == Surface_point_::VERTEX) return p.element == m_mesh.source(h) ? FT(0) : m_mesh[h].length;
+    return p.element == h ? p.x : FT(m_mesh[h].length - p.x);
+  }
+
+  // Direction of the segment at its second end (back along it) or its first end, as a ray at a mesh vertex.
+  Ray ray_of(const Segment& s, bool at_second) const
+  {
+    const Point& here = at_second ? s.b : s.a;
+    const Point& there = at_second ? s.a : s.b;
+    const Index v = (at_second ? s.second : s.first).element;
+    const Face_frame<FT> frame(m_mesh, s.face);
+    int k = 0;
+    while (m_mesh.source(3 * s.face + k) != v) ++k;
+    const Index h = 3 * s.face + Index(k), before = m_mesh.previous(h);
+    if (s.edge == 1u << k) return {h, FT(1), FT(0)};
+    if (s.edge == 1u << (before % 3))
+    {
+      if (m_mesh.twin(before) != no_index) return {m_mesh.twin(before), FT(1), FT(0)};
+      return {h, m_mesh[h].apex_x, m_mesh[h].apex_y};
+    }
+    const Point u = frame.vector_to_halfedge(k, there - here);
+    return {h, u.x, u.y};
+  }
+
+  // The same for a point inside an edge or a face: a vector in the frame of the point's halfedge or face.
+  Point vector_of(const Segment& s, bool at_second) const
+  {
+    const Surface_point_& p = at_second ? s.second : s.first;
+    const Point u = at_second ? s.a - s.b : s.b - s.a;
+    if (p.kind == Surface_point_::FACE) return u;
+    const Face_frame<FT> frame(m_mesh, s.face);
+    if (m_mesh.face(p.element) == s.face) return frame.vector_to_halfedge(int(p.element % 3), u);
+    return FT(-1) * frame.vector_to_halfedge(int(m_mesh.twin(p.element) % 3), u);
+  }
+
+  void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
+  {
+    const Root root(m_out.add_primitive({source, part, false}, {p, p}), Source_side::CAP);
+    if (p.kind == Surface_point_::VERTEX)
+    {
+      const Ray r = ray_of(s, at_second);
+      m_out.seeds.push_back({p.element, FT(0), Ray(), root});
+      add_gap(p.element, r, r, root);
+      add_other_fans(p.element, r.corner, no_index, root);
+      return;
+    }
+    const Point u = vector_of(s, at_second);
+    const Point from = quarter_turn(u), to = FT(-1) * from;
+    m_out.add_flat_sector(p, &from, &to, root);
+  }
+
+  void add_joint(Index source, const Segment& in, const Segment& out)
+  {
+    const Surface_point_& p = out.first;
+    const Index primitive = m_out.add_primitive({source, out.part, false}, {p, p});
+    const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
+    if (p.kind == Surface_point_::VERTEX)
+    {
+      const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);
+      m_out.seeds.push_back({p.element, FT(0), Ray(), left});
+      if (same_fan(r_in.corner, r_out.corner))
+      {
+        add_gap(p.element, r_out, r_in, left);
+        add_gap(p.element, r_in, r_out, right);
+      }
+      else
+      {
+        add_gap(p.element, r_out, r_out, left);
+        add_gap(p.element, r_in, r_in, left);
+      }
+      add_other_fans(p.element, r_in.corner, r_out.corner, left);
+      return;
+    }
+    const Point u_in = vector_of(in, true), u_out = vector_of(out, false);
+    const FT turn = cross(u_in, u_out);
+    // u_in points back along the incoming segment: going straight on, both are opposite
+    if (CGAL::is_zero(turn) && CGAL::is_negative(dot(u_in, u_out)))
+    {
+      m_out.add_seeds_of_point(p, left);
+      return;
+    }
+    // counterclockwise from out to in is the left side; it is reflex where in is right of out
+    const bool reflex_left = !CGAL::is_negative(turn);
+    const Point from = quarter_turn(reflex_left ? u_out : u_in);
+    const Point to = FT(-1) * quarter_turn(reflex_left ? u_in : u_out);
+    m_out.add_flat_sector(p, &from, &to, reflex_left ? left : right);
+  }
+
+  bool same_fan(Index c, Index d) const
+  {
+    if (c == d) return true;
+    for (Index e = m_mesh.corner_ccw(c); e != no_index && e != c; e = m_mesh.corner_ccw(e))
+      if (e == d) return true;
+    for (Index e = m_mesh.corner_cw(c); e != no_index && e != c; e = m_mesh.corner_cw(e))
+      if (e == d) return true;
+    return false;
+  }
+
+  // At a pinched vertex, all directions of the fans that the polyline does not enter.
+  void add_other_fans(Index v, Index c, Index d, Root root)
+  {
+    if (!m_mesh.has_several_fans(v)) return;
+    m_mesh.for_each_fan(v, [&](Index first) {
+      if (!same_fan(first, c) && (d == no_index || !same_fan(first, d)))
+        m_out.fans.push_back({v, Ray(), Ray(), first, root});
+    });
+  }
+
+  // The rays that can be shortest between two neighbouring source directions a and b (counterclockwise) at a vertex:
+  // a right angle away from each.
+  void add_gap(Index v, const Ray& a, const Ray& b, Root root)
+  {
+    const Ray from = m_sector.turn_ccw(a, 1), to = m_sector.turn_cw(b, 1);
+    if (m_sector.passes_border(a, b))
+    {
+      const Index first = m_mesh.first_on_border(a.corner);
+      if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, root});
+      if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, root});
+    }
+    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b))
+      m_out.fans.push_back({v, from, to, from.corner, root});
+  }
+
+  void add_fan_between_edges(Index v, Index first, const std::vector<char>& is_source, Root root)
+  {
+    std::vector<Ray> rays;
+    Index c = first;
+    do
+    {
+      if (is_source[c]) rays.push_back({c, FT(1), FT(0)});
+      const Index n = m_mesh.corner_ccw(c);
+      if (n == no_index && is_source[m_mesh.previous(c)])
+        rays.push_back({c, m_mesh[c].apex_x, m_mesh[c].apex_y});
+      c = n;
+    } while (c != no_index && c != first);
+    if (rays.empty()) m_out.fans.push_back({v, Ray(), Ray(), first, root});
+    for (std::size_t i = 0; i < rays.size(); ++i) add_gap(v, rays[i], rays[(i + 1) % rays.size()], root);
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  Vertex_sector<FT> m_sector;
+  Initial_windows<FT>& m_out;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

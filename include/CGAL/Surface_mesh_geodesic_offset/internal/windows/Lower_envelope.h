@@ -1,0 +1,371 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The windows of one halfedge, reduced to the lower envelope of their distances: one sweep over the windows in
+// the order of their intervals merges neighbours with the same image and cuts overlapping ones where their
+// distances tie.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_shares.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_ties.h>
+
+#include <boost/config.hpp>
+
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Traits>
+class Lower_envelope
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  // `source_of[primitive]` tells which windows may merge: those of one source.
+  Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
+
+  // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
+  // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where
+  // both may be the nearer one.
+  const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
+                                        const Window* more = nullptr, const Window* more_last = nullptr)
+  {
+    m_envelope.clear();
+    m_length = length;
+    m_min_width = Number_policy<FT>::rounding(8) * length;
+    m_max_gap = Number_policy<FT>::rounding(4096) * length;
+    m_least_overlap = -m_max_gap;
+    m_rounding = Number_policy<FT>::rounding(1);
+    m_order.start(first, last, more, more_last);
+    const Window* const* i = m_order.begin();
+    const Window* const* const end = m_order.end();
+    Window later;
+    for (;;)
+    {
+      const Window* w = &later;
+      if (i != end && !m_order.has_later_before(**i)) w = *i++;
+      else if (m_order.has_later()) later = m_order.pop_later();
+      else break;
+      if constexpr (!Estimation<FT>::leaves_open)
+      {
+        if (follows(*w, i, end)) continue;
+      }
+      add(*w);
+    }
+    return m_envelope;
+  }
+
+  // Whether windows are in a row: none begins or ends before the one before it, and neighbours are not one window. Such ones
+  // are mostly their own lower envelope, but for the ends that neighbours take from each other.
+  static bool is_row(const Window* first, const Window* last)
+  {
+    if (first == last) return true;
+    // mostly no less than that of same_image
+    const FT rounding = Number_policy<FT>::rounding(1024);
+    const FT allowance = rounding * (first->d0 + last[-1].d1 + last[-1].b1);
+    for (; last - first > 1; ++first)
+    { // without branches
+      const Window &a = first[0], &b = first[1];
+      const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
+      const FT allowance_of_x = allowance + FT(a.bits & 1u) * rounding; // the image of parallel rays is a unit vector
+      const int may_be_one = int(((a.bits ^ b.bits) & ~2u) == 0) & int(x <= allowance_of_x) & int(sigma <= allowance);
+      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
+    }
+    return true;
+  }
+
+private:
+  bool same_image(const Window& a, const Window& b) const
+  {
+    if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
+    if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
+    const FT scale = a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y);
+    const FT allowance = Number_policy<FT>::rounding(256) * scale;
+    return CGAL::abs(a.x - b.x) <= allowance && CGAL::abs(a.y - b.y) <= allowance &&
+           CGAL::abs(a.sigma - b.sigma) <= allowance && is_of_one_root(a, b);
+  }
+
+  bool is_of_one_root(const Window& a, const Window& b) const
+  {
+    return a.root.side() == b.root.side() && (*m_source_of)[a.root.primitive()] == (*m_source_of)[b.root.primitive()];
+  }
+
+  static bool same_distances(const Window& a, const Window& b)
+  {
+    return a.is_parallel() == b.is_parallel() && a.x == b.x && a.y == b.y && a.sigma == b.sigma;
+  }
+
+  void add(const Window& w)
+  {
+    if (m_envelope.empty())
+    {
+      m_envelope.push_back(w);
+      return;
+    }
+    Window& a = m_envelope.back();
+    if constexpr (Estimation<FT>::leaves_open)
+    {
+      if (CGAL::possibly(estimate(w.b0) >= estimate(a.b1)))
+      {
+        if (a.is_propagated() == w.is_propagated() && same_image(a, w) && w.b0 <= a.b1)
+          unite(a, w);
+        else
+          m_envelope.push_back(w);
+      }
+      else if (same_image(a, w))
+        unite(a, w);
+      else
+        share(a, w);
+    }
+    else if (w.b0 >= a.b1)
+    {
+      if (w.b0 - a.b1 <= m_max_gap && a.is_propagated() == w.is_propagated() && same_image(a, w))
+      {
+        a.b1 = w.b1;
+        a.d1 = w.d1;
+      }
+      else
+        m_envelope.push_back(w);
+    }
+    else if (same_image(a, w))
+      unite(a, w);
+    else
+      resolve(a, w);
+  }
+
+  // The usual cases of two windows that follow each other, without all that may happen else. False if it is another one.
+  // [next, end): the windows that come behind it.
+  BOOST_FORCEINLINE bool follows(const Window& w, const Window* const* next, const Window* const* end)
+  {
+    if (m_envelope.empty()) return false;
+    Window& a = m_envelope.back();
+    const FT overlap = a.b1 - w.b0;
+    if (overlap < m_least_overlap)
+    {
+      m_envelope.push_back(w);
+      return true;
+    }
+    if (same_image(a, w)) return false;
+    const bool a_ends_first = a.b1 < w.b1;
+    // rays that two windows share, as those along the border of a pseudo-source's sector, are found twice
+    if (overlap <= m_min_width && a_ends_first)
+    {
+      if (!cut_end(a, w.b0, overlap)) return false;
+      m_envelope.push_back(w);
+      return true;
+    }
+    const Window_tie<Traits> tie(m_traits, a, w);
+    const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
+    FT t;
+    if (tie.has_straight_bisector(t))
+    {
+      if (t > low && t < high) return a_ends_first && share_at(a, w, t, tie.at(a, t), next, end);
+      if (t <= low) return a_ends_first && begin_at(w, tie.at(a, low));
+      if (t >= high)
+      {
+        if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, tie.at(w, high), next, end);
+        return true;
+      }
+      return false; // t is no number
+    }
+    FT a_low, a_high = a.d1, w_high = w.d1;
+    if (BOOST_LIKELY(a_ends_first))
+      tie.at(low, high, a_low, w_high);
+    else
+    {
+      a_low = tie.at(a, low);
+      a_high = tie.at(a, high);
+    }
+    const Comparison_result at_low = tie.compare(a_low, w.d0), at_high = tie.compare(w_high, a_high);
+    if (at_low == SMALLER && at_high == SMALLER)
+    { // they tie once
+      if (!a_ends_first) return false;
+      const auto place = tie.find(low, a_low - w.d0, high, a_high - w_high);
+      return share_at(a, w, place.t, place.d, next, end);
+    }
+    if (at_low == LARGER && at_high == SMALLER && a_ends_first && !tie.may_tie_twice(low, high))
+      return begin_at(w, a_low); // the envelope's is farther
+    if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
+    { // the envelope's is nearer
+      if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next, end);
+      return true;
+    }
+    return false;
+  }
+
+  // The last one of the envelope up to t, and w from there on; false, and nothing, if either is too narrow.
+  BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
+                                  const Window* const* end)
+  {
+    if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
+    a.b1 = t;
+    a.d1 = d;
+    push_rest(w, t, d, next, end);
+    return true;
+  }
+
+  // All of w, and the last one of the envelope, whose distance is d there, up to where it begins.
+  BOOST_FORCEINLINE bool begin_at(const Window& w, const FT& d)
+  {
+    cut_back(w.b0, d);
+    m_envelope.push_back(w);
+    return true;
+  }
+
+  // What is left of a window behind the last one of the envelope.
+  BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
+                                   const Window* const* end)
+  {
+    if ((next == end || t <= (*next)->b0) && (!m_order.has_later() || t <= m_order.first_later().b0))
+    {
+      m_envelope.push_back(w);
+      m_envelope.back().b0 = t;
+      m_envelope.back().d0 = d;
+    }
+    else
+      m_order.push_later(part(w, t, d, w.b1, w.d1));
+  }
+
+  // Cuts off the overlap with a window that begins at t, which is not more than rounding, if any; false, and nothing, if too
+  // little is left. The distance at the end changes by less than the overlap: where that is within its rounding, it stays.
+  BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap) const
+  {
+    if (!(t - a.b0 > m_min_width)) return !CGAL::is_positive(overlap);
+    if (BOOST_UNLIKELY(overlap > m_rounding * a.d1)) a.d1 = a.distance_at(t);
+    a.b1 = lesser(a.b1, t);
+    return true;
+  }
+
+  // Two overlapping windows with one image are one window. If just one of them was propagated before, the other
+  // keeps only what is new.
+  void unite(Window& a, const Window& w)
+  {
+    if (a.is_propagated() == w.is_propagated())
+    {
+      if (w.b1 > a.b1)
+      {
+        a.b1 = w.b1;
+        a.d1 = w.d1;
+      }
+    }
+    else if (a.is_propagated())
+      keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
+    else
+    {
+      const Window fresh = a;
+      cut_back(w.b0, fresh.distance_at(w.b0));
+      m_order.push_later(w);
+      keep_later(fresh, w.b1, fresh.distance_at(w.b1), fresh.b1, fresh.d1);
+    }
+  }
+
+  // Overlapping windows with different images: the overlap goes to the nearer one, piece by piece, by turns from tie to
+  // tie. The last owner keeps its tail beyond the overlap, and so does the other one.
+  void resolve(const Window& last, const Window& w)
+  {
+    const Window a = last;
+    const Window_ties<Traits> ties(m_traits, a, w);
+    const int n = ties.number();
+    bool a_owns = ties.first_is_nearer();
+    for (int i = 0; i <= n; ++i, a_owns = !a_owns)
+    {
+      const Window& owner = a_owns ? a : w;
+      const FT& from = i == 0 ? ties.low() : ties[i - 1];
+      const FT& d_from = i == 0 ? ties.distance_at_low(a_owns) : ties.distance(i - 1);
+      const FT& to = i == n ? owner.b1 : ties[i];
+      const FT& d_to = i == n ? owner.d1 : ties.distance(i);
+      if (i > 0)
+        keep_later(owner, from, d_from, to, d_to);
+      else if (a_owns)
+        cut_back(to, d_to);
+      else
+      {
+        cut_back(ties.low(), ties.distance_at_low(true));
+        if (to - from > m_min_width) m_envelope.push_back(part(w, from, d_from, to, d_to));
+      }
+    }
+    const Window& other = a_owns ? a : w; // a_owns has been turned once more
+    keep_later(other, ties.high(), ties.distance_at_high(a_owns), other.b1, other.d1);
+  }
+
+  // The same if distances are only estimated: each keeps all but those parts where the other one is certainly nearer. Ties
+  // on all of the overlap go to the first.
+  void share(const Window& last, const Window& w)
+  {
+    const Window a = last;
+    if (same_distances(a, w))
+    {
+      keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
+      return;
+    }
+    const Window_shares<FT> shares(a, w, m_length);
+    if (shares.is_open())
+    {
+      m_envelope.push_back(w);
+      return;
+    }
+    m_envelope.pop_back();
+    bool is_first = true;
+    shares.for_each_part_of_first([&](const Window& p) {
+      if (is_first && p.b0 == a.b0) m_envelope.push_back(p);
+      else m_order.push_later(p);
+      is_first = false;
+    });
+    shares.for_each_part_of_second([&](const Window& p) { m_order.push_later(p); });
+  }
+
+  // Shortens the last window of the envelope to end at t, where its distance is d; removes it if nothing is left.
+  void cut_back(const FT& t, const FT& d)
+  {
+    Window& a = m_envelope.back();
+    if (t - a.b0 <= m_min_width)
+      m_envelope.pop_back();
+    else
+    {
+      a.b1 = t;
+      a.d1 = d;
+    }
+  }
+
+  void keep_later(const Window& w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
+  {
+    if constexpr (Estimation<FT>::leaves_open)
+    {
+      if (!CGAL::possibly(compare_bounds(from, to) == SMALLER)) return;
+    }
+    else if (!(to - from > m_min_width)) return;
+    m_order.push_later(part(w, from, d_from, to, d_to));
+  }
+
+  static Window part(const Window& whole, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
+  {
+    Window w = whole;
+    w.b0 = from;
+    w.d0 = d_from;
+    w.b1 = to;
+    w.d1 = d_to;
+    return w;
+  }
+
+  const std::vector<Index>* m_source_of;
+  const Traits& m_traits;
+  std::vector<Window> m_envelope;
+  Window_order<FT, Window> m_order;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_rounding;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unfolding both ends of a window across a face at once, in the usual case.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_PAIRED_EXIT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_PAIRED_EXIT_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pairs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
+
+#include <boost/config.hpp>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Whether the functors of the traits take pairs, beyond what the concept says: of floating point numbers, which cost
+// nothing to copy.
+template <class Traits>
+struct Pairs_ends
+{
+  typedef typename Traits::FT FT;
+  typedef Number_pair<FT> Pair;
+  typedef const typename Traits::Change_frame_2& Change_frame;
+  typedef const typename Traits::Construct_exit_2& Exit;
+
+  static constexpr bool value =
+    std::is_floating_point<FT>::value &&
+    std::is_invocable<Change_frame, Pair&, FT&, bool, const Pair&, const Pair&, const Pair&>::value &&
+    std::is_invocable<Change_frame, Pair&, const Pair&, const Pair&>::value &&
+    std::is_invocable_r<bool, Exit, const Pair&, const Pair&, const Pair&, bool, const Pair&, const Pair&, const Pair&,
+                        const Pair&, const Pair&, Pair&, Pair&>::value;
+};
+
+// One of the two other edges of a face, for windows that leave through it with all their rays.
+template <class Traits, bool is_left, bool pairs_ends = Pairs_ends<Traits>::value>
+class Paired_exit
+{
+  typedef typename Traits::FT FT;
+  typedef Number_pair<FT> Pair;
+
+public:
+  Paired_exit(const Window_propagation<Traits>& face, const Traits& traits)
+    : m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object()),
+      m_c(is_left ? face.cl : face.cr), m_s(is_left ? face.sl : face.sr),
+      m_turn(is_left ? Pair(face.sl, FT(-face.sl)) : Pair(FT(-face.sr), face.sr)),
+      m_length(is_left ? face.left_length : face.right_length), m_entry_length(face.length),
+      m_apex(face.apex_x, face.apex_y)
+  {
+  }
+
+  // The child, in place. False if it is not one of the usual case: then left_child() or right_child() of the face tells.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool child(Window_pairs<FT>& w) const
+  {
+    const Pair x = w.image.both_first(), y = w.image.both_second(), sigma(w.sigma), b = w.b, d = w.d;
+    bool leaves;
+    if constexpr (is_left)
+    {
+      m_change_frame(w.image, m_c, m_turn);
+      leaves = m_exit(x, y, sigma, is_parallel, b, d, m_c, m_s, m_length, w.b, w.d);
+    }
+    else
+    { // mirrored
+      m_change_frame(w.image, w.sigma, is_parallel, m_apex, m_c, m_turn);
+      Pair t;
+      leaves = m_exit(is_parallel ? Pair(FT(0)) - x : m_entry_length - x, y, sigma, is_parallel, m_entry_length - b, d, m_c,
+                      m_s, m_length, t, w.d);
+      w.b = m_length - t;
+    }
+    return leaves && w.image.second() < FT(0);
+  }
+
+private:
+  const typename Traits::Change_frame_2 m_change_frame;
+  const typename Traits::Construct_exit_2 m_exit;
+  const Pair m_c, m_s, m_turn, m_length; // of the edge
+  const Pair m_entry_length, m_apex;
+};
+
+template <class Traits, bool is_left>
+class Paired_exit<Traits, is_left, false>
+{
+public:
+  Paired_exit(const Window_propagation<Traits>&, const Traits&) {}
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

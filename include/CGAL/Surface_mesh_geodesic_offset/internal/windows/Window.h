@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window: a set of straight rays that enter a face through an interval of one of its halfedges.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merged_origin.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Where a shortest path ends: a primitive of the source set and the side of it.
+struct Root
+{
+  Index value = no_index;
+
+  Root() = default;
+  Root(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) {}
+  Index primitive() const { return value >> 2; }
+  Source_side side() const { return Source_side(value & 3u); }
+  bool is_valid() const { return value != no_index; }
+  friend bool operator==(Root a, Root b) { return a.value == b.value; }
+};
+
+// A window on a halfedge, in the frame of the halfedge: the face to be entered is above the x axis, the source
+// image (x : y : w) below it (or on it, on a source edge itself).
+//
+//   w = 1, interval window (also behind a pseudo-source):  D(p) = sigma + |p - (x, y)|
+//   w = 0, parallel-source window, (x, y) a unit vector:   D(p) = sigma - (x, y) . p
+//
+// All rays of a window are shortest among the paths with the same face sequence; [b0, b1] is the interval and
+// d0, d1 are the distances at its ends. One cache line for double, and in one.
+template <class FT>
+struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
+{
+  FT x, y, sigma;
+  FT b0, b1, d0, d1;
+  Root root;
+  Index bits; // bit 0: parallel; bit 1: already propagated; above: 1 + pseudo-source vertex, 0 if none; see Merged_origin
+
+  bool is_parallel() const { return bits & 1u; }
+  bool is_propagated() const { return bits & 2u; }
+  void set_propagated() { bits |= 2u; }
+  void set_fresh() { bits &= ~2u; }
+  Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
+  bool is_merged() const { return Merged_origin::is_merged(pseudo_source()); }
+  static Index make_bits(bool parallel, Index pseudo_source)
+  {
+    return Index(parallel) | (pseudo_source == no_index ? 0u : (pseudo_source + 1) << 2);
+  }
+
+  // Distance at the point (t, 0) of the halfedge.
+  FT distance_at(const FT& t) const
+  {
+    if (is_parallel()) return sigma - x * t;
+    const FT u = t - x;
+    return sigma + square_root<FT>(u * u + y * y);
+  }
+
+  // Distance at the point (px, py), which must lie in the cone of the window.
+  FT distance_at(const FT& px, const FT& py) const
+  {
+    if (is_parallel()) return sigma - (x * px + y * py);
+    const FT u = px - x, v = py - y;
+    return sigma + square_root<FT>(u * u + v * v);
+  }
+};
+
+// Brings a window's image into another frame whose origin is at (ox, oy) and whose x axis has the direction (c, s) in the
+// present one.
+template <class Traits, class FT>
+inline void change_frame(const Traits& traits, Window<FT>& w, const FT& ox, const FT& oy, const FT& c, const FT& s)
+{
+  traits.change_frame_2_object()(w.x, w.y, w.sigma, w.is_parallel(), ox, oy, c, s);
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

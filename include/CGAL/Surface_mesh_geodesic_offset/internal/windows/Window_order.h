@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order in which the windows of one halfedge are swept: by where they begin.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ORDER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ORDER_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT, class Window>
+class Window_order
+{
+public:
+  // The windows [first, last), and [more, more_last) behind them. Those that begin at one point keep their order.
+  void start(const Window* first, const Window* last, const Window* more, const Window* more_last)
+  {
+    m_later.clear();
+    m_size = std::size_t(last - first) + std::size_t(more_last - more);
+    if (m_order.size() < m_size) m_order.resize(2 * m_size);
+    const Window** end = m_order.data();
+    int runs = Estimation<FT>::leaves_open ? most_runs : 0;
+    if (merge_runs(first, last, end, runs) && merge_runs(more, more_last, end, runs)) return;
+    end = m_order.data();
+    while (first != last) *end++ = first++;
+    while (more != more_last) *end++ = more++;
+    std::stable_sort(m_order.data(), end, [](const Window* a, const Window* b) { return key(*a) < key(*b); });
+  }
+
+  const Window* const* begin() const { return m_order.data(); }
+  const Window* const* end() const { return m_order.data() + m_size; }
+
+  // What is left of windows and waits for its turn, the first one at the back. Seldom more than two.
+  void push_later(const Window& w)
+  {
+    auto it = m_later.end();
+    while (it != m_later.begin() && key(*(it - 1)) < key(w)) --it;
+    m_later.insert(it, w);
+  }
+
+  bool has_later() const { return !m_later.empty(); }
+  bool has_later_before(const Window& w) const { return !m_later.empty() && key(m_later.back()) < key(w); }
+  const Window& first_later() const { return m_later.back(); }
+
+  Window pop_later()
+  {
+    const Window w = m_later.back();
+    m_later.pop_back();
+    return w;
+  }
+
+private:
+  static decltype(auto) key(const Window& w) { return Estimation<FT>::key(w.b0); }
+
+  // Children of a batch come in order, so there is mostly a run or two; trimming may have moved some of them. False if there
+  // are too many.
+  bool merge_runs(const Window* first, const Window* last, const Window**& end, int& runs) const
+  {
+    for (; first != last; ++runs)
+    {
+      if (runs == most_runs) return false;
+      const Window* const run = run_end(first, last);
+      end = merge(end, first, run);
+      first = run;
+    }
+    return true;
+  }
+
+  // Merges a run into those that are sorted already, from the back: where it begins behind them, nothing moves.
+  const Window** merge(const Window** end, const Window* first, const Window* last) const
+  {
+    const Window** const new_end = end + (last - first);
+    const Window** out = new_end;
+    const Window* const* const begin = m_order.data();
+    while (first != last)
+    {
+      const FT& b = last[-1].b0;
+      while (end != begin && b < end[-1]->b0) *--out = *--end;
+      *--out = --last;
+    }
+    return new_end;
+  }
+
+  static const Window* run_end(const Window* first, const Window* last)
+  {
+    if (first == last) return last;
+    while (++first != last)
+      if (first->b0 < first[-1].b0) break;
+    return first;
+  }
+
+  enum { most_runs = 8 };
+  std::vector<const Window*> m_order;
+  std::size_t m_size = 0;
+  std::vector<Window> m_later;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

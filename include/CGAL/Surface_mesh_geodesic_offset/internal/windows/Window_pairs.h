@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The numbers of a window in pairs, on which the same is done: the image, and the two ends of the interval.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PAIRS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PAIRS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+struct Window_pairs
+{
+  typedef Number_pair<FT> Pair;
+
+  explicit Window_pairs(const Window<FT>& w)
+    : image(Pair::of(w.x, w.y)), b(Pair::of(w.b0, w.b1)), d(Pair::of(w.d0, w.d1)), sigma(w.sigma)
+  {
+  }
+
+  void put(Window<FT>& w) const
+  {
+    image.put(w.x, w.y);
+    w.sigma = sigma;
+    b.put(w.b0, w.b1);
+    d.put(w.d0, w.d1);
+  }
+
+  Pair image, b, d;
+  FT sigma;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unfolding a window across a face: its children on the two other edges.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PROPAGATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PROPAGATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+
+#include <boost/config.hpp>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The face of a halfedge p -> q with apex r, in the frame of the halfedge, and the frames of its exits p -> r and
+// r -> q in the faces beyond.
+//
+// A ray through (b, 0) has direction (bW - X, -Y). With the exit's direction (c, s) and, for the right exit, everything
+// mirrored (b counted from q), it meets the left exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y, after the
+// part  s b / D  of its length so far (of the unit for W = 0).
+template <class Traits>
+class Window_propagation
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window_propagation(const Unfolded_mesh<FT>& mesh, Index h, const Traits& traits)
+    : m_traits(traits), m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object())
+  {
+    const auto& e = mesh[h];
+    length = e.length;
+    apex_x = e.apex_x;
+    apex_y = e.apex_y;
+    left_length = mesh[mesh.previous(h)].length;
+    right_length = mesh[mesh.next(h)].length;
+    (Number_pair<FT>::of(e.apex_x, e.apex_y) / Number_pair<FT>(left_length)).put(cl, sl);
+    // the angle at q from the vectors at q: from the difference length - apex_x it would lose all digits on a tiny edge
+    const auto& n = mesh[mesh.next(h)];
+    (Number_pair<FT>::of(n.apex_x, n.apex_y) / Number_pair<FT>(length)).put(cr, sr);
+  }
+
+  // Distance at the apex, which must be in the window's cone.
+  FT distance_at_apex(const Window& w) const { return distance_at(w, apex_x, apex_y); }
+
+  // Where the ray to the apex enters.
+  FT entry_of_apex(const Window& w) const
+  {
+    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y);
+    const FT t = (w.x * apex_y - w.y * apex_x) / slope;
+    if constexpr (Estimation<FT>::leaves_open) return t; // side tests are exact then
+    return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
+  }
+
+  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to
+  // the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE int clear_side(const Window& w, bool& is_clear) const
+  {
+    const FT slope = is_parallel ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x, r = r0 - r1;
+    const FT margin = closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+    const FT v0 = w.b0 * slope - r, v1 = w.b1 * slope - r;
+    is_clear = true;
+    if (v1 < -margin) return -1;
+    if (v0 > margin) return 1;
+    is_clear = v0 < -margin && v1 > margin;
+    return 0;
+  }
+
+  // Does the ray through (b, 0) pass the apex so closely that rounding may have moved it to the other side?
+  bool passes_apex_closely(const Window& w, const FT& b) const
+  {
+    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
+    return CGAL::abs(FT(b * slope - (r0 - r1))) <=
+           closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+  }
+
+  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex, where the distance is apex_distance,
+  // if to_apex. False if nothing is left.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
+                                    Window& child) const
+  {
+    take_over(w, child);
+    m_change_frame(child.x, child.y, child.sigma, is_parallel, FT(0), FT(0), cl, sl);
+    if (!CGAL::is_negative(child.y)) return false;
+    bool rough;
+    if (!exit<is_parallel>(w, w.x, w.b0, w.d0, cl, sl, left_length, child.b0, child.d0, rough)) return false;
+    if (BOOST_UNLIKELY(rough)) child.d0 = distance_at(child, child.b0, FT(0));
+    if (to_apex)
+    {
+      child.b1 = left_length;
+      child.d1 = apex_distance;
+    }
+    else
+    {
+      if (!exit<is_parallel>(w, w.x, end, d_end, cl, sl, left_length, child.b1, child.d1, rough)) return false;
+      if (BOOST_UNLIKELY(rough)) child.d1 = distance_at(child, child.b1, FT(0));
+    }
+    return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
+  }
+
+  // The child on r -> q of the rays that enter from `begin` to b1.
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex,
+                                     const FT& apex_distance, Window& child) const
+  {
+    take_over(w, child);
+    m_change_frame(child.x, child.y, child.sigma, is_parallel, apex_x, apex_y, cr, FT(-sr));
+    if (!CGAL::is_negative(child.y)) return false;
+    const FT mirrored = is_parallel ? FT(-w.x) : FT(length - w.x);
+    FT t;
+    bool rough;
+    if (!exit<is_parallel>(w, mirrored, length - w.b1, w.d1, cr, sr, right_length, t, child.d1, rough)) return false;
+    child.b1 = right_length - t;
+    if (BOOST_UNLIKELY(rough)) child.d1 = distance_at(child, child.b1, FT(0));
+    if (from_apex)
+    {
+      child.b0 = FT(0);
+      child.d0 = apex_distance;
+    }
+    else
+    {
+      if (!exit<is_parallel>(w, mirrored, length - begin, d_begin, cr, sr, right_length, t, child.d0, rough)) return false;
+      child.b0 = right_length - t;
+      if (BOOST_UNLIKELY(rough)) child.d0 = distance_at(child, child.b0, FT(0));
+    }
+    return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
+  }
+
+  static FT closeness() { return Number_policy<FT>::rounding(1 << 16); }
+
+  FT length, apex_x, apex_y, left_length, right_length;
+  FT cl, sl; // direction of p -> r
+  FT cr, sr; // direction of q -> r, mirrored
+
+private:
+  FT distance_at(const Window& w, const FT& px, const FT& py) const
+  {
+    return m_traits.compute_distance_2_object()(w.x, w.y, w.sigma, w.is_parallel(), px, py);
+  }
+
+  static void take_over(const Window& w, Window& child)
+  {
+    child.x = w.x;
+    child.y = w.y;
+    child.sigma = w.sigma;
+    child.root = w.root;
+    child.bits = w.bits;
+  }
+
+  template <bool is_parallel>
+  BOOST_FORCEINLINE bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s,
+                              const FT& length, FT& t, FT& distance, bool& is_rough) const
+  {
+    return m_exit(x, w.y, w.sigma, is_parallel, b, d, c, s, length, t, distance, is_rough);
+  }
+
+  const Traits& m_traits;
+  const typename Traits::Change_frame_2 m_change_frame;
+  const typename Traits::Construct_exit_2 m_exit;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

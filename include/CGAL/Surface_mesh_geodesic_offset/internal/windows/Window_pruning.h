@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The filtering theorem in its sound form, and trimming: a window keeps only the points of its interval to which it is
+// nearer than the paths through the vertices around.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PRUNING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PRUNING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+
+#include <boost/config.hpp>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A path by way of a vertex takes rays from a window only if it is shorter beyond doubt. In needle faces all paths to points
+// tie up to rounding, and a window that is lost there is not replaced by another one: the vertex may be no pseudo-source.
+// `scale`: no distance, and no coordinate, that is compared is larger.
+template <class FT>
+inline auto pruning_allowance(const typename Estimation<FT>::Estimate& scale)
+{
+  typedef typename Estimation<FT>::Estimate Estimate;
+  if constexpr (Number_policy<FT>::is_inexact) return Estimate(Number_policy<FT>::rounding(256) * scale);
+  else return Estimate(0);
+}
+
+// The point at distance t from an end of the halfedge, whose vertex has distance dv, where dv + t equals the window's
+// distance; x is the image's coordinate counted from that end. At most one: D(t) - t decreases.
+//   W = 1:  (t + k)^2 = (t - x)^2 + y^2  with k = dv - sigma        W = 0:  dv + t = D(0) - x t
+template <class Window, class Estimate>
+inline Estimate tie_with_end(const Window& w, const Estimate& x, const Estimate& distance_at_end, const Estimate& dv)
+{
+  if (w.is_parallel()) return (distance_at_end - dv) / (1 + x);
+  const Estimate k = dv - estimate(w.sigma);
+  const Estimate y = estimate(w.y);
+  return (x * x + y * y - k * k) / (2 * (k + x));
+}
+
+// What the distances of the vertices round a halfedge leave of the windows on it.
+template <class FT>
+class Window_pruning
+{
+  typedef typename Estimation<FT>::Estimate Estimate;
+
+public:
+  // Of the halfedge: its length and the distances of its source and its target.
+  Window_pruning(const FT& length, const FT& d_source, const FT& d_target, const Estimate& allowance)
+    : m_length(estimate(length)), m_min_width(estimate(FT(Number_policy<FT>::rounding(8) * length))),
+      m_by(estimate(d_source) + allowance, estimate(d_target) + allowance), m_ends(Estimate(0), m_length)
+  {
+  }
+
+  // The far vertex of the edge through which the windows have entered, in the frame of the halfedge.
+  void set_far_vertex(const FT& x, const FT& y, const FT& distance, const Estimate& allowance)
+  {
+    m_far_x = estimate(x);
+    m_far_yy = CGAL::square(estimate(y));
+    m_by_far = estimate(distance) + allowance;
+  }
+
+  // The first two cases of the filtering theorem (Xin and Wang; for parallel-source windows Xin, Ying and He, 4.3), with
+  // the ends of the halfedge, and the trimming against the same two vertices. False if nothing is left.
+  BOOST_FORCEINLINE bool trim(Window<FT>& w) const
+  {
+    const bool at_source = CGAL::certainly(by_source() + estimate(w.b0) < estimate(w.d0));
+    const bool at_target = CGAL::certainly(by_target() + (m_length - estimate(w.b1)) < estimate(w.d1));
+    if (Estimation<FT>::leaves_open || at_source || at_target) return cut(w, at_source, at_target);
+    return is_wide(w.b0, w.b1);
+  }
+
+  // Whether neither vertex takes anything of a window with the ends b and the distances d there, for floating point numbers.
+  BOOST_FORCEINLINE bool leaves_all(const Number_pair<FT>& b, const Number_pair<FT>& d) const
+  {
+    return (m_by + (m_ends + b.with_second_negated()) < d).bits() == 0;
+  }
+
+  // Whether anything is left but what rounding may have made.
+  BOOST_FORCEINLINE bool is_wide(const FT& b0, const FT& b1) const
+  {
+    return CGAL::possibly(estimate(b1) - estimate(b0) > m_min_width);
+  }
+
+  // The third case: the far vertex is at least as near to the end (t, 0) of the window, at distance d, that is next to the
+  // vertex shared by entry and exit.
+  BOOST_FORCEINLINE bool is_filtered(const FT& t, const FT& d) const
+  {
+    const Estimate r = estimate(d) - m_by_far;
+    if (!CGAL::certainly(r > 0)) return false;
+    return CGAL::certainly(CGAL::square(estimate(t) - m_far_x) + m_far_yy <= r * r);
+  }
+
+private:
+  BOOST_NOINLINE bool cut(Window<FT>& w, bool at_source, bool at_target) const
+  {
+    Estimate b0 = estimate(w.b0), b1 = estimate(w.b1);
+    if (CGAL::certainly(by_source() + b1 <= estimate(w.d1))) return false;
+    if (CGAL::certainly(by_target() + (m_length - b0) <= estimate(w.d0))) return false;
+    if (at_source)
+    {
+      const Estimate t = tie_with_end(w, estimate(w.x), estimate(w.sigma), by_source());
+      if (CGAL::certainly(t >= b1)) return false;
+      if (CGAL::certainly(t > b0))
+      {
+        w.b0 = Estimation<FT>::lower_cut(t);
+        w.d0 = w.distance_at(w.b0);
+        b0 = t;
+      }
+    }
+    if (at_target)
+    {
+      const Estimate x = estimate(w.x), from_target = w.is_parallel() ? Estimate(-x) : Estimate(m_length - x);
+      const Estimate of_target = w.is_parallel() ? Estimate(estimate(w.sigma) - x * m_length) : Estimate(0);
+      const Estimate t = m_length - tie_with_end(w, from_target, of_target, by_target());
+      if (CGAL::certainly(t <= b0)) return false;
+      if (CGAL::certainly(t < b1))
+      {
+        w.b1 = Estimation<FT>::upper_cut(t);
+        w.d1 = w.distance_at(w.b1);
+        b1 = t;
+      }
+    }
+    return CGAL::possibly(b1 - b0 > m_min_width);
+  }
+
+  Estimate by_source() const { return m_by.first(); }
+  Estimate by_target() const { return m_by.second(); }
+
+  Estimate m_length, m_min_width;
+  Number_pair<Estimate> m_by, m_ends; // of the source and the target: the path by way of it, and its place
+  Estimate m_far_x, m_far_yy, m_by_far;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where two windows on one halfedge give equal distances, for floating point numbers. (For others see Window_shares.h.)
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_TIES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_TIES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+
+#include <boost/config.hpp>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Whether the functor for distances takes pairs, beyond what the concept says, of floating point numbers.
+template <class Traits>
+struct Pairs_distances
+{
+  typedef typename Traits::FT FT;
+  typedef const Number_pair<FT>& Pair;
+
+  static constexpr bool value =
+    std::is_floating_point<FT>::value &&
+    std::is_invocable_r<Number_pair<FT>, const typename Traits::Compute_distance_2&, Pair, Pair, Pair, Pair, Pair>::value;
+};
+
+// One tie of two windows a and b.
+template <class Traits>
+class Window_tie
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window_tie(const Traits& traits, const Window& a, const Window& b)
+    : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object()),
+      m_scale(a.d1 + b.d0)
+  {
+  }
+
+  FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
+
+  // Of a at ta, and of b at tb.
+  BOOST_FORCEINLINE void at(const FT& ta, const FT& tb, FT& da, FT& db) const
+  {
+    if constexpr (Pairs_distances<Traits>::value)
+    {
+      if (BOOST_LIKELY(!((m_a.bits | m_b.bits) & 1u)))
+      {
+        typedef Number_pair<FT> Pair;
+        const Pair d = m_distance(Pair(m_a.x, m_b.x), Pair(m_a.y, m_b.y), Pair(m_a.sigma, m_b.sigma), Pair(ta, tb),
+                                  Pair(FT(0)));
+        da = d.first();
+        db = d.second();
+        return;
+      }
+    }
+    da = at(m_a, ta);
+    db = at(m_b, tb);
+  }
+
+  Comparison_result compare(const FT& d, const FT& e) const { return m_compare(d, e, m_scale); }
+
+  // The point of the halfedge's line that is collinear with both images.
+  bool collinear_point(FT& c) const
+  {
+    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
+    if (pa && pb) return false;
+    const FT den = (pa ? FT(0) : m_b.y) - (pb ? FT(0) : m_a.y);
+    if (CGAL::is_zero(den)) return false;
+    c = (m_a.x * m_b.y - m_b.x * m_a.y) / den;
+    return true;
+  }
+
+  // Whether the distances tie on a straight line, as those of two images with one sigma do, so that a is nearer before t and
+  // b behind it; not if that is the other way round. No digits are lost but those that the images lack.
+  BOOST_FORCEINLINE bool has_straight_bisector(FT& t) const
+  {
+    if (((m_a.bits | m_b.bits) & 1u) || m_a.sigma != m_b.sigma) return false;
+    const FT x = m_b.x - m_a.x, y = m_b.y - m_a.y;
+    if (!CGAL::is_positive(x)) return false;
+    t = (x * (m_a.x + m_b.x) + y * (m_a.y + m_b.y)) / (2 * x);
+    return true;
+  }
+
+  // Whether it lies between u and v: only then are there two ties where the signs at u and v are the same.
+  bool may_tie_twice(const FT& u, const FT& v) const
+  {
+    FT c;
+    return collinear_point(c) && u < c && c < v;
+  }
+
+  // The point t between u and v, where the difference g of the two distances has opposite signs, and the distance there: the
+  // closed form first, then a bracketed iteration where the closed form lost digits.
+  struct Place
+  {
+    FT t, d;
+  };
+  BOOST_FORCEINLINE Place find(const FT& u, const FT& gu, const FT& v, const FT& gv) const
+  {
+    Place p;
+    if (BOOST_UNLIKELY(!closed_form(u, v, p.t))) return Window_tie(*this).iterate(u, gu, v, gv);
+    FT other;
+    at(p.t, p.t, p.d, other);
+    if (BOOST_LIKELY(compare(p.d, other) == EQUAL)) return p;
+    // of a copy, so that this object can be in registers
+    const FT g = p.d - other;
+    return (g > 0) == (gu > 0) ? Window_tie(*this).iterate(p.t, g, v, gv) : Window_tie(*this).iterate(u, gu, p.t, g);
+  }
+
+private:
+  BOOST_NOINLINE Place iterate(FT u, FT gu, FT v, FT gv) const
+  {
+    Place p;
+    for (int i = 0; i < 80; ++i)
+    {
+      FT& t = p.t;
+      t = i % 3 == 2 ? FT(0.5) * (u + v) : FT(u + (v - u) * (gu / (gu - gv)));
+      if (!(t > u && t < v)) t = FT(0.5) * (u + v);
+      FT other;
+      at(t, t, p.d, other);
+      const FT g = p.d - other;
+      if (compare(p.d, other) == EQUAL || !(t > u && t < v)) break;
+      if ((g > 0) == (gu > 0))
+      {
+        u = t;
+        gu = g;
+      }
+      else
+      {
+        v = t;
+        gv = g;
+      }
+    }
+    return p;
+  }
+
+  // point / point, with k = sigma_b - sigma_a:   |t - A| - |t - B| = k
+  //   k = 0: linear.  Otherwise (m t + n)^2 = 4 k^2 |t - B|^2 with m t + n = |t - A|^2 - |t - B|^2 - k^2.
+  // point / parallel:    (c - u t)^2 = |t - A|^2     parallel / parallel: linear
+  BOOST_FORCEINLINE bool closed_form(const FT& u, const FT& v, FT& t) const
+  {
+    const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
+    FT qa, qb, qc; // qa t^2 + 2 qb t + qc = 0
+    if (pa && pb)
+    {
+      qa = FT(0);
+      qb = (m_b.x - m_a.x) / 2;
+      qc = m_a.sigma - m_b.sigma;
+    }
+    else if (pa || pb)
+    {
+      const Window& l = pa ? m_a : m_b;
+      const Window& p = pa ? m_b : m_a;
+      const FT c = l.sigma - p.sigma;
+      qa = 1 - l.x * l.x;
+      qb = c * l.x - p.x;
+      qc = p.x * p.x + p.y * p.y - c * c;
+    }
+    else
+    {
+      const FT k = m_b.sigma - m_a.sigma;
+      const FT m = -2 * (m_a.x - m_b.x);
+      const FT n0 = (m_a.x - m_b.x) * (m_a.x + m_b.x) + (m_a.y - m_b.y) * (m_a.y + m_b.y);
+      if (CGAL::is_zero(k))
+      {
+        qa = FT(0);
+        qb = m / 2;
+        qc = n0;
+      }
+      else
+      {
+        const FT n = n0 - k * k, k4 = 4 * k * k;
+        qa = m * m - k4;
+        qb = m * n + k4 * m_b.x;
+        qc = n * n - k4 * (m_b.x * m_b.x + m_b.y * m_b.y);
+      }
+    }
+    if (CGAL::is_zero(qa))
+    {
+      if (CGAL::is_zero(qb)) return false;
+      t = -qc / (2 * qb);
+      return u < t && t < v;
+    }
+    const FT disc = qb * qb - qa * qc;
+    if (CGAL::is_negative(disc)) return false;
+    const FT q = CGAL::is_negative(qb) ? FT(-qb + square_root<FT>(disc)) : FT(-qb - square_root<FT>(disc));
+    if (CGAL::is_zero(q)) return false;
+    const FT t1 = q / qa, t2 = qc / q;
+    const bool in1 = u < t1 && t1 < v, in2 = u < t2 && t2 < v;
+    if (in1 && in2)
+      t = CGAL::abs(FT(at(m_a, t1) - at(m_b, t1))) <= CGAL::abs(FT(at(m_a, t2) - at(m_b, t2))) ? t1 : t2;
+    else if (in1)
+      t = t1;
+    else if (in2)
+      t = t2;
+    else
+      return false;
+    return true;
+  }
+
+  const Window& m_a;
+  const Window& m_b;
+  const typename Traits::Compare_distance_2 m_compare;
+  const typename Traits::Compute_distance_2 m_distance;
+  const FT m_scale;
+};
+
+// The ties of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
+//
+// The difference g of the two distances is monotone along the halfedge except at the point collinear with both
+// images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
+// signs at lo, there, and at hi tell which.
+template <class Traits>
+class Window_ties
+{
+public:
+  typedef typename Traits::FT FT;
+  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
+
+  Window_ties(const Traits& traits, const Window& a, const Window& b) : m_tie(traits, a, b)
+  {
+    const bool a_ends_first = a.b1 < b.b1;
+    m_low = b.b0;
+    m_high = a_ends_first ? a.b1 : b.b1;
+    m_a_low = m_tie.at(a, m_low);
+    m_b_low = b.d0;
+    m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : m_tie.at(a, m_high);
+    m_b_high = a_ends_first ? m_tie.at(b, m_high) : b.d1;
+    FT from = m_low, g_from = m_a_low - m_b_low, c;
+    int previous = m_tie.compare(m_a_low, m_b_low);
+    m_first_sign = previous;
+    if (m_tie.collinear_point(c) && m_low < c && c < m_high)
+    {
+      const FT a_c = m_tie.at(a, c), b_c = m_tie.at(b, c);
+      step(from, g_from, previous, c, a_c - b_c, m_tie.compare(a_c, b_c));
+    }
+    step(from, g_from, previous, m_high, m_a_high - m_b_high, m_tie.compare(m_a_high, m_b_high));
+  }
+
+  const FT& low() const { return m_low; }
+  const FT& high() const { return m_high; }
+  const FT& distance_at_low(bool of_a) const { return of_a ? m_a_low : m_b_low; }
+  const FT& distance_at_high(bool of_a) const { return of_a ? m_a_high : m_b_high; }
+
+  bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
+  int number() const { return m_number; }
+  const FT& operator[](int i) const { return m_ties[i]; }
+  const FT& distance(int i) const { return m_distances[i]; } // the same for both
+
+private:
+  // s: the sign of g_to
+  void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
+  {
+    if (s != 0)
+    {
+      if (m_first_sign == 0) m_first_sign = s;
+      if (previous * s < 0)
+      {
+        const auto place = m_tie.find(from, g_from, to, g_to);
+        m_ties[m_number] = place.t;
+        m_distances[m_number++] = place.d;
+      }
+      previous = s;
+    }
+    if (s != 0 || previous == 0)
+    {
+      from = to;
+      g_from = g_to;
+    }
+  }
+
+  const Window_tie<Traits> m_tie;
+  FT m_low, m_high, m_a_low, m_a_high, m_b_low, m_b_high;
+  int m_first_sign = 0;
+  int m_number = 0;
+  FT m_ties[2], m_distances[2];
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
