@@ -43,7 +43,6 @@ struct Certified_window
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
-  void set_fresh() { bits &= ~2u; }
 
   Double_double_2 image() const { return {{x, x_low}, {y, y_low}}; }
   void set_image(const Double_double_2& image)

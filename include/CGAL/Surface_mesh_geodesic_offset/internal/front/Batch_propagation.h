@@ -31,26 +31,12 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Wavefront_state<FT>::Output Output;
+  typedef Vertex_arrival<FT> Arrival;
 
   Batch_propagation(const Wavefront_state<FT>& state, const Traits& traits)
     : m_state(state), m_mesh(state.mesh), m_traits(traits)
   {
   }
-
-  // What is to be told to the apex.
-  struct Arrival
-  {
-    Arrival(const FT& distance, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source, bool is_bent)
-      : distance(distance), back(back), root(root), pseudo_source(pseudo_source), is_bent(is_bent)
-    {
-    }
-
-    FT distance;
-    Ray_at_vertex<FT> back;
-    Root root;
-    Index pseudo_source;
-    bool is_bent;
-  };
 
   // Propagates the fresh ones of the n windows w of a halfedge, its lower envelope or a row, across the face. `split`: the
   // best distance given to the apex through the halfedge so far, and where its ray enters.
@@ -232,7 +218,7 @@ private:
     const FT d = before + length;
     if (!(d < m_known - m_known * Number_policy<FT>::rounding(64)) || !Number_policy<FT>::is_finite(m_known)) return;
     const Index pseudo_source = m_state.field.back[corner].corner == no_index ? no_index : corner;
-    m_arrivals.emplace_back(d, Ray_at_vertex<FT>{m_previous, x, y}, m_state.field.root[corner], pseudo_source, false);
+    m_arrivals.push_back({d, Ray_at_vertex<FT>{m_previous, x, y}, m_state.field.root[corner], pseudo_source});
     m_known = d;
   }
 
@@ -287,7 +273,7 @@ private:
                    const Window& w, bool is_bent = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_arrivals.emplace_back(d, back, w.root, w.pseudo_source(), is_bent);
+    m_arrivals.push_back({d, back, w.root, w.pseudo_source(), is_bent});
     if (d < m_known) m_known = d;
   }
 

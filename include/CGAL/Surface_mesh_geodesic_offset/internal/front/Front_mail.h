@@ -15,6 +15,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,21 +29,6 @@ struct alignas(64) Front_box
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Wavefront_state<FT>::Output Output;
 
-  // As for Wavefront_state::update_vertex().
-  struct Arrival
-  {
-    Arrival(Index vertex, const FT& distance, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source, bool is_bent)
-      : vertex(vertex), distance(distance), back(back), root(root), pseudo_source(pseudo_source), is_bent(is_bent)
-    {
-    }
-
-    Index vertex;
-    FT distance;
-    Ray_at_vertex<FT> back;
-    Root root;
-    Index pseudo_source;
-    bool is_bent;
-  };
   // Windows for a halfedge, and the distance of their nearest point.
   struct Windows
   {
@@ -61,7 +47,7 @@ struct alignas(64) Front_box
     Window window;
   };
 
-  std::vector<Arrival> arrivals;
+  std::vector<std::pair<Index, Vertex_arrival<FT>>> arrivals;
   std::vector<Windows> windows;
   std::vector<Single_window> single_windows;
   std::vector<Index> faces; // that the front has reached
@@ -90,12 +76,11 @@ public:
     CGAL_assertion(state.parts.number() <= 32); // the bits of m_told
   }
 
-  void update_vertex(Index v, const FT& d, const Ray_at_vertex<FT>& back, Root root, Index pseudo_source,
-                     bool is_bent = false)
+  void update_vertex(Index v, const Vertex_arrival<FT>& a)
   {
-    box(m_state.parts.of_vertex(v)).arrivals.emplace_back(v, d, back, root, pseudo_source, is_bent);
+    box(m_state.parts.of_vertex(v)).arrivals.emplace_back(v, a);
     m_last[1] = m_last[0];
-    m_last[0] = {v, d};
+    m_last[0] = {v, a.distance};
   }
 
   void schedule(Index f)

@@ -92,7 +92,7 @@ private:
     const auto& propagated = m_batch.propagated();
     m_state.part(0).counts.windows_propagated += propagated.number_of_windows();
     for (const auto& a : propagated.arrivals())
-      m_state.update_vertex(propagated.apex(), a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
+      m_state.update_vertex(propagated.apex(), a);
     m_state.append(propagated.left());
     m_state.append(propagated.right());
   }

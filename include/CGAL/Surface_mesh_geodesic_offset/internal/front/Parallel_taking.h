@@ -173,7 +173,7 @@ private:
     state_part.counts.windows_propagated += propagated.number_of_windows();
     part.sender.schedule(m_state.mesh.face(h));
     for (const auto& a : propagated.arrivals())
-      part.sender.update_vertex(propagated.apex(), a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
+      part.sender.update_vertex(propagated.apex(), a);
     part.sender.append(propagated.left(), arena);
     part.sender.append(propagated.right(), arena);
   }
@@ -194,8 +194,7 @@ private:
       if (!(m_told[i] >> part & 1u)) continue;
       Front_box<FT>& box = m_part[i].sender.box_for(part);
       for (Index f : box.faces) m_state.schedule(f);
-      for (const auto& a : box.arrivals)
-        m_state.update_vertex(a.vertex, a.distance, a.back, a.root, a.pseudo_source, a.is_bent);
+      for (const auto& [vertex, arrival] : box.arrivals) m_state.update_vertex(vertex, arrival);
       for (const auto& w : box.windows) append(w, arena);
       for (const auto& w : box.single_windows) append(w, arena);
       box.clear();

@@ -37,7 +37,7 @@ public:
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
         if (starts(s) && (s.back.corner == no_index) == is_source)
-          m_state.update_vertex(s.vertex, s.distance, s.back, s.root, no_index);
+          m_state.update_vertex(s.vertex, {s.distance, s.back, s.root, no_index});
     for (const auto& f : m_initial.fans)
       if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.root, no_index, m_state);
     for (const auto& e : m_initial.edges)
@@ -145,9 +145,9 @@ private:
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
       const Index e = m_mesh.next(h), p = m_mesh.previous(h);
       front.schedule(m_mesh.face(h));
-      front.update_vertex(m_mesh.source(e), sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root,
-                          pseudo_source);
-      front.update_vertex(m_mesh.source(p), sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source);
+      front.update_vertex(m_mesh.source(e),
+                          {sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root, pseudo_source});
+      front.update_vertex(m_mesh.source(p), {sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source});
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;

@@ -28,12 +28,24 @@ struct Wavefront_counts
   std::size_t windows_created = 0, windows_propagated = 0;
 };
 
+// What a vertex is told: the length of a path to it, that leaves it along `back`, straight to a pseudo-source or to the source.
+// A bent path has gone round the end of a window that misses the vertex by rounding.
+template <class FT>
+struct Vertex_arrival
+{
+  FT distance;
+  Ray_at_vertex<FT> back;
+  Root root;
+  Index pseudo_source;
+  bool is_bent = false;
+};
+
 template <class FT>
 class Wavefront_state
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-  typedef Ray_at_vertex<FT> Ray;
+  typedef Vertex_arrival<FT> Arrival;
   typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
@@ -101,17 +113,17 @@ public:
     return true;
   }
 
-  // A path to v of length d, that leaves v along `back`, straight to a pseudo-source or to the source. A vertex where
-  // shortest paths bend becomes a pseudo-source once the front is there. A bent path has gone round the end of a window that
-  // misses v by rounding: a straight one that is as long tells the direction better.
-  void update_vertex(Index v, const FT& d, const Ray& back, Root root, Index pseudo_source, bool is_bent = false)
+  // A vertex where shortest paths bend becomes a pseudo-source once the front is there. A straight path tells the direction
+  // better than a bent one that is as long.
+  void update_vertex(Index v, const Arrival& a)
   {
+    const FT& d = a.distance;
     FT& known = field.distance[v];
     const FT rounding = known * Number_policy<FT>::rounding(64);
-    if (!is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && root == field.root[v] &&
+    if (!a.is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && a.root == field.root[v] &&
         CGAL::abs(FT(d - known)) <= rounding)
     {
-      field.back[v] = Way_back<FT>(back, pseudo_source);
+      field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
       vertex_state[v] &= char(~IS_BENT);
     }
     if (!(d < known)) return;
@@ -120,13 +132,13 @@ public:
     if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
     if (ties) return;
-    field.back[v] = Way_back<FT>(back, pseudo_source);
-    field.root[v] = root;
+    field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
+    field.root[v] = a.root;
     vertex_state[v] &= char(~(WAITS | IS_BENT));
-    if (is_bent) vertex_state[v] |= IS_BENT;
+    if (a.is_bent) vertex_state[v] |= IS_BENT;
     Part& p = m_part[parts.of_vertex(v)];
-    if (is_bent) p.has_bent_paths = true;
-    if (back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
+    if (a.is_bent) p.has_bent_paths = true;
+    if (a.back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
