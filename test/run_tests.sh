@@ -4,7 +4,7 @@
 #
 # Builds everything and runs the tests, starting from a fresh Debian 12:
 #
-#   test/run_tests.sh [arguments for ctest]        for example: test/run_tests.sh -R offset -j 2
+#   test/run_tests.sh [arguments for ctest]        for example: test/run_tests.sh -R offset
 #
 # Missing Debian packages are installed (as root, or through sudo). The build goes to build/, and the
 # meshes of the Debian package libcgal-demo to build/data/meshes. The tests find those through the
@@ -76,4 +76,4 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DGEODESIC_OFFSET_DATA_DIR="$GEODESIC_OFFSET_DATA_DIR"
 cmake --build "$build" -j "$(nproc)"
 cd "$build"
-exec ctest --output-on-failure "$@"
+exec ctest --output-on-failure -j "$(nproc)" "$@"
