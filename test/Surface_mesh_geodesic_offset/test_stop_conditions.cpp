@@ -80,10 +80,14 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   totals.calls += fractions.size();
   const double largest = largest_vertex_distance(full, c.mesh);
   // lower envelopes, which windows that are kept need, are a few windows less
-  Geodesic whole(c.mesh);
-  for (const Any_source& s : sources) s.add_to(whole);
-  whole.build(CGAL::parameters::keep_windows(keep));
-  const std::size_t all = whole.statistics().windows_propagated;
+  const auto windows_without_keeping = [&]
+  {
+    Geodesic whole(c.mesh);
+    for (const Any_source& s : sources) s.add_to(whole);
+    whole.build();
+    return whole.statistics().windows_propagated;
+  };
+  const std::size_t all = keep ? full.statistics().windows_propagated : windows_without_keeping();
 
   // targets: the nearest and the farthest of some vertices
   std::vector<Vertex_index> some = used_vertices(c.mesh);
