@@ -222,6 +222,63 @@ void saddle_vertex()
   }
 }
 
+// The edges of the border on which a point (x, y) for which `is_wanted` is true lies at both ends.
+template <class Predicate>
+Add_sources border_edges(const test::Surface_mesh& mesh, const Predicate& is_wanted)
+{
+  std::vector<test::Surface_mesh::Edge_index> edges;
+  const auto fits = [&](auto v) { return is_wanted(mesh.point(v).x(), mesh.point(v).y()); };
+  for (const auto e : mesh.edges())
+    if (mesh.is_border(e) && fits(mesh.vertex(e, 0)) && fits(mesh.vertex(e, 1))) edges.push_back(e);
+  return [edges](Geodesic& g) { g.add_source_edges(edges); };
+}
+
+// Levels next to a line on which the distance is largest: the two sides of a strip that is narrower than rounding lets one
+// tell arcs apart. In general position, as the medial line of a pocket lies in the faces of a mesh of a CAD model.
+void plateaus()
+{
+  const double relative[] = {-1e-9, -1e-10, -3e-11, -1e-11, -3e-12, -1e-12, 0, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9};
+  const auto cut = [](double level) { return level * (1 - std::ldexp(1., -42)); };
+  for (std::size_t inside : {1, 2, 5, 20, 100})
+    for (unsigned seed = 1; seed <= 6; ++seed)
+    {
+      const Data data(random_rectangle(6, 4, inside, 1 + inside / 10, seed));
+      const auto border = border_edges(data.mesh, [](double, double) { return true; });
+      for (double r : relative)
+      {
+        const double level = 2 * (1 + r), c = cut(level);
+        const std::string name = "the medial line of a rectangle, " + std::to_string(inside) + " points inside, seed " +
+                                 std::to_string(seed) + ", " + std::to_string(r * 1e12) + "e-12 above";
+        check_level(name, data.mesh, border, level, c < 2 ? Expected{1, 1, 20 - 8 * c, 1e3} : Expected{0, 0, 0});
+      }
+    }
+}
+
+// A line and a circle that touch, and are about to: the level ends in cusps there, narrower than that for a long way.
+void cusps()
+{
+  for (std::size_t inside : {2, 5, 20, 100})
+    for (unsigned seed = 1; seed <= 6; ++seed)
+    {
+      const Data data(random_rectangle(6, 4, inside, 1 + inside / 10, seed));
+      const auto bottom = border_edges(data.mesh, [](double, double y) { return y == 0; });
+      const auto line_and_point = [&](Geodesic& g)
+      {
+        bottom(g);
+        g.add_source_point(g.locate(Point_3(3, 4, 0)));
+      };
+      for (double r : {-1e-6, -1e-9, -1e-11, -1e-12, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9, 1e-6})
+      {
+        const double level = 2 * (1 + r), c = level * (1 - std::ldexp(1., -42));
+        const double h = c > 2 ? std::sqrt(8 * (c - 2)) : 0;
+        const double length = c > 2 ? 2 * (3 - h + c * std::acos(h / c)) : 6 + pi * c;
+        const std::string name = "a line and a circle that touch, " + std::to_string(inside) + " points inside, seed " +
+                                 std::to_string(seed) + ", " + std::to_string(r * 1e12) + "e-12 above";
+        check_level(name, data.mesh, line_and_point, level, {2, 0, length, 3e4});
+      }
+    }
+}
+
 template <class Function>
 void check_refused(const Function& f)
 {
@@ -287,6 +344,8 @@ int main()
   saddles();
   maxima();
   saddle_vertex();
+  plateaus();
+  cusps();
   levels_that_are_no_distances();
   print_level_totals();
   return Report::instance().finish("test_degenerate_levels");

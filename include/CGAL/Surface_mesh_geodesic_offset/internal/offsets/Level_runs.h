@@ -34,7 +34,7 @@ struct Level_run
 {
   std::size_t arc = 0;
   FT from = FT(0), to = FT(0);
-  Point_in_face<FT> end{FT(0), FT(0)};
+  Point_in_face<FT> start{FT(0), FT(0)}, end{FT(0), FT(0)};
   std::size_t gate = std::size_t(-1); // the one it ends at, if any
   bool valid = false;
   FT length = FT(0);
@@ -83,6 +83,7 @@ public:
     m_tie = Number_policy<FT>::rounding(1 << 16) * magnitude;
     m_step = Number_policy<FT>::rounding(1 << 17) * m_face_size;
     m_refine = Number_policy<FT>::rounding(1 << 24) * magnitude;
+    m_touch = FT(1e-6) * magnitude;
     m_arcs.clear();
     m_boxes.clear();
     for (const Cone& c : m_cones)
@@ -105,6 +106,9 @@ public:
   // Distances up to which a point is on an arc.
   const FT& tie() const { return m_tie; }
 
+  // Into the face, from its halfedge k.
+  const Point& inwards(int k) const { return m_outside[k].n; }
+
   // How far inside the face p is.
   FT depth(const Point& p) const
   {
@@ -117,6 +121,7 @@ public:
     const Level_arc<FT>& a = m_arcs[i];
     Run run;
     run.arc = i;
+    run.start = start;
     run.from = t;
     run.to = FT(1);
     if (!(t < FT(1))) return run;
@@ -154,24 +159,34 @@ public:
     return run;
   }
 
-  // Of all arcs that pass p, the one that can be followed farthest. A gate that is waiting for its arc may be served by
-  // one that rounding has moved farther away.
-  Run best_run(const Point& p, std::size_t without, bool to_gate) const
+  // Of all arcs that pass p, the one that can be followed farthest; one that goes back only if there is no other: where two
+  // sides of a narrow strip are as near to each other as rounding, each of them passes all points of the other one. `heading`:
+  // where the chain comes from the last arc, or into the face, a unit vector. A gate that is waiting for its arc may be served
+  // by one that rounding has moved farther away, and the end of a narrow strip may be too short to be followed.
+  Run best_run(const Point& p, std::size_t without, bool to_gate, const Point& heading) const
   {
     Run best;
-    for (FT tie = m_tie; tie <= (to_gate ? FT(m_tie * FT(65536)) : m_tie); tie *= FT(256))
+    bool best_goes_back = false;
+    const FT last_tie = to_gate ? FT(m_tie * FT(65536)) : (std::max)(m_tie, FT(m_step * FT(4)));
+    for (FT tie = m_tie;; tie = (std::min)(FT(tie * FT(256)), last_tie))
     {
       m_boxes.any_of(Box(p), [&](std::size_t i) {
         if (i == without) return false;
         const Level_arc<FT>& a = m_arcs[i];
         if (CGAL::abs(a.excess(p)) > tie || a.outside_cone(p) > tie || !a.is_ahead(p)) return false;
-        const Run run = run_of(i, (std::max)(FT(0), a.parameter(p)), p);
-        if (run.valid && (!best.valid || run.length > best.length)) best = run;
+        const bool goes_back = dot(a.tangent(p), heading) < (without == none ? FT(-1e-6) : FT(-0.5));
+        const Point start = goes_back && without != none ? cusp(without, i, p) : p;
+        const Run run = run_of(i, (std::max)(FT(0), a.parameter(start)), start);
+        if (!run.valid) return false;
+        if (!best.valid || (goes_back == best_goes_back ? run.length > best.length : best_goes_back))
+        {
+          best = run;
+          best_goes_back = goes_back;
+        }
         return false;
       });
-      if (best.valid || Number_policy<FT>::rounding(1) == FT(0)) break;
+      if (best.valid || !(tie < last_tie)) return best;
     }
-    return best;
   }
 
   // The joint of an arc and the next one, found where the next one was nearer by the allowance, moved to where both tie.
@@ -217,6 +232,16 @@ private:
     std::size_t window;
     Window_cone<FT> cone;
   };
+
+  // Where the level turns back from an arc to the next one, found at p, where the next one was nearer by the allowance. If they
+  // touch, that is so far behind the point where they tie, that the next one is hidden there.
+  Point cusp(std::size_t last, std::size_t next, const Point& p) const
+  {
+    Point q;
+    const bool meets = meet(m_arcs[last], m_arcs[next], false, q) && length(q - p) <= m_touch &&
+                       m_arcs[last].outside_cone(q) <= m_tie && m_arcs[next].outside_cone(q) <= m_tie;
+    return meets ? q : p;
+  }
 
   // Is p nearer to window j than the level, by more than the allowance, and in its cone?
   bool covers(std::size_t j, const Point& p) const
@@ -288,7 +313,7 @@ private:
 
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_face_size, m_margin;
-  FT m_cover_depth, m_tie, m_step, m_refine;
+  FT m_cover_depth, m_tie, m_step, m_refine, m_touch;
   std::vector<Cone> m_cones;         // of the windows that can have a level
   std::vector<Level_arc<FT>> m_arcs; // of the level
   Box_tree<FT> m_boxes;              // theirs

@@ -93,8 +93,10 @@ private:
     std::size_t arc = none;
     for (std::size_t guard = 0; guard < 4 * m_runs.arcs().size() + 16; ++guard)
     {
-      const Run run = m_runs.best_run(p, arc, true);
+      const Point heading = arc == none ? m_runs.inwards((*m_gates)[gate].edge) : m_runs.arcs()[arc].tangent(p);
+      const Run run = m_runs.best_run(p, arc, true, heading);
       if (!run.valid) break;
+      p = run.start;
       if (!m_chain.empty())
       {
         m_runs.refine_joint(arc, run.arc, p);
@@ -203,6 +205,7 @@ private:
       const std::size_t known = traversed_by(run);
       // what another chain, or an attempt in vain, has followed leads to no other end
       if (known != none && known < own) break;
+      p = run.start;
       if (!m_chain.empty() && last_arc != run.arc) m_runs.refine_joint(last_arc, run.arc, p);
       if (!m_chain.empty()) m_chain.back().end = p;
       if (known != none)
@@ -221,7 +224,7 @@ private:
         closed = true;
       }
       if (closed || m_runs.depth(p) < -m_runs.tie()) break;
-      run = m_runs.best_run(p, run.arc, false);
+      run = m_runs.best_run(p, run.arc, false, m_runs.arcs()[run.arc].tangent(p));
     }
     // what is left between a gate and an arc that rounding has moved off it is no loop
     FT sum(0);
