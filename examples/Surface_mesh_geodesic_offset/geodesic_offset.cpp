@@ -64,11 +64,11 @@ std::vector<Offset_curve> cut(Geodesic& geodesic, const Options& options)
     const auto levels =
       options.count ? CGAL::Offset_levels<double>::equally_spaced(*options.spacing, *options.count)
                     : CGAL::Offset_levels<double>::equally_spaced(*options.spacing);
-    geodesic.build_with_offset_curves(levels, std::back_inserter(curves), parameters, options.selection);
+    geodesic.build_with_offset_curves(levels, std::back_inserter(curves), options.selection, parameters);
   }
   else if(!options.distances.empty())
   {
-    geodesic.build_with_offset_curves(options.distances, std::back_inserter(curves), parameters, options.selection);
+    geodesic.build_with_offset_curves(options.distances, std::back_inserter(curves), options.selection, parameters);
   }
   else
     geodesic.build(parameters);

@@ -17,6 +17,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,8 +31,8 @@ namespace CGAL {
 polylines and edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
 The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
-Sources are added, then `build()` propagates the distances, then the const member functions answer. They may be called
-from several threads at once. Points that no path reaches are at infinity.
+Sources are added, then `build()` propagates the distances, then the const member functions answer. With floating point
+numbers they may be called from several threads at once. Points that no path reaches are at `infinity()`.
 
 Adding or removing sources leaves the result of the last `build()` as it is until `build()` is called again.
 
@@ -62,6 +63,9 @@ class Surface_mesh_geodesic_offset
   using Base::request;
   using Base::unfolded;
 
+  template <class NamedParameters>
+  using If_no_selection = std::enable_if_t<!std::is_convertible<NamedParameters, Offset_selection>::value>;
+
 public:
   /// \name Types
   /// @{
@@ -76,7 +80,9 @@ public:
   /// \name Offset Curves
   /// @{
 
-  /// does what `build()` does and at once cuts the offset curves at the given levels, in one propagation.
+  /// does what `build()` does and at once cuts the offset curves at the given levels, in one propagation. A selection by
+  /// inside and outside takes one more for each closed polyline: over the whole surface, on the calling thread, and with all
+  /// windows in memory.
   ///
   /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
   /// curves it crosses. Without `distance_limit`, distances beyond the largest level are computed, too. Levels beyond
@@ -85,17 +91,26 @@ public:
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`
   /// \param selection the side of polylines, and the form at their ends
+  /// \param np optional named parameters, as those of `build()`
   /// \throws std::invalid_argument if a distance is not a positive finite number, or if a selection by inside and outside is
   ///         asked for and there is an open polyline, or a closed one that does not divide the surface, or if there is a
   ///         tolerance. Then the last build is still there.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
             class NamedParameters = parameters::Default_named_parameters>
-  OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
-                                          const NamedParameters& np = parameters::default_values(),
-                                          const Offset_selection& selection = Offset_selection())
+  OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out, const Offset_selection& selection,
+                                          const NamedParameters& np = parameters::default_values())
   {
-    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), np, selection);
+    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), selection, np);
     return out;
+  }
+
+  /// the same of everything.
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
+            class NamedParameters = parameters::Default_named_parameters, class = If_no_selection<NamedParameters>>
+  OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
+                                          const NamedParameters& np = parameters::default_values())
+  {
+    return build_with_offset_curves<ConcurrencyTag>(levels, out, Offset_selection(), np);
   }
 
   /// the same with a callback: `f(distance, curves)` is called once for each distance, in increasing order, with a
@@ -103,9 +118,8 @@ public:
   /// it is called up to the largest one that has curves.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
             class NamedParameters = parameters::Default_named_parameters>
-  void build_with_offset_curves_by_distance(const Levels& levels, const Function& f,
-                                            const NamedParameters& np = parameters::default_values(),
-                                            const Offset_selection& selection = Offset_selection())
+  void build_with_offset_curves_by_distance(const Levels& levels, Function&& f, const Offset_selection& selection,
+                                            const NamedParameters& np = parameters::default_values())
   {
     const Levels_inside wanted(as_levels(levels));
     const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
@@ -113,6 +127,15 @@ public:
       throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
     propagate_and_cut<ConcurrencyTag>(*fresh, wanted, selection, f);
     m_built = fresh;
+  }
+
+  /// the same of everything.
+  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
+            class NamedParameters = parameters::Default_named_parameters, class = If_no_selection<NamedParameters>>
+  void build_with_offset_curves_by_distance(const Levels& levels, Function&& f,
+                                            const NamedParameters& np = parameters::default_values())
+  {
+    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, f, Offset_selection(), np);
   }
 
   /// the offset curves at one or several distances. From kept windows, if there are any; else distances are propagated
@@ -137,7 +160,7 @@ public:
 
   /// the same with a callback as that of `build_with_offset_curves_by_distance()`.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class Function>
-  void offset_curves_by_distance(const Levels& levels, const Function& f,
+  void offset_curves_by_distance(const Levels& levels, Function&& f,
                                  const Offset_selection& selection = Offset_selection()) const
   {
     const Levels_inside wanted(as_levels(levels));
@@ -163,10 +186,20 @@ private:
   {
     if constexpr (std::is_convertible<Levels, FT>::value)
       return Levels_inside(std::array<Number, 1>{Surface::imported(FT(levels))});
-    else if constexpr (std::is_same<Levels, Offset_levels<FT>>::value)
-      return levels.template converted<Number>([](const FT& d) { return Surface::imported(d); });
     else
-      return Levels_inside(levels);
+      return as_levels_inside(levels);
+  }
+
+  template <class T>
+  static Levels_inside as_levels_inside(const Offset_levels<T>& levels)
+  {
+    return levels.template converted<Number>([](const T& d) { return Surface::imported(FT(d)); });
+  }
+
+  template <class Range>
+  static Levels_inside as_levels_inside(const Range& distances)
+  {
+    return Levels_inside(distances);
   }
 
   template <class OutputIterator>
@@ -179,7 +212,7 @@ private:
 
   template <class ConcurrencyTag, class Function>
   void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
-                         const Function& f) const
+                         Function& f) const
   {
     const auto output = curve_output(b, levels, selection, f);
     b.template propagate_and_cut<ConcurrencyTag>(m_traits, levels, output);
@@ -188,7 +221,7 @@ private:
 
   template <class Function>
   auto curve_output(const Build& b, const Levels_inside& levels, const Offset_selection& selection,
-                    const Function& f) const
+                    Function& f) const
   {
     const bool by_inside = selection.side == Offset_side::INSIDE || selection.side == Offset_side::OUTSIDE;
     std::map<Index, Source_side> inside;

@@ -202,9 +202,9 @@ void check_without_inside(const test::Surface_mesh& mesh,
   {
     const auto none = CGAL::parameters::default_values();
     check_refused(
-      [&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), none, side); },
+      [&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), side, none); },
       what);
-    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, none, side); },
+    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, side, none); },
                   what);
     CHECK(geodesic.distance_to_sources(v) == distance);
   }

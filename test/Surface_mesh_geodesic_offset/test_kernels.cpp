@@ -219,6 +219,30 @@ void side_tests_near_zero()
   CHECK(wrong > 1000 && zeros > 100);
 }
 
+// The same with the numbers of another type: a float is a double.
+void side_tests_of_floats()
+{
+  typedef CGAL::Filtered_kernel<CGAL::Simple_cartesian<float>> Short_kernel;
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Short_kernel, CGAL::Surface_mesh<Short_kernel::Point_3>> Short;
+  const auto compare = Short().compare_entry_with_apex_2_object();
+  Random random(6);
+  std::size_t zeros = 0;
+  for (std::size_t i = 0; i < 100000; ++i)
+  {
+    const auto number = [&](double low, double high) { return float(std::nearbyint(uniform(random, low, high) * 1024) / 1024); };
+    const bool parallel = i % 3 == 0;
+    const float x = number(-2, 2), y = number(-2, -0.01), ax = number(-1, 2), ay = number(0.01, 1);
+    float b = (x * ay - y * ax) / (parallel ? -y : ay - y);
+    for (std::size_t k = uniform_index(random, 4); k > 0; --k) b = std::nextafter(b, i % 2 ? 9.f : -9.f);
+    typedef CGAL::Exact_rational Exact;
+    const Exact X(x), Y(y), B(b), AX(ax), AY(ay), slope = parallel ? Exact(-Y) : Exact(AY - Y);
+    const CGAL::Sign exact = CGAL::sign(Exact(B * slope - (X * AY - Y * AX)));
+    CHECK(compare(x, y, parallel, b, ax, ay) == exact);
+    if (exact == CGAL::ZERO) ++zeros;
+  }
+  CHECK_DETAIL(zeros > 10, std::to_string(zeros));
+}
+
 // All that a caller can do compiles with the concept's archetype, which is not default constructible
 // and whose functors have a state; they are called, and the results are those of the default model.
 void concept_archetype()
@@ -404,6 +428,7 @@ int main()
     {"mesh of a Boolean operation", mesh_of_a_boolean_operation},
     {"needles", needles},
     {"side tests near zero", side_tests_near_zero},
+    {"side tests of floats", side_tests_of_floats},
     {"concept archetype", concept_archetype},
     {"long numbers", long_numbers},
     {"pairs", pairs},

@@ -103,6 +103,10 @@ void streams()
     other.str("");
     other << 1234.5;
     CHECK_DETAIL(other.str() == "1.234,500", other.str());
+    std::ostringstream odd;
+    odd << std::hex << std::showpos << std::scientific << std::uppercase;
+    CHECK(writer.second(odd));
+    CHECK(plain.str() == odd.str());
 
     std::ostringstream bad;
     bad.setstate(std::ios_base::badbit);
@@ -118,6 +122,13 @@ void curves_that_are_not_in_a_plane()
   std::ostringstream os;
   CHECK_THROWS(CGAL::IO::write_offset_SVG(os, on_sphere.curves), std::invalid_argument);
   CHECK(os.str().empty());
+  for (const double tolerance : {0., -1., std::nan("")})
+  {
+    CHECK_THROWS(CGAL::IO::write_offset_polylines(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_OBJ(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_VTK(os, on_sphere.curves, tolerance), std::invalid_argument);
+  }
+  os.str("");
 
   // Two curves, each in a plane: two levels round a corner of a cube stay on different sides of it
   // only if they do not reach its edges.

@@ -161,8 +161,7 @@ public:
       if (path.locations.size() == 1) geodesic.add_source_point(path.locations[0]);
       else geodesic.add_source_polyline(path.locations, closed);
       Curves curves;
-      geodesic.build_with_offset_curves(level, std::back_inserter(curves),
-                                        CGAL::parameters::default_values(), selection);
+      geodesic.build_with_offset_curves(level, std::back_inserter(curves), selection);
       double length = 0;
       std::size_t n_closed = 0;
       for (const Offset_curve& curve : curves)

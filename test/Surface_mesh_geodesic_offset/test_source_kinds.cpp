@@ -413,6 +413,63 @@ void bad_arguments()
     CHECK_THROWS(geodesic.offset_curves(bad, std::back_inserter(curves)), std::invalid_argument);
   CHECK(curves.empty());
   CHECK(std::abs(geodesic.distance_to_sources(data.vertices.back()) - std::hypot(6., 6.)) < 1e-12);
+
+  // vertices that are not of the mesh
+  typedef test::Surface_mesh::Vertex_index Vertex_index;
+  geodesic.build(CGAL::parameters::relative_tolerance(1e-6));
+  for (const Vertex_index bad : {test::Surface_mesh::null_vertex(), Vertex_index(100000)})
+  {
+    CHECK_THROWS(geodesic.add_source_point(bad), std::invalid_argument);
+    CHECK_THROWS(geodesic.distance_to_sources(bad), std::invalid_argument);
+    CHECK_THROWS(geodesic.gradient(bad), std::invalid_argument);
+    CHECK_THROWS(geodesic.error_bound(bad), std::invalid_argument);
+    CHECK_THROWS(geodesic.build(CGAL::parameters::targets(std::vector<Vertex_index>{bad})), std::invalid_argument);
+  }
+
+  // an edge without a face
+  test::Surface_mesh more = data.mesh;
+  const auto alone = more.edge(more.add_edge(more.add_vertex(Point_3(9, 9, 9)), more.add_vertex(Point_3(8, 9, 9))));
+  Geodesic on_more(more);
+  CHECK_THROWS(on_more.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{alone}), std::invalid_argument);
+  CHECK(on_more.number_of_sources() == 0);
+}
+
+// Meshes of any size that numbers allow; others are refused.
+void scales()
+{
+  Report::instance().set_context("scales");
+  const Data data(rotated(random_rectangle(2, 1, 60, 5, 3), 3));
+  Geodesic expected(data.mesh);
+  expected.add_source_point(data.vertices[0]);
+  expected.build();
+  for (const int exponent : {-250, -100, 100, 250})
+  {
+    test::Surface_mesh scaled = data.mesh;
+    const double scale = std::ldexp(1., exponent);
+    for (const auto v : scaled.vertices())
+      scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
+    Geodesic geodesic(scaled);
+    geodesic.add_source_point(data.vertices[0]);
+    geodesic.build();
+    for (const auto v : data.vertices)
+      CHECK(geodesic.distance_to_sources(v) == scale * expected.distance_to_sources(v));
+  }
+  for (const int exponent : {-500, -270, 270, 400})
+  {
+    test::Surface_mesh scaled = data.mesh;
+    for (const auto v : scaled.vertices())
+      scaled.point(v) = CGAL::ORIGIN + std::ldexp(1., exponent) * (scaled.point(v) - CGAL::ORIGIN);
+    std::string message = "nothing was thrown";
+    try
+    {
+      Geodesic geodesic(scaled);
+    }
+    catch (const std::invalid_argument& e)
+    {
+      message = e.what();
+    }
+    CHECK_DETAIL(message.find("must be scaled") != std::string::npos, message);
+  }
 }
 
 void run_guarded(void (*test)())
@@ -454,7 +511,7 @@ int main()
       }
   }
   for (void (*body)() :
-       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments})
+       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &scales})
     run_guarded(body);
   return Report::instance().finish("test_source_kinds");
 }

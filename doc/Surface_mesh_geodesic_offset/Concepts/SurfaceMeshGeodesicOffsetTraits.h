@@ -12,6 +12,9 @@ its target, and the face, with its apex \f$(a_x, a_y)\f$, is above. The image of
 \f$(X, Y)\f$ if \f$W = 0\f$, for a parallel-source window, whose distance at \f$p\f$ is \f$\sigma - (X, Y) \cdot p\f$. An argument
 `is_parallel` says that \f$W = 0\f$.
 
+Objects of a model are copied; one that is default constructible need not be given. With `CGAL::Parallel_tag` the functors are
+called by several threads at once.
+
 \cgalConcept
 
 \cgalHasModelsBegin
@@ -93,7 +96,8 @@ public:
   direction \f$(c, s)\f$. With \f$D = s (X - bW) - c Y\f$ it returns whether \f$D > 0\f$, that is, whether the ray meets the line of
   the edge; if so, it sets `t` to the smaller of the length and \f$-bY / D\f$, `distance` to the distance there, which is
   \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$ otherwise, and `is_rough` to whether it should be found anew
-  by `Compute_distance_2`, because of rounding.
+  by `Compute_distance_2`, because of rounding. If so, `distance` need not be set. With exact numbers `t` may be beyond the
+  length: it is asked for where it is not, only.
   */
   typedef unspecified_type Construct_exit_2;
 

@@ -85,8 +85,8 @@ public:
       try
       {
         alone.build_with_offset_curves_by_distance(std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
-                                                   CGAL::parameters::distance_limit(0.),
-                                                   CGAL::Offset_selection(CGAL::Offset_side::INSIDE));
+                                                   CGAL::Offset_selection(CGAL::Offset_side::INSIDE),
+                                                   CGAL::parameters::distance_limit(0.));
       }
       catch(const std::invalid_argument&)
       {

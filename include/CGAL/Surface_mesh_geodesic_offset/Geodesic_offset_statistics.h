@@ -20,8 +20,8 @@ struct Geodesic_offset_statistics
   std::size_t windows_peak = 0;       ///< largest number of windows held at one time
   std::size_t kept_bytes = 0;         ///< memory of the windows that were kept
   std::size_t windows_merged = 0;     ///< with a tolerance: windows that were merged into others, and so not propagated
-  double error_bound = 0;             ///< with a tolerance: no distance is farther from the exact one than that
-  double relative_error_bound = 0;    ///< with a tolerance: the same as a part of the exact distance
+  double error_bound = 0;             ///< with a tolerance: none is smaller than the exact one by more, but for rounding
+  double relative_error_bound = 0;    ///< with a tolerance: the same as a part of the distance that was computed
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
   std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
   std::size_t sign_decisions = 0;     ///< with exact square roots: signs and comparisons of numbers that were asked for

@@ -25,12 +25,13 @@ namespace CGAL {
 
 \brief An offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
 
-The curve is closed, or its ends lie on the border of the mesh; a curve that was cut where an `Offset_selection` ends may have
-ends inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside of the
+The curve is closed, or its ends lie on the border of the mesh; one that was cut where an `Offset_selection` ends may have ends
+inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside of the
 surface. No curve meets itself or another one of the same distance.
 
-The curve is exact; polylines are made of it only on output. It refers to the mesh, which must outlive it. All member
-functions are const and may be called from several threads.
+The curve is exact, but for its number type; polylines are made of it only on output. Points on arcs, angles and lengths of
+arcs are rounded to `double` whatever the number type. It refers to the mesh, which must outlive it; copies share nothing but
+that. All member functions are const and, with floating point numbers, may be called from several threads.
 
 \tparam Surface_ internal
 */
@@ -54,7 +55,8 @@ public:
   {
   }
 
-  /// the distance of all points of the curve from the sources.
+  /// the distance from the sources that was asked for. With an inexact number type all points of the curve are at
+  /// \f$1 - 2^{-42}\f$ times that.
   const FT& distance() const { return m_distance; }
 
   /// whether the curve is closed.
@@ -87,7 +89,8 @@ public:
   /// @}
 
   /// \name Measure and Points
-  /// All take time linear in the number of pieces.
+  /// `length()`, and points at a way along the curve, take time linear in the number of pieces; the others in that of the
+  /// points that they write, which grows without a bound as the tolerance goes to 0.
   /// @{
 
   /// the length: of arcs as arcs, not of a polyline.
@@ -119,7 +122,7 @@ public:
   /// \f$ r \f$ is divided into equal parts of angle \f$ s \f$ with \f$ 2 r \sin^2 (s/4) \f$, the height of the arc over the
   /// chord, at most the tolerance, and both lie in the plane of one face. All points are on the curve. A closed curve
   /// repeats its first point at the end.
-  /// \pre `chord_tolerance > 0`
+  /// \throws std::invalid_argument unless `chord_tolerance > 0`
   template <class Function>
   void discretize(const FT& chord_tolerance, const Function& f) const
   {
@@ -134,6 +137,7 @@ public:
   }
 
   /// writes points as by `discretize()`.
+  /// \throws std::invalid_argument unless `chord_tolerance > 0`
   /// \param out an output iterator for `Face_location`
   template <class OutputIterator>
   OutputIterator face_locations(const FT& chord_tolerance, OutputIterator out) const
@@ -143,6 +147,7 @@ public:
   }
 
   /// the same as points in space.
+  /// \throws std::invalid_argument unless `chord_tolerance > 0`
   /// \param out an output iterator for `Point_3`
   template <class OutputIterator>
   OutputIterator points(const FT& chord_tolerance, OutputIterator out) const

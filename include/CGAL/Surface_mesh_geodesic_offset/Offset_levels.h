@@ -23,7 +23,8 @@ namespace CGAL {
 
 \brief The distances at which offset curves are asked for: any finite set, or the multiples of a spacing.
 
-\tparam FT a number type, model of `FieldNumberType`
+\tparam FT a number type, model of `FieldNumberType` and `RealEmbeddable`, that can be made of a `double`: the `FT` of the
+        traits, or one that this can be made of
 */
 template <class FT>
 class Offset_levels

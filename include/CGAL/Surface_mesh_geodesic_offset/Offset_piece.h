@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace CGAL {
 
@@ -26,7 +27,7 @@ namespace CGAL {
 \brief A piece of an offset curve: a circular arc or a straight segment inside one face.
 
 Its geometry is given in the face's own isometric frame: a point of the plane of the face is the same distance from others
-there as in space; the origin is the source of `halfedge(f, tm)`, the x-axis runs along this halfedge, and the face lies above
+there as in space; the origin is the source of `halfedge(f, tm)`, the x-axis runs along this halfedge, and the face is above
 it. `Face_location`s have their coordinates with respect to the source of that halfedge, its target, and the third vertex.
 
 Arcs run counterclockwise round their center and are shorter than a half turn; so every piece has the smaller distances on
@@ -65,6 +66,7 @@ public:
   /// the face that the piece lies in, or on whose edge.
   face_descriptor face() const { return m_context->surface->face_of[m_piece->face]; }
 
+  /// whether it is a straight segment, or else an arc.
   bool is_segment() const { return m_piece->is_straight; }
   bool is_arc() const { return !is_segment(); }
 
@@ -91,13 +93,13 @@ public:
                   Surface_::exported(m_piece->radius));
   }
 
-  /// where the piece starts and ends.
+  /// where the piece starts and ends, in the frame of the face, and as locations.
   Point_2 start_2() const { return public_point(m_piece->start); }
   Point_2 end_2() const { return public_point(m_piece->end); }
   Face_location start() const { return location_of(m_piece->start, m_piece->start_edge); }
   Face_location end() const { return location_of(m_piece->end, m_piece->end_edge); }
 
-  /// the angle that an arc turns by, counterclockwise, in [0, pi]; 0 for a segment.
+  /// the angle that an arc turns by, counterclockwise, from 0 to pi, but for rounding; 0 for a segment.
   FT angle() const
   {
     if (is_segment()) return FT(0);
@@ -105,7 +107,7 @@ public:
     const double s = CGAL::to_double(Geodesic_offset::internal::cross(a, b));
     const double c = CGAL::to_double(Geodesic_offset::internal::dot(a, b));
     const double angle = std::atan2(s, c);
-    // arcs are shorter than a half turn, so a negative angle is rounding of zero ... unless it is a wide one
+    // arcs are no longer than a half turn, so a negative angle is rounding: mostly of zero
     if (angle >= 0) return FT(angle);
     return angle > -1e-3 ? FT(0) : FT(angle + 2 * CGAL_PI);
   }
@@ -127,10 +129,12 @@ public:
   }
   Point_3 point(const FT& t) const { return m_context->surface->point(location(t)); }
 
-  /// the number of chords of equal length that stay nowhere farther than `tolerance` from the piece. \pre `tolerance > 0`
+  /// the number of chords of equal length that stay nowhere farther than `tolerance` from the piece.
+  /// \throws std::invalid_argument unless `tolerance > 0`
   std::size_t number_of_chords(const FT& tolerance) const { return number_of_chords(tolerance, angle()); }
 
-  /// calls `f(location)` for the ends of these chords between the start and the end of the piece. \pre `tolerance > 0`
+  /// calls `f(location)` for the ends of these chords between the start and the end of the piece.
+  /// \throws std::invalid_argument unless `tolerance > 0`
   template <class Function>
   void for_each_inner_location(const FT& tolerance, const Function& f) const
   {
@@ -182,7 +186,8 @@ private:
 
   std::size_t number_of_chords(const FT& tolerance, const FT& angle) const
   {
-    CGAL_precondition(tolerance > FT(0));
+    if (!(tolerance > FT(0)))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
     if (is_segment()) return 1;
     // The height of an arc of radius r and angle s over its chord is r (1 - cos(s / 2)) = 2 r sin^2(s / 4).
     const double sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));

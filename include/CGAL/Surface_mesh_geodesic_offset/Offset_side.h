@@ -27,7 +27,8 @@ enum class Offset_side : unsigned char
   BOTH,   ///< both sides of polylines
   LEFT,   ///< only points whose nearest source point is reached from the left of its polyline
   RIGHT,  ///< only points whose nearest source point is reached from the right of its polyline
-  INSIDE, ///< only points inside closed polylines: on the side with the smaller area
+  INSIDE, ///< only points inside closed polylines: on the side with the smaller area. The areas are estimated, by some 250
+          ///< samples in each face near the polyline: sides that differ by less than a few percent may be confused
   OUTSIDE ///< only points outside closed polylines
 };
 
@@ -50,8 +51,10 @@ struct Offset_selection
   Offset_side side = Offset_side::BOTH;
   Offset_end end = Offset_end::ROUND;
 
+  /// all of the offset.
   Offset_selection() = default;
-  Offset_selection(Offset_side side, Offset_end end = Offset_end::ROUND) : side(side), end(end) {}
+  /// the part on one side.
+  Offset_selection(Offset_side which_side, Offset_end which_end = Offset_end::ROUND) : side(which_side), end(which_end) {}
 
   /// whether nothing is left out.
   bool is_everything() const { return side == Offset_side::BOTH && end == Offset_end::ROUND; }

@@ -31,9 +31,9 @@ namespace CGAL {
 edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
 The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
-Sources are added, then `build()` propagates the distances, then the const member functions answer. They may be called
-from several threads at once. Points that no path reaches are at infinity. Lengths and distances are in the units of the
-mesh's points.
+Sources are added, then `build()` propagates the distances, then the const member functions answer. With floating point
+numbers they may be called from several threads at once. Points that no path reaches are at `infinity()`. Lengths and
+distances are in the units of the mesh's points.
 
 Adding or removing sources leaves the result of the last build as it is until `build()` or `update()` is called.
 
@@ -105,8 +105,10 @@ public:
 
   /// propagates the distances from the sources over the surface. Without any source, all points are at infinity.
   ///
-  /// In the worst case O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Memory is that of the
-  /// front, and some 40 bytes a window if windows are kept.
+  /// On most meshes the number of windows that are propagated grows like n^1.5; in the worst case that of all envelopes
+  /// is O(n^2) \cgalCite{MMP87}. Each takes constant time, on average; all that does not depend on the windows takes linear
+  /// time in the size of the mesh, also with a distance limit. Memory is that of the front, and some 40 bytes a window if
+  /// windows are kept.
   ///
   /// With a tolerance distances may be smaller than the exact ones, within bounds that `statistics()` tells, but not larger,
   /// and a few windows a vertex are propagated on smooth fine meshes, however fine; see \ref
@@ -151,6 +153,10 @@ public:
     m_built = fresh;
   }
 
+  /// the distance of points that no path reaches. `std::numeric_limits<FT>::infinity()`, or, for number types that have no
+  /// infinity, as exact ones, a number that is larger than any distance on a mesh.
+  static FT infinity() { return Surface::exported(Policy::infinity()); }
+
   /// whether distances have been computed.
   bool is_built() const { return m_built != nullptr; }
 
@@ -185,15 +191,16 @@ public:
 
   /// by how much the distance of a vertex may be smaller than the exact one: 0 if the build had no tolerance. For all other
   /// points, `statistics()` has the largest such bound. Rounding is not contained.
+  /// \throws std::invalid_argument if the vertex is not of the mesh.
   FT error_bound(vertex_descriptor v) const
   {
     const Build& b = built();
-    if (!b.is_approximate()) return FT(0);
-    return Surface::exported(Number(b.field.error[m_surface->index_of(v)]));
+    const Located_point p = classified(v);
+    return b.is_approximate() ? FT(Surface::exported(Number(b.field.error[p.element]))) : FT(0);
   }
 
-  /// the distance with a sign: negative on the left of polylines, that is inside of counterclockwise ones, and positive on
-  /// their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a number where the nearest
+  /// the distance, rounded to `double`, with a sign: negative on the left of polylines, that is inside of counterclockwise
+  /// ones, and positive on their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a number where the nearest
   /// source has no sides: points, sets of edges, and beyond the ends of open polylines.
   template <class Location>
   double signed_distance_to_sources(const Location& location) const

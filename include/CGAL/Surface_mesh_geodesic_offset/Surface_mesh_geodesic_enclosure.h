@@ -12,10 +12,15 @@
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <cfenv>
+#include <cfloat>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+
+#if defined(__FAST_MATH__) || FLT_EVAL_METHOD > 0
+#error "Surface_mesh_geodesic_enclosure: bounds are certain only where every operation rounds to double, as IEEE 754 says"
+#endif
 
 namespace CGAL {
 
@@ -29,10 +34,12 @@ oracle for other methods.
 The coordinates of the vertices, rounded to `double` if they are not, are taken as exact. A source, or a point that is asked
 for, is the location as classified: coordinates that are zero up to round-off (1e-13) put it on the edge, or at the vertex.
 How the bounds are found, and why they are certain, says \ref SurfaceMeshGeodesicOffsetErrorAnalysis. Relative to the
-distance they are mostly within a few 1e-14 of each other.
+distance they are mostly within a few 1e-14 of each other. They are proven for sources from which every shortest path
+crosses fewer than 2^16 faces without a bend.
 
 The computation takes up to twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
-arithmetic with round to nearest: it must not be compiled with options like `-ffast-math`.
+arithmetic with round to nearest, where every operation rounds to `double`: it does not compile with `-ffast-math`, nor for
+x87 registers.
 
 The template parameters are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be `double`.
 */
@@ -54,7 +61,7 @@ public:
   /// @{
 
   /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
-  /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5.
+  /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread.
   /// \param np an optional named parameter, `keep_windows(b)`: whether points other than vertices will be asked for; then
   ///        some 100 bytes a window stay in memory. The bounds are always those of the whole surface, as near as they can
   ///        be: other parameters, as a distance limit or a tolerance, are ignored.
@@ -72,6 +79,7 @@ public:
     m_built = std::make_shared<Build>(*m_mesh, this->m_sources.initial_windows(this->unfolded()), keeps);
   }
 
+  /// whether bounds have been computed.
   bool is_built() const { return m_built != nullptr; }
 
   /// the number of windows that were propagated.

@@ -29,7 +29,7 @@ namespace CGAL {
 All constructions are those of the kernel's `FT`: rounded for a floating point type, exact for an exact number type with
 square roots, as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.
 
-With a kernel whose `FT` is a floating point type and whose predicates are exact, as
+With a kernel whose `FT` is `double` or `float` and whose predicates are exact, as
 `Exact_predicates_inexact_constructions_kernel`, the side tests are exact for the coordinates given, behind a floating point
 filter. With `Simple_cartesian<double>` they are rounded and unguarded: rays that pass an apex within rounding may be sent
 through the wrong edge.
@@ -159,34 +159,48 @@ public:
   \f$(b,0)\f$ to the apex \f$(a_x, a_y)\f$: `POSITIVE` if the apex is to the left of the ray (the ray passes to the right of
   the apex), `ZERO` if the ray hits it.
 
-  Exact for the coordinates given whenever the kernel has exact predicates. What the filter leaves undecided goes to the
-  kernel's `Orientation_2` for interval windows, and to exact arithmetic for parallel-source windows.
+  Exact for the coordinates given if `FT` is exact, and if it is `double` or `float` and the kernel has exact predicates:
+  what the filter, in `double`, leaves undecided goes to the kernel's `Orientation_2` for interval windows, and to exact
+  arithmetic for parallel-source windows.
   */
   class Compare_entry_with_apex_2
   {
   public:
     Sign operator()(const FT& x, const FT& y, bool is_parallel, const FT& b, const FT& ax, const FT& ay) const
     {
-      const FT slope = is_parallel ? FT(-y) : FT(ay - y);
-      const FT left = b * slope;
-      const FT r0 = x * ay, r1 = y * ax;
-      const FT value = left - (r0 - r1);
       if constexpr (is_filtered)
       {
         CGAL_BRANCH_PROFILER("side tests beyond the filter / side tests", profiler);
-        // slope, the three products, two differences: six roundings of at most the magnitudes below
-        const FT bound = FT(1e-15) * (std::abs(b) * (std::abs(ay) + std::abs(y)) + std::abs(r0) + std::abs(r1));
+        double bound;
+        const double value = cross_product<double>(x, y, is_parallel, b, ax, ay, bound);
         if (value > bound) return POSITIVE;
         if (value < -bound) return NEGATIVE;
         CGAL_BRANCH_PROFILER_BRANCH(profiler);
         return is_parallel ? of_parallel_ray(x, y, b, ax, ay) : of_ray(x, y, b, ax, ay);
       }
       else
-        return CGAL::sign(value);
+      {
+        FT bound;
+        return CGAL::sign(cross_product<FT>(x, y, is_parallel, b, ax, ay, bound));
+      }
     }
 
   private:
-    static constexpr bool is_filtered = std::is_floating_point<FT>::value && K::Has_filtered_predicates;
+    // a float is a double
+    static constexpr bool is_filtered =
+      (std::is_same<FT, double>::value || std::is_same<FT, float>::value) && K::Has_filtered_predicates;
+
+    template <class T>
+    static T cross_product(const T& x, const T& y, bool is_parallel, const T& b, const T& ax, const T& ay, T& bound)
+    {
+      const T slope = is_parallel ? T(-y) : T(ay - y);
+      const T left = b * slope;
+      const T r0 = x * ay, r1 = y * ax;
+      // slope, the three products, two differences: six roundings of at most the magnitudes below
+      if constexpr (is_filtered)
+        bound = T(1e-15) * (std::abs(b) * (std::abs(ay) + std::abs(y)) + std::abs(r0) + std::abs(r1));
+      return left - (r0 - r1);
+    }
 
     static Sign of_ray(const FT& x, const FT& y, const FT& b, const FT& ax, const FT& ay)
     {

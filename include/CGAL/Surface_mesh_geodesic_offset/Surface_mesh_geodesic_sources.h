@@ -16,6 +16,7 @@
 
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -86,7 +87,9 @@ public:
   /// @{
 
   /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.
-  /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite.
+  /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite; and if the
+  ///         longest edge is not between 1e-77 and 1e77 (1e-9 and 1e9 for `float`), where fourth powers of lengths get lost.
+  /// \throws std::length_error if the mesh has more than 2^29 vertices, or 2^32 / 3 faces, counted by the largest index.
   explicit Surface_mesh_geodesic_sources(const Triangle_mesh& tm, const Traits& traits = Traits())
     : Surface_mesh_geodesic_sources(tm, get_initialized_vertex_index_map(tm), get_initialized_face_index_map(tm),
                                     get(boost::vertex_point, tm), traits)
@@ -108,6 +111,7 @@ public:
   /// @{
 
   /// adds a vertex.
+  /// \throws std::invalid_argument if the vertex is not of the mesh.
   std::size_t add_source_point(vertex_descriptor v)
   {
     return m_sources.add(unfolded(), {classified(v)}, Source_set::POINT);
@@ -137,7 +141,8 @@ public:
 
   /// adds a set of edges.
   /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
-  /// \throws std::invalid_argument if the range is empty.
+  /// \pre The edges are of the mesh.
+  /// \throws std::invalid_argument if the range is empty, or if an edge has no face.
   template <class EdgeRange>
   std::size_t add_source_edges(const EdgeRange& edges)
   {
@@ -146,6 +151,8 @@ public:
     {
       halfedge_descriptor h = halfedge(e, m_surface->tm);
       if (is_border(h, m_surface->tm)) h = opposite(h, m_surface->tm);
+      if (is_border(h, m_surface->tm))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge without a face");
       halfedges.push_back(m_surface->index_of_halfedge(h));
     }
     return m_sources.add_edges(unfolded(), std::move(halfedges));
@@ -155,24 +162,27 @@ public:
   /// \throws std::invalid_argument if there is no source with this id.
   void remove_source(std::size_t id) { m_sources.remove(id); }
 
+  /// removes all sources.
   void clear_sources() { m_sources.clear(); }
 
+  /// how many there are.
   std::size_t number_of_sources() const { return m_sources.size(); }
   /// @}
 
   /// \name Location
   /// The tree that these functions need is built when one of them is called for the first time. The `tolerance` is a
-  /// length: a location within it of a vertex or an edge is exactly there. Without it, it is the round-off of the
-  /// coordinates. Each takes logarithmic time on most meshes.
+  /// length, not negative: a location within it of a vertex or an edge is exactly there. Without it, it is the round-off of
+  /// the coordinates. Each takes logarithmic time on most meshes.
   /// @{
 
   /// the location nearest to a point in space.
-  /// \throws std::invalid_argument if the mesh has no faces, or a coordinate is not finite.
+  /// \throws std::invalid_argument if the mesh has no faces, or a coordinate or its square is not finite, or if the
+  ///         tolerance is negative or not a number.
   Face_location locate(const Point_3& p) const { return locate(p, m_locator->default_tolerance()); }
   Face_location locate(const Point_3& p, const FT& tolerance) const { return m_locator->locate(p, tolerance); }
 
   /// the location where a ray meets the surface first; one whose face is the null face if it misses the surface.
-  /// \throws std::invalid_argument as above.
+  /// \throws std::invalid_argument as above, and if the ray has no direction.
   Face_location locate(const Ray_3& r) const { return locate(r, m_locator->default_tolerance()); }
   Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_locator->locate(r, tolerance); }
   /// @}
@@ -180,7 +190,14 @@ public:
 protected:
   const Geodesic_offset::internal::Unfolded_mesh<Number>& unfolded() const { return m_surface->unfolded; }
 
-  Located_point classified(vertex_descriptor v) const { return Surface_point::at_vertex(m_surface->index_of(v)); }
+  Located_point classified(vertex_descriptor v) const
+  {
+    const bool is_null = v == Graph_traits::null_vertex();
+    const Index i = is_null ? Geodesic_offset::internal::no_index : m_surface->index_of(v);
+    if (!(i < unfolded().number_of_vertices()))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a vertex that is not of this mesh");
+    return Surface_point::at_vertex(i);
+  }
   Located_point classified(const Face_location& l) const
   {
     const auto name = [&] { return m_surface->numbers.index_in_mesh(l.first); };

@@ -35,7 +35,7 @@ public:
       m_flags(os.flags()),
       m_locale(os.imbue(std::locale::classic()))
   {
-    m_os.unsetf(std::ios_base::floatfield);
+    m_os.flags(std::ios_base::dec);
   }
   ~Full_precision()
   {

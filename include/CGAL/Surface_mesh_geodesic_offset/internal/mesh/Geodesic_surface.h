@@ -69,6 +69,9 @@ struct Geodesic_surface
         points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
     }
     unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits));
+    if (!unfolded.has_usable_scale())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
+                                  "type: the mesh must be scaled");
     if (!unfolded.is_laid_out()) complain();
   }
 

@@ -75,6 +75,14 @@ public:
     return result;
   }
 
+  // Whether products of four lengths are within the range of the numbers, unless a length is zero or not finite.
+  bool has_usable_scale() const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return true;
+    if (!(m_longest_edge > FT(0)) || !Number_policy<FT>::is_finite(m_longest_edge)) return true;
+    return m_longest_edge > FT(small_size()) && m_longest_edge < FT(1 / small_size());
+  }
+
   std::size_t number_of_faces() const { return m_halfedges.size() / 3; }
   std::size_t number_of_halfedges() const { return m_halfedges.size(); }
   std::size_t number_of_vertices() const { return m_corner.size(); }

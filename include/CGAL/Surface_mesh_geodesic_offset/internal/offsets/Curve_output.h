@@ -35,7 +35,7 @@ public:
   // `levels` and `f` must outlive this object.
   Curve_output(const std::shared_ptr<const Surface>& surface, const std::vector<Source_primitive>& primitives,
                const Offset_levels<FT>& levels, const Offset_selection& selection, std::map<Index, Source_side> inside,
-               const Function& f)
+               Function& f)
     : m_context(std::make_shared<Context>(Context{surface, primitives})), m_levels(levels),
       m_select(selection, m_context->primitives, std::move(inside)), m_edge(surface->unfolded.mean_edge_length()),
       m_function(f)
@@ -72,7 +72,7 @@ private:
   const Offset_levels<FT>& m_levels;
   Side_selection m_select;
   FT m_edge; // mean length
-  const Function& m_function;
+  Function& m_function;
   mutable std::size_t m_next = 0; // level
 };
 
