@@ -25,7 +25,7 @@ namespace CGAL {
 
 \brief An offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
 
-The curve is closed, or its ends lie on the border of the mesh; one that was cut where an `Offset_selection` ends may have ends
+The curve is closed, or its ends lie on the border of the mesh; one that was cut where an `Offset_selection` ends may end
 inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside of the
 surface. No curve meets itself or another one of the same distance.
 

@@ -200,8 +200,8 @@ public:
   }
 
   /// the distance, rounded to `double`, with a sign: negative on the left of polylines, that is inside of counterclockwise
-  /// ones, and positive on their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a number where the nearest
-  /// source has no sides: points, sets of edges, and beyond the ends of open polylines.
+  /// ones, and positive on their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a
+  /// number where the nearest source has no sides: points, sets of edges, and beyond the ends of open polylines.
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
