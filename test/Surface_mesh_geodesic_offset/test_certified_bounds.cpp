@@ -346,11 +346,59 @@ void use()
   }
 }
 
+// Three right triangles of a grid that was turned by some angle: rounding has made the angle of the border at the second of the
+// three vertices on it more than a half turn, by some 5e-17, or less. The path along the border goes on there in any case.
+void straight_borders()
+{
+  Random random(4);
+  for (std::size_t i = 0; i < 200; ++i)
+  {
+    const double angle = uniform(random, 0, 6), tilt = uniform(random, 0, 6);
+    const auto at = [&](double x, double y) {
+      const double u = x * std::cos(angle) - y * std::sin(angle), v = x * std::sin(angle) + y * std::cos(angle);
+      return Point_3(u, v * std::cos(tilt), v * std::sin(tilt));
+    };
+    test::Surface_mesh strip;
+    const Vertex_index a = strip.add_vertex(at(1, 0)), b = strip.add_vertex(at(1, 1)), c = strip.add_vertex(at(2, 0)),
+                       d = strip.add_vertex(at(2, 1)), e = strip.add_vertex(at(3, 0));
+    strip.add_face(c, b, a);
+    strip.add_face(c, d, b);
+    strip.add_face(e, d, c);
+    Enclosure enclosure(strip);
+    enclosure.add_source_point(a);
+    enclosure.build();
+    const std::pair<double, double> bounds = enclosure.distance_bounds(e);
+    CHECK_DETAIL(bounds.first <= 2 + 1e-15 && bounds.second >= 2 - 1e-15 && bounds.second - bounds.first < 1e-13,
+                 values(bounds.first, bounds.second));
+  }
+}
+
+// Elements that were removed leave gaps, and the geometry of the others does not depend on them.
+void removed_elements()
+{
+  Generated_mesh<test::Surface_mesh> data(planar_grid(5, 5));
+  for (const int f : {0, 7, 30}) CGAL::Euler::remove_face(data.mesh.halfedge(data.faces[f]), data.mesh);
+  CHECK(data.mesh.has_garbage());
+  const auto check_all = [](const test::Surface_mesh& mesh, std::vector<std::pair<double, double>>& bounds) {
+    Enclosure enclosure(mesh);
+    enclosure.add_source_point(*std::next(mesh.vertices().begin(), 9));
+    enclosure.build();
+    for (const Vertex_index v : mesh.vertices()) bounds.push_back(enclosure.distance_bounds(v));
+  };
+  std::vector<std::pair<double, double>> with_gaps, without;
+  check_all(data.mesh, with_gaps);
+  data.mesh.collect_garbage();
+  check_all(data.mesh, without);
+  CHECK(with_gaps == without && with_gaps.size() > 30);
+}
+
 } // namespace
 
 int main()
 {
   const std::pair<const char*, void (*)()> tests[] = {{"use", use},
+                                                      {"straight borders", straight_borders},
+                                                      {"removed elements", removed_elements},
                                                       {"past a flat vertex", past_flat_vertex},
                                                       {"near a saddle vertex", near_saddle},
                                                       {"sweeps", sweeps},

@@ -434,25 +434,64 @@ void bad_arguments()
   CHECK(on_more.number_of_sources() == 0);
 }
 
+// A point of a polyline on an edge, repeated by the name that it has in the face beyond, is no corner.
+void points_with_two_names()
+{
+  Report::instance().set_context("points with two names");
+  test::Surface_mesh mesh;
+  const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(2, 0, 0)), c = mesh.add_vertex(Point_3(1, 1, 0)),
+             d = mesh.add_vertex(Point_3(1, -1, 0)), e = mesh.add_vertex(Point_3(2, 1, 0));
+  const auto upper = mesh.add_face(a, b, c), lower = mesh.add_face(b, a, d);
+  mesh.add_face(c, b, e);
+  const Locations locations(mesh);
+  const auto at = [&](auto face, std::array<double, 4> weights) // of a, b, c, d
+  {
+    Face_location l(face, {{0, 0, 0}});
+    auto h = mesh.halfedge(face);
+    for (int k = 0; k < 3; ++k, h = mesh.next(h)) l.second[k] = weights[std::size_t(mesh.source(h))];
+    return l;
+  };
+  // (0.5, 0), (1, 0), (0.5, -0.5)
+  const Face_location first = at(lower, {{0.75, 0.25, 0, 0}}), middle = at(lower, {{0.5, 0.5, 0, 0}}),
+                      same = at(upper, {{0.5, 0.5, 0, 0}}), last = at(lower, {{0.5, 0, 0, 0.5}});
+  for (std::vector<Face_location> line : {std::vector<Face_location>{first, middle, last}, {first, middle, middle, last},
+                                          {first, middle, same, last}, {first, same, middle, same, last}})
+    for (const bool reversed : {false, true})
+    {
+      if (reversed) std::reverse(line.begin(), line.end());
+      Geodesic geodesic(mesh);
+      geodesic.add_source_polyline(line);
+      geodesic.build();
+      CHECK(std::abs(geodesic.distance_to_sources(c) - 1) < 1e-14);
+      CHECK(std::abs(geodesic.distance_to_sources(e) - std::sqrt(2.)) < 1e-14);
+    }
+}
+
 // Meshes of any size that numbers allow; others are refused.
 void scales()
 {
   Report::instance().set_context("scales");
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 3), 3));
+  std::vector<test::Surface_mesh::Edge_index> edges;
+  for (const auto e : data.mesh.edges())
+    if (edges.size() < 3 && std::size_t(e) % 17 == 5) edges.push_back(e);
   Geodesic expected(data.mesh);
-  expected.add_source_point(data.vertices[0]);
+  expected.add_source_edges(edges);
   expected.build();
-  for (const int exponent : {-250, -100, 100, 250})
+  for (const int exponent : {-250, -100, -40, 40, 48, 60, 100, 250})
   {
     test::Surface_mesh scaled = data.mesh;
     const double scale = std::ldexp(1., exponent);
     for (const auto v : scaled.vertices())
       scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
     Geodesic geodesic(scaled);
-    geodesic.add_source_point(data.vertices[0]);
+    geodesic.add_source_edges(edges);
     geodesic.build();
     for (const auto v : data.vertices)
+    {
       CHECK(geodesic.distance_to_sources(v) == scale * expected.distance_to_sources(v));
+      CHECK(std::abs((geodesic.gradient(v) - expected.gradient(v)).squared_length()) < 1e-24);
+    }
   }
   for (const int exponent : {-500, -270, 270, 400})
   {
@@ -511,7 +550,7 @@ int main()
       }
   }
   for (void (*body)() :
-       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &scales})
+       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &points_with_two_names, &scales})
     run_guarded(body);
   return Report::instance().finish("test_source_kinds");
 }

@@ -51,6 +51,7 @@ public:
     std::vector<Coordinates> points(unfolded.number_of_vertices());
     for (Index v = 0; v < points.size(); ++v)
     {
+      if (unfolded.corner(v) == no_index) continue; // what is not of the mesh has no position
       points[v] = position(v);
       for (double& x : points[v]) x *= scale;
     }

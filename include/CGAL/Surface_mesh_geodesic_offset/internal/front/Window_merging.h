@@ -125,7 +125,7 @@ private:
     for (std::size_t step = 1; step > 0 && good < end;)
     {
       const std::size_t next = (std::min)(end, good + step);
-      if (merge(&windows[i], &windows[next], longer))
+      if (merge(windows.data() + i, windows.data() + next, longer))
       {
         run = longer;
         good = next;

@@ -174,10 +174,10 @@ struct Geodesic_surface
     const halfedge_descriptor h = halfedge_of(halfedge);
     const auto corner = [&](halfedge_descriptor g) { return position(source(g, tm)); };
     const Point_3 p = corner(h);
-    const Vector_3 x = corner(next(h, tm)) - p;
-    const Vector_3 y = CGAL::cross_product(CGAL::cross_product(x, corner(prev(h, tm)) - p), x);
     const auto unit = [](const Vector_3& u) { return u / square_root<FT>(u.squared_length()); };
-    return exported(v.x) * unit(x) + exported(v.y) * unit(y);
+    const Vector_3 x = unit(corner(next(h, tm)) - p);
+    const Vector_3 y = CGAL::cross_product(CGAL::cross_product(x, unit(corner(prev(h, tm)) - p)), x);
+    return exported(v.x) * x + exported(v.y) * unit(y);
   }
 
   Point_3 point(const Face_location& l) const

@@ -135,9 +135,19 @@ public:
   template <class Function>
   void for_each_sector_behind(const Ray& back, const Function& f, const FT& angle = FT(0)) const
   {
-    const bool is_known = CGAL::is_zero(angle);
-    const Ray from = turn_ccw(is_known ? back : turned(back, FT(-angle)), 2);
-    const Ray to = turn_cw(is_known ? back : turned(back, angle), 2);
+    Ray from, to;
+    if (CGAL::is_zero(angle))
+    {
+      from = turn_ccw(back, 2);
+      to = turn_cw(back, 2);
+    }
+    else
+    { // half way, where no border is near: `back` may be along one
+      from = turn_ccw(back, 1);
+      if (from.corner != no_index) from = turn_ccw(turned(from, FT(-angle)), 1);
+      to = turn_cw(back, 1);
+      if (to.corner != no_index) to = turn_cw(turned(to, angle), 1);
+    }
     const Index first = m_mesh->first_on_border(back.corner);
     if (first != no_index)
     {

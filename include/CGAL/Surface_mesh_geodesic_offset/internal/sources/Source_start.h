@@ -192,10 +192,10 @@ private:
     return {h, u.x, u.y};
   }
 
-  // The same for a point inside an edge or a face: a vector in the frame of the point's halfedge or face.
-  Point vector_of(const Segment& s, bool at_second) const
+  // The same for a point p inside an edge or a face: a vector in the frame of the point's halfedge or face. A repeated point
+  // may have another name in the segment, that of the edge's other halfedge.
+  Point vector_of(const Segment& s, bool at_second, const Surface_point_& p) const
   {
-    const Surface_point_& p = at_second ? s.second : s.first;
     const Point u = at_second ? s.a - s.b : s.b - s.a;
     if (p.kind == Surface_point_::FACE) return u;
     const Face_frame<FT> frame(m_mesh, s.face);
@@ -214,7 +214,7 @@ private:
       add_other_fans(p.element, r.corner, no_index, root);
       return;
     }
-    const Point u = vector_of(s, at_second);
+    const Point u = vector_of(s, at_second, p);
     const Point from = quarter_turn(u), to = FT(-1) * from;
     m_out.add_flat_sector(p, &from, &to, root);
   }
@@ -241,7 +241,7 @@ private:
       add_other_fans(p.element, r_in.corner, r_out.corner, left);
       return;
     }
-    const Point u_in = vector_of(in, true), u_out = vector_of(out, false);
+    const Point u_in = vector_of(in, true, p), u_out = vector_of(out, false, p);
     const FT turn = cross(u_in, u_out);
     // u_in points back along the incoming segment: going straight on, both are opposite
     if (CGAL::is_zero(turn) && CGAL::is_negative(dot(u_in, u_out)))

@@ -77,7 +77,7 @@ public:
     { // without branches
       const Window &a = first[0], &b = first[1];
       const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
-      const FT allowance_of_x = allowance + FT(a.bits & 1u) * rounding; // the image of parallel rays is a unit vector
+      const FT& allowance_of_x = a.is_parallel() ? rounding : allowance;
       const int may_be_one = int(((a.bits ^ b.bits) & ~2u) == 0) & int(x <= allowance_of_x) & int(sigma <= allowance);
       if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
     }
@@ -89,9 +89,10 @@ private:
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
-    const FT scale = a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y);
-    const FT allowance = Number_policy<FT>::rounding(256) * scale;
-    return CGAL::abs(a.x - b.x) <= allowance && CGAL::abs(a.y - b.y) <= allowance &&
+    const FT rounding = Number_policy<FT>::rounding(256);
+    const FT allowance = rounding * (a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y));
+    const FT& of_image = a.is_parallel() ? rounding : allowance; // the image of parallel rays is a unit vector
+    return CGAL::abs(a.x - b.x) <= of_image && CGAL::abs(a.y - b.y) <= of_image &&
            CGAL::abs(a.sigma - b.sigma) <= allowance && is_of_one_root(a, b);
   }
 
