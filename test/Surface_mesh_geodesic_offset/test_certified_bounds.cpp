@@ -346,31 +346,30 @@ void use()
   }
 }
 
-// Three right triangles of a grid that was turned by some angle: rounding has made the angle of the border at the second of the
-// three vertices on it more than a half turn, by some 5e-17, or less. The path along the border goes on there in any case.
-void straight_borders()
+// Three right triangles of a grid that was turned: rounding has made the angle of the border at the second of the three vertices
+// on it more than a half turn, by some 5e-17. The path along the border goes on there.
+void straight_border()
 {
-  Random random(4);
-  for (std::size_t i = 0; i < 200; ++i)
-  {
-    const double angle = uniform(random, 0, 6), tilt = uniform(random, 0, 6);
-    const auto at = [&](double x, double y) {
-      const double u = x * std::cos(angle) - y * std::sin(angle), v = x * std::sin(angle) + y * std::cos(angle);
-      return Point_3(u, v * std::cos(tilt), v * std::sin(tilt));
-    };
-    test::Surface_mesh strip;
-    const Vertex_index a = strip.add_vertex(at(1, 0)), b = strip.add_vertex(at(1, 1)), c = strip.add_vertex(at(2, 0)),
-                       d = strip.add_vertex(at(2, 1)), e = strip.add_vertex(at(3, 0));
-    strip.add_face(c, b, a);
-    strip.add_face(c, d, b);
-    strip.add_face(e, d, c);
-    Enclosure enclosure(strip);
-    enclosure.add_source_point(a);
-    enclosure.build();
-    const std::pair<double, double> bounds = enclosure.distance_bounds(e);
-    CHECK_DETAIL(bounds.first <= 2 + 1e-15 && bounds.second >= 2 - 1e-15 && bounds.second - bounds.first < 1e-13,
-                 values(bounds.first, bounds.second));
-  }
+  const Point_3 points[] = {{-0.89038339860091908, 0.34313008280605106, 0.29913065668598604},
+                            {-1.131291247141164, 0.54549966234975411, -0.65008478871459074},
+                            {-1.7807667972018382, 0.68626016561210212, 0.59826131337197208},
+                            {-2.0216746457420829, 0.88862974515580517, -0.3509541320286047},
+                            {-2.671150195802757, 1.0293902484181532, 0.89739197005795812}};
+  const int triangles[3][3] = {{2, 0, 1}, {2, 1, 3}, {4, 2, 3}};
+  for (const bool mirrored : {false, true})
+    for (const std::pair<int, int>& ends : {std::make_pair(0, 4), std::make_pair(4, 0)})
+    {
+      test::Surface_mesh strip;
+      for (const Point_3& p : points) strip.add_vertex(p);
+      for (const auto& t : triangles)
+        strip.add_face(Vertex_index(t[0]), Vertex_index(t[mirrored ? 2 : 1]), Vertex_index(t[mirrored ? 1 : 2]));
+      Enclosure enclosure(strip);
+      enclosure.add_source_point(Vertex_index(ends.first));
+      enclosure.build();
+      const std::pair<double, double> bounds = enclosure.distance_bounds(Vertex_index(ends.second));
+      CHECK_DETAIL(bounds.first <= 2 && bounds.second >= 2 && bounds.second - bounds.first < 1e-13,
+                   values(bounds.first, bounds.second));
+    }
 }
 
 // Elements that were removed leave gaps, and the geometry of the others does not depend on them.
@@ -397,7 +396,7 @@ void removed_elements()
 int main()
 {
   const std::pair<const char*, void (*)()> tests[] = {{"use", use},
-                                                      {"straight borders", straight_borders},
+                                                      {"a straight border", straight_border},
                                                       {"removed elements", removed_elements},
                                                       {"past a flat vertex", past_flat_vertex},
                                                       {"near a saddle vertex", near_saddle},

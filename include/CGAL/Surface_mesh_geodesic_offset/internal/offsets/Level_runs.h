@@ -159,7 +159,7 @@ public:
     return run;
   }
 
-  // Of all arcs that pass p, the one that can be followed farthest; one that goes back only if there is no other: where two
+  // Of all arcs that pass p, the one that can be followed farthest; one that goes back only if there is no other: where both
   // sides of a narrow strip are as near to each other as rounding, each of them passes all points of the other one. `heading`:
   // where the chain comes from the last arc, or into the face, a unit vector. A gate that is waiting for its arc may be served
   // by one that rounding has moved farther away, and the end of a narrow strip may be too short to be followed.

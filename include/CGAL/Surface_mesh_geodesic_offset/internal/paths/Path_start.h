@@ -219,7 +219,7 @@ private:
       }
     });
     // through the edge that the point is on: the path starts on the other side
-    if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE)
+    if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE && !goes_along_edge(start))
     {
       Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
       const Index h = walk.edge(start.exit), beyond = m_mesh.twin(h);
@@ -233,6 +233,31 @@ private:
       }
     }
     return start;
+  }
+
+  // The way may lie in the edge, up to rounding. Then it leads by the vertex at the end, if this gives as short a way.
+  bool goes_along_edge(Path_start<FT>& start) const
+  {
+    const Index h = 3 * m_mesh.face(start.halfedge) + Index(start.exit), n = m_mesh.next(h);
+    const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+    const FT& edge = m_mesh[h].length;
+    const FT from = frame.along(start.exit, start.from), to = frame.along(start.exit, start.to);
+    const FT allowance = Number_policy<FT>::rounding(256) * (start.distance + edge);
+    if (CGAL::abs(frame.height(start.exit, start.to)) > allowance) return false;
+    const bool ahead = to > from;
+    const FT way = ahead ? FT(edge - from) : from;
+    const Index v = ahead ? m_mesh.target(h) : m_mesh.source(h);
+    // rays from sources are among the windows
+    if (CGAL::is_zero(m_field.distance[v]) || CGAL::abs(FT(m_field.distance[v] + way - start.distance)) > allowance) return false;
+    Path_start<FT> by_vertex;
+    by_vertex.distance = start.distance;
+    by_vertex.root = m_field.root[v];
+    by_vertex.pseudo_source = v;
+    by_vertex.halfedge = ahead ? n : h;
+    by_vertex.from = ahead ? (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y} : Point{way, FT(0)};
+    by_vertex.to = {FT(0), FT(0)};
+    start = by_vertex;
+    return true;
   }
 
   static void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w)
