@@ -222,6 +222,66 @@ void saddle_vertex()
   }
 }
 
+// Sources so near to an edge that their rays fill a half turn behind it, but for rounding.
+void points_beside_edges()
+{
+  Random random(8);
+  for (const Diagonals diagonals : all_diagonals)
+    for (double side : {0.5, 4.})
+    {
+      const Square square(diagonals, side);
+      const Locations locations(square.mesh);
+      for (double off : {1e-12, 3e-12, 1e-11, 3e-11, 1e-10, 3e-10, 1e-9, 1e-8, 1e-7, 1e-5})
+        for (int i = 0; i < 6; ++i)
+        {
+          // beside the edge from the first corner of a face to the second one
+          const auto face = square.plane.data.faces[uniform_index(random, square.plane.data.faces.size())];
+          const double t = uniform(random, 0.2, 0.8);
+          const test::Surface_mesh::Face_index f = face;
+          Face_location near(f, {{1 - t - off / 2, t - off / 2, 0}});
+          near.second[2] = 1 - near.second[0] - near.second[1];
+          const auto line = [&](Geodesic& g) { g.add_source_point(near); };
+          const Point_3 p = locations.point(near);
+          const double room = (std::min)({p.x(), p.y(), 4 - p.x(), 4 - p.y()}), level = uniform(random, 0.1, 1) * room;
+          if (room < 0.1) continue; // beside an edge of the border
+          check_level("a point beside an edge, by " + std::to_string(off * 1e12) + "e-12", square.mesh, line, level,
+                      {1, 1, 2 * pi * level, 10});
+        }
+    }
+}
+
+// The same of a corner of a polyline: the offset is that of the corner on the edge.
+void corners_beside_edges()
+{
+  Report::instance().set_context("a corner beside an edge");
+  test::Surface_mesh mesh;
+  const auto a = mesh.add_vertex(Point_3(4, 3, 0)), b = mesh.add_vertex(Point_3(5, 3, 0)), c = mesh.add_vertex(Point_3(5, 4, 0)),
+             d = mesh.add_vertex(Point_3(4, 4, 0));
+  mesh.add_face(a, b, c);
+  const auto face = mesh.add_face(a, c, d);
+  const auto at = [&](double wa, double wc, double wd)
+  {
+    Face_location l(face, {{0, 0, 0}});
+    auto h = mesh.halfedge(face);
+    for (int k = 0; k < 3; ++k, h = mesh.next(h)) l.second[k] = mesh.source(h) == a ? wa : mesh.source(h) == c ? wc : wd;
+    return l;
+  };
+  double on_the_edge = 0;
+  for (const double off : {0., 1.25e-10, 1e-9, 1e-8, 1e-7})
+  {
+    Geodesic geodesic(mesh);
+    geodesic.add_source_polyline(std::vector<Face_location>{
+      at(0.31, 0, 0.69), at(0.55 - off, 0.45, off), at(0.29, 0.38, 0.33), at(0.645, 0.183, 0.172)});
+    Offset_curves curves;
+    geodesic.build_with_offset_curves(0.405, std::back_inserter(curves));
+    CHECK(geodesic.statistics().forced_joints == 0);
+    if (off == 0) on_the_edge = total_length(curves);
+    CHECK_DETAIL(curves.size() == 1 && std::abs(total_length(curves) - on_the_edge) < 1e-9 + 20 * off,
+                 values(total_length(curves), on_the_edge));
+  }
+  CHECK(on_the_edge > 1);
+}
+
 // The edges of the border on which a point (x, y) for which `is_wanted` is true lies at both ends.
 template <class Predicate>
 Add_sources border_edges(const test::Surface_mesh& mesh, const Predicate& is_wanted)
@@ -344,6 +404,8 @@ int main()
   saddles();
   maxima();
   saddle_vertex();
+  points_beside_edges();
+  corners_beside_edges();
   plateaus();
   cusps();
   levels_that_are_no_distances();

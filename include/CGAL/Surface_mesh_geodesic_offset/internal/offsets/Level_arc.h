@@ -36,9 +36,10 @@ public:
   const Half_plane<FT>& left() const { return m_cone->left(); }
   const Half_plane<FT>& right() const { return m_cone->right(); }
 
-  // The parameter runs along the chord, 0 on the right ray and 1 on the left one.
+  // The parameter runs along the chord, or the directions of a wide cone, 0 on the right ray and 1 on the left one.
   Point point(const FT& t) const
   {
+    if (m_cone->is_wide()) return image() + m_radius * m_cone->direction(t);
     const Face_window<FT>& w = *m_window;
     const Point c = w.right + t * (w.left - w.right);
     if (is_straight()) return c + (m_radius - dot(forward(), c)) * forward();
@@ -71,6 +72,7 @@ public:
 
   FT parameter(const Point& p) const
   {
+    if (m_cone->is_wide()) return m_cone->parameter(p - image());
     const Face_window<FT>& w = *m_window;
     const Point u = is_straight() ? forward() : p - image();
     const Point o = is_straight() ? p : image();
