@@ -346,8 +346,8 @@ void use()
   }
 }
 
-// Three right triangles of a grid that was turned: rounding has made the angle of the border at the second of the three vertices
-// on it more than a half turn, by some 5e-17. The path along the border goes on there.
+// Three right triangles of a grid that was turned: rounding has made the angle of the border at the second of the three
+// vertices on it more than a half turn, by some 5e-17. The path along the border goes on there.
 void straight_border()
 {
   const Point_3 points[] = {{-0.89038339860091908, 0.34313008280605106, 0.29913065668598604},

@@ -255,8 +255,8 @@ void corners_beside_edges()
 {
   Report::instance().set_context("a corner beside an edge");
   test::Surface_mesh mesh;
-  const auto a = mesh.add_vertex(Point_3(4, 3, 0)), b = mesh.add_vertex(Point_3(5, 3, 0)), c = mesh.add_vertex(Point_3(5, 4, 0)),
-             d = mesh.add_vertex(Point_3(4, 4, 0));
+  const auto a = mesh.add_vertex(Point_3(4, 3, 0)), b = mesh.add_vertex(Point_3(5, 3, 0)),
+             c = mesh.add_vertex(Point_3(5, 4, 0)), d = mesh.add_vertex(Point_3(4, 4, 0));
   mesh.add_face(a, b, c);
   const auto face = mesh.add_face(a, c, d);
   const auto at = [&](double wa, double wc, double wd)

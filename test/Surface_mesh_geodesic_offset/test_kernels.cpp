@@ -229,7 +229,8 @@ void side_tests_of_floats()
   std::size_t zeros = 0;
   for (std::size_t i = 0; i < 100000; ++i)
   {
-    const auto number = [&](double low, double high) { return float(std::nearbyint(uniform(random, low, high) * 1024) / 1024); };
+    const auto number = [&](double low, double high)
+    { return float(std::nearbyint(uniform(random, low, high) * 1024) / 1024); };
     const bool parallel = i % 3 == 0;
     const float x = number(-2, 2), y = number(-2, -0.01), ax = number(-1, 2), ay = number(0.01, 1);
     float b = (x * ay - y * ax) / (parallel ? -y : ay - y);

@@ -439,8 +439,9 @@ void points_with_two_names()
 {
   Report::instance().set_context("points with two names");
   test::Surface_mesh mesh;
-  const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(2, 0, 0)), c = mesh.add_vertex(Point_3(1, 1, 0)),
-             d = mesh.add_vertex(Point_3(1, -1, 0)), e = mesh.add_vertex(Point_3(2, 1, 0));
+  const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(2, 0, 0)),
+             c = mesh.add_vertex(Point_3(1, 1, 0)), d = mesh.add_vertex(Point_3(1, -1, 0)),
+             e = mesh.add_vertex(Point_3(2, 1, 0));
   const auto upper = mesh.add_face(a, b, c), lower = mesh.add_face(b, a, d);
   mesh.add_face(c, b, e);
   const Locations locations(mesh);

@@ -7,8 +7,8 @@
 // Where only distances at vertices are wanted, windows that are in a row, as the children of one batch mostly are, are
 // propagated as they are: neighbours cut each other's ends where they meet the windows of another batch, one or two faces
 // later, at no cost but a window now and then that would have gone before. And windows that were reduced are not written
-// anew, unless they are for the second time: what they have lost is lost again should others come. More windows give no other
-// distances.
+// anew, unless they are for the second time: what they have lost is lost again should others come. More windows give no
+// other distances.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H

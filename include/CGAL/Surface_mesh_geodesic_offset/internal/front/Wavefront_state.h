@@ -28,8 +28,8 @@ struct Wavefront_counts
   std::size_t windows_created = 0, windows_propagated = 0;
 };
 
-// What a vertex is told: the length of a path to it, that leaves it along `back`, straight to a pseudo-source or to the source.
-// A bent path has gone round the end of a window that misses the vertex by rounding.
+// What a vertex is told: the length of a path to it, that leaves it along `back`, straight to a pseudo-source or to the
+// source. A bent path has gone round the end of a window that misses the vertex by rounding.
 template <class FT>
 struct Vertex_arrival
 {

@@ -44,7 +44,8 @@ public:
     const Point nl = quarter_turn(m_left_direction), nr = FT(-1) * quarter_turn(m_right_direction);
     m_left = {nl, dot(nl, w.left)};
     m_right = {nr, dot(nr, w.right)};
-    m_is_wide = Number_policy<FT>::is_inexact && !w.is_parallel() && CGAL::is_negative(dot(m_left_direction, m_right_direction));
+    m_is_wide = Number_policy<FT>::is_inexact && !w.is_parallel() &&
+                CGAL::is_negative(dot(m_left_direction, m_right_direction));
     if (m_is_wide)
     {
       const Point chord = m_left_direction - m_right_direction;
@@ -87,8 +88,9 @@ public:
   // Unit vectors along the bounding rays.
   const Point& left_direction() const { return m_left_direction; }
   const Point& right_direction() const { return m_right_direction; }
-  // More than a quarter turn, up to a half turn: then the chord may be as near to the image as rounding, and tells directions
-  // apart no more. Instead they are numbered by the tangent of half their angle with the middle one, from 0, on the right, to 1.
+  // More than a quarter turn, up to a half turn: then the chord may be as near to the image as rounding, and tells
+  // directions apart no more. Instead they are numbered by the tangent of half their angle with the middle one, from 0, on
+  // the right, to 1.
   bool is_wide() const { return m_is_wide; }
   Point direction(const FT& t) const
   {

@@ -248,7 +248,8 @@ private:
     const FT way = ahead ? FT(edge - from) : from;
     const Index v = ahead ? m_mesh.target(h) : m_mesh.source(h);
     // rays from sources are among the windows
-    if (CGAL::is_zero(m_field.distance[v]) || CGAL::abs(FT(m_field.distance[v] + way - start.distance)) > allowance) return false;
+    const FT& d = m_field.distance[v];
+    if (CGAL::is_zero(d) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
     Path_start<FT> by_vertex;
     by_vertex.distance = start.distance;
     by_vertex.root = m_field.root[v];
