@@ -237,14 +237,13 @@ void points_beside_edges()
           // beside the edge from the first corner of a face to the second one
           const auto face = square.plane.data.faces[uniform_index(random, square.plane.data.faces.size())];
           const double t = uniform(random, 0.2, 0.8);
-          const test::Surface_mesh::Face_index f = face;
-          Face_location near(f, {{1 - t - off / 2, t - off / 2, 0}});
+          Face_location near(face, {{1 - t - off / 2, t - off / 2, 0}});
           near.second[2] = 1 - near.second[0] - near.second[1];
-          const auto line = [&](Geodesic& g) { g.add_source_point(near); };
+          const auto point = [&](Geodesic& g) { g.add_source_point(near); };
           const Point_3 p = locations.point(near);
           const double room = (std::min)({p.x(), p.y(), 4 - p.x(), 4 - p.y()}), level = uniform(random, 0.1, 1) * room;
           if (room < 0.1) continue; // beside an edge of the border
-          check_level("a point beside an edge, by " + std::to_string(off * 1e12) + "e-12", square.mesh, line, level,
+          check_level("a point beside an edge, by " + std::to_string(off * 1e12) + "e-12", square.mesh, point, level,
                       {1, 1, 2 * pi * level, 10});
         }
     }
@@ -293,12 +292,14 @@ Add_sources border_edges(const test::Surface_mesh& mesh, const Predicate& is_wan
   return [edges](Geodesic& g) { g.add_source_edges(edges); };
 }
 
+// Where a level is cut.
+double cut(double level) { return level * (1 - std::ldexp(1., -42)); }
+
 // Levels next to a line on which the distance is largest: the two sides of a strip that is narrower than rounding lets one
 // tell arcs apart. In general position, as the medial line of a pocket lies in the faces of a mesh of a CAD model.
 void plateaus()
 {
   const double relative[] = {-1e-9, -1e-10, -3e-11, -1e-11, -3e-12, -1e-12, 0, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9};
-  const auto cut = [](double level) { return level * (1 - std::ldexp(1., -42)); };
   for (std::size_t inside : {1, 2, 5, 20, 100})
     for (unsigned seed = 1; seed <= 6; ++seed)
     {
@@ -329,7 +330,7 @@ void cusps()
       };
       for (double r : {-1e-6, -1e-9, -1e-11, -1e-12, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9, 1e-6})
       {
-        const double level = 2 * (1 + r), c = level * (1 - std::ldexp(1., -42));
+        const double level = 2 * (1 + r), c = cut(level);
         const double h = c > 2 ? std::sqrt(8 * (c - 2)) : 0;
         const double length = c > 2 ? 2 * (3 - h + c * std::acos(h / c)) : 6 + pi * c;
         const std::string name = "a line and a circle that touch, " + std::to_string(inside) + " points inside, seed " +

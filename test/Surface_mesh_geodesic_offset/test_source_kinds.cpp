@@ -444,7 +444,6 @@ void points_with_two_names()
              e = mesh.add_vertex(Point_3(2, 1, 0));
   const auto upper = mesh.add_face(a, b, c), lower = mesh.add_face(b, a, d);
   mesh.add_face(c, b, e);
-  const Locations locations(mesh);
   const auto at = [&](auto face, std::array<double, 4> weights) // of a, b, c, d
   {
     Face_location l(face, {{0, 0, 0}});

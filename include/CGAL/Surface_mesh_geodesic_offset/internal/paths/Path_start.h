@@ -176,11 +176,7 @@ private:
       const FT tied = n.distance + Number_policy<FT>::rounding(256) * (n.distance + extent);
       if (n.distance != n.by_corner || CGAL::is_zero(m_field.distance[v]) || (std::min)(n.straight, n.bent) <= tied)
         return false;
-      start.root = m_field.root[v];
-      start.pseudo_source = v;
-      start.halfedge = h;
-      start.from = n.q[n.corner];
-      start.to = {FT(0), FT(0)};
+      lead_by_vertex(h, n.q[n.corner], start);
     }
     start.distance = n.distance;
     return true;
@@ -250,15 +246,23 @@ private:
     // rays from sources are among the windows
     const FT& d = m_field.distance[v];
     if (CGAL::is_zero(d) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
-    Path_start<FT> by_vertex;
-    by_vertex.distance = start.distance;
-    by_vertex.root = m_field.root[v];
-    by_vertex.pseudo_source = v;
-    by_vertex.halfedge = ahead ? n : h;
-    by_vertex.from = ahead ? (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y} : Point{way, FT(0)};
-    by_vertex.to = {FT(0), FT(0)};
-    start = by_vertex;
+    if (ahead)
+      lead_by_vertex(n, (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y}, start);
+    else
+      lead_by_vertex(h, {way, FT(0)}, start);
     return true;
+  }
+
+  // From a point in the frame of h to the source of h.
+  void lead_by_vertex(Index h, const Point& from, Path_start<FT>& start) const
+  {
+    const Index v = m_mesh.source(h);
+    start.root = m_field.root[v];
+    start.pseudo_source = v;
+    start.halfedge = h;
+    start.exit = -1;
+    start.from = from;
+    start.to = {FT(0), FT(0)};
   }
 
   static void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w)

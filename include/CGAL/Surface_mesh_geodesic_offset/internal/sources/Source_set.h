@@ -31,9 +31,6 @@ public:
   std::size_t add(const Unfolded_mesh<FT>& mesh, std::vector<Surface_point<FT>> points, Kind kind)
   {
     if (points.empty()) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
-    for (const Surface_point<FT>& p : points)
-      if (p.kind == Surface_point<FT>::VERTEX && p.element >= mesh.number_of_vertices())
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: a vertex that is not of this mesh");
     return add(mesh, Source{kind, std::move(points), {}});
   }
 
