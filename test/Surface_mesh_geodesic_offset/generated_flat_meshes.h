@@ -84,6 +84,16 @@ inline Soup random_rectangle(double width, double height, std::size_t points_ins
   return assembler.soup();
 }
 
+/// A strip of needles, 1 : thickness, with as much noise in the third coordinate, in general position.
+inline Soup crumpled_needles(double thickness, double noise, std::size_t points_inside,
+                             unsigned seed)
+{
+  Soup soup = random_rectangle(1, thickness, points_inside, 4, seed);
+  Random random(seed);
+  for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), uniform(random, -noise, noise));
+  return rotated(soup, seed);
+}
+
 /// A flat square subdivided into an L: [0, 2] x [0, 1] together with [0, 1] x [0, 2]; reflex corner
 /// (1, 1).
 inline Soup l_shape(std::size_t points_per_square, std::size_t points_per_edge, unsigned seed)

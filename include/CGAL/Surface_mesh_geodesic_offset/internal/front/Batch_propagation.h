@@ -48,7 +48,6 @@ public:
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
     m_arrivals.clear();
     m_apex = m_mesh.apex(h);
-    m_previous = m_mesh.previous(h);
     m_best = split_distance;
     m_entry = split_entry;
     m_known = m_state.field.distance[m_apex];
@@ -206,20 +205,13 @@ private:
     if (is_exact) return;
     if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
     if (first_right && !covered) round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
-    go_along_edge(m_mesh.source(h), face.left_length, FT(1), FT(0));
-    go_along_edge(m_mesh.target(h), face.right_length, m_mesh[m_previous].apex_x, m_mesh[m_previous].apex_y);
-  }
-
-  // The path to the apex along an edge from another corner of the face, in the direction (x, y) from the apex. It is shorter
-  // only in needle faces, where windows have the round-off of much longer edges.
-  void go_along_edge(Index corner, const FT& length, const FT& x, const FT& y)
-  {
-    const FT& before = m_state.field.distance[corner];
-    const FT d = before + length;
-    if (!(d < m_known - m_known * Number_policy<FT>::rounding(64)) || !Number_policy<FT>::is_finite(m_known)) return;
-    const Index pseudo_source = m_state.field.back[corner].corner == no_index ? no_index : corner;
-    m_arrivals.push_back({d, Ray_at_vertex<FT>{m_previous, x, y}, m_state.field.root[corner], pseudo_source});
-    m_known = d;
+    // The path to the apex along an edge from another corner of the face is shorter only in needle faces, where windows have
+    // the round-off of much longer edges.
+    const FT along_edge = (std::min)(FT(m_state.field.distance[m_mesh.source(h)] + face.left_length),
+                                     FT(m_state.field.distance[m_mesh.target(h)] + face.right_length));
+    if (!Number_policy<FT>::is_finite(m_known) || !m_state.is_shorter(along_edge, m_known)) return;
+    m_arrivals.push_back(m_state.along_edge(m_mesh.previous(h)));
+    m_known = along_edge;
   }
 
   BOOST_FORCEINLINE Exit exit_of(Index h, const Window_propagation<Traits>& face, const Window& w)
@@ -283,7 +275,7 @@ private:
   Output m_left, m_right;
   std::vector<Arrival> m_arrivals;
   std::size_t m_number = 0;
-  Index m_apex, m_previous; // and the halfedge that leaves it
+  Index m_apex;
   FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the best through the halfedge, where this enters
   std::vector<Exit> m_exit;
   std::vector<FT> m_apex_distance; // of those that leave through both edges

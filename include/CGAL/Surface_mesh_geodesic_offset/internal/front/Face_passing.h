@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// When the front has passed a face: then all distances in it are final.
+// When the front has passed a face: then all distances in it are final. And whether it has passed a corner without a word.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_PASSING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_PASSING_H
@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,22 +19,56 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// Faces that the front has passed, and halfedges whose sources have been hidden from it by rounding.
+struct Passed_faces
+{
+  std::vector<Index> faces, hidden;
+
+  void append(Passed_faces& other)
+  {
+    faces.insert(faces.end(), other.faces.begin(), other.faces.end());
+    hidden.insert(hidden.end(), other.hidden.begin(), other.hidden.end());
+    other.faces.clear();
+    other.hidden.clear();
+  }
+};
+
 template <class FT>
 class Face_passing
 {
   typedef Wavefront_state<FT> State;
 
 public:
-  explicit Face_passing(State& state) : m_state(state) {}
+  // `tolerance`: by how much more than rounding distances may be too small.
+  Face_passing(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
 
   // Looks at the faces of a part that wait in the bucket. Those that the front has passed are added to `passed`, the others
   // wait on.
-  void look(Index part, std::vector<Index>& passed) const
+  void look(Index part, Passed_faces& passed) const
   {
     Bucket_queue& queue = m_state.part(part).queue;
     Index f;
     while (queue.pop_face(f))
-      if (!is_finished(f) && !waits_on(f, queue)) finish(f, passed);
+    {
+      if (is_finished(f) || waits_on(f, queue)) continue;
+      if (finds_hidden(f, passed.hidden)) queue.push_face(queue.current() + 2, f);
+      else finish(f, passed.faces);
+    }
+  }
+
+  // Looks for corners of a face that the front has passed which are farther than along an edge: in needle faces all paths
+  // may be equally long up to rounding, and then each of two windows can leave a vertex to the other one.
+  bool finds_hidden(Index f, std::vector<Index>& hidden) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return false;
+    const Unfolded_mesh<FT>& mesh = m_state.mesh;
+    const std::vector<FT>& distance = m_state.field.distance;
+    const auto *const edge = &mesh[3 * f];
+    const FT &d0 = distance[edge[0].origin], &d1 = distance[edge[1].origin], &d2 = distance[edge[2].origin];
+    if (!(CGAL::abs(FT(d1 - d0)) > edge[0].length) && !(CGAL::abs(FT(d2 - d1)) > edge[1].length) &&
+        !(CGAL::abs(FT(d0 - d2)) > edge[2].length))
+      return false;
+    return finds_hidden_certainly(f, hidden);
   }
 
   bool is_finished(Index f) const { return m_state.face_state[f] & State::FINISHED; }
@@ -63,6 +98,19 @@ private:
   // step along that edge.
   static constexpr std::size_t farthest = 1 << 12;
 
+  BOOST_NOINLINE bool finds_hidden_certainly(Index f, std::vector<Index>& hidden) const
+  {
+    const std::size_t before = hidden.size();
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const FT along_edge = m_state.along_edge(h).distance;
+      const FT allowed = along_edge + (m_tolerance.relative * along_edge + m_tolerance.absolute);
+      if (along_edge <= m_state.maximum && m_state.is_shorter(allowed, m_state.field.distance[m_state.mesh.source(h)]))
+        hidden.push_back(h);
+    }
+    return hidden.size() > before;
+  }
+
   // Puts the face into a later bucket, if it must wait.
   bool waits_on(Index f, Bucket_queue& queue) const
   {
@@ -79,6 +127,7 @@ private:
   }
 
   State& m_state;
+  const Merging_tolerance<FT> m_tolerance;
 };
 
 } // namespace internal

@@ -53,7 +53,7 @@ public:
   static Front_parts parts() { return Front_parts(1); }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
-  void pass_faces(const Face_passing<FT>& passing, std::vector<Index>& passed) { passing.look(0, passed); }
+  void pass_faces(const Face_passing<FT>& passing, Passed_faces& passed) { passing.look(0, passed); }
 
   // Gives up the lists of faces that the front has passed.
   void release(const std::vector<Index>& faces)

@@ -47,16 +47,12 @@ public:
   static Front_parts parts() { return Front_parts(8); }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
-  void pass_faces(const Face_passing<FT>& passing, std::vector<Index>& passed)
+  void pass_faces(const Face_passing<FT>& passing, Passed_faces& passed)
   {
     const std::size_t n = count([](const Bucket_queue& q) { return q.number_of_faces(); });
     if (n == 0) return;
     for_each_part(n >= 64, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
-    for (Part& p : m_part)
-    {
-      passed.insert(passed.end(), p.passed.begin(), p.passed.end());
-      p.passed.clear();
-    }
+    for (Part& p : m_part) passed.append(p.passed);
   }
 
   // Gives up the lists of faces that the front has passed, in the next round.
@@ -105,7 +101,8 @@ private:
     explicit Part(const Wavefront_state<FT>& state) : sender(state) {}
 
     Front_sender<FT> sender;
-    std::vector<Index> passed, given_up; // faces
+    Passed_faces passed;
+    std::vector<Index> given_up; // faces
   };
 
   // How many things wait in all parts. Those parts take turns in which something waits, or which have faces to give up. The

@@ -41,8 +41,9 @@ public:
             const FT& maximum_distance, bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
     : m_mesh(mesh), m_keep(keep_lists),
-      m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, Taking::parts()), m_passing(m_state),
-      m_spreading(m_state, initial, traits), m_taking(m_state, initial.source_of, traits, tolerance)
+      m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, Taking::parts()),
+      m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
+      m_taking(m_state, initial.source_of, traits, tolerance)
   {
   }
 
@@ -58,11 +59,11 @@ public:
   template <class Consumer, class Condition>
   void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {
-    const bool is_update = first_primitive > 0;
+    m_is_update = first_primitive > 0;
     m_state.field.maximum = m_state.maximum;
     m_spreading.start(first_primitive);
     std::size_t settled = 1, asked = 1;
-    while (m_state.advance())
+    while (m_state.advance() || reveals_hidden_vertices())
     {
       if (m_state.current() > asked)
       { // less one bucket, against rounding
@@ -82,11 +83,10 @@ public:
       }
       m_taking.pass_faces(m_passing, m_passed);
       hand_over(consumer);
+      reveal_vertices();
       m_taking.take_all(m_spreading);
     }
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!m_passing.is_finished(f) && (is_update ? m_state.face_state[f] != 0 : is_reached(f)))
-        m_passing.finish(f, m_passed);
+    for_each_unfinished_face([this](Index f) { this->m_passing.finish(f, this->m_passed.faces); });
     hand_over(consumer);
     for (FT& d : m_state.field.distance)
       if (d > m_state.maximum) d = Number_policy<FT>::infinity();
@@ -104,6 +104,29 @@ public:
   FT largest_distance(Index f) const { return m_passing.largest_distance(f); }
 
 private:
+  // The faces that are reached and not finished.
+  template <class Function>
+  void for_each_unfinished_face(const Function& function)
+  {
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f))) function(f);
+  }
+
+  // When nothing is left that moves the front: whether some vertices move it yet.
+  bool reveals_hidden_vertices()
+  {
+    for_each_unfinished_face([this](Index f) { this->m_passing.finds_hidden(f, this->m_passed.hidden); });
+    return reveal_vertices();
+  }
+
+  bool reveal_vertices()
+  {
+    if (m_passed.hidden.empty()) return false;
+    for (Index h : m_passed.hidden) m_state.reveal_vertex(h);
+    m_passed.hidden.clear();
+    return true;
+  }
+
   bool is_reached(Index f) const
   {
     if (m_mesh.source(3 * f) == no_index) return false;
@@ -116,14 +139,15 @@ private:
   template <class Consumer>
   void hand_over(Consumer& consumer)
   {
-    if (m_passed.empty()) return;
-    consumer.take(m_passed);
+    const std::vector<Index>& faces = m_passed.faces;
+    if (faces.empty()) return;
+    consumer.take(faces);
     if (m_keep)
-      for (Index f : m_passed)
+      for (Index f : faces)
         m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
-    m_taking.release(m_passed);
-    m_number_of_passed += m_passed.size();
-    m_passed.clear();
+    m_taking.release(faces);
+    m_number_of_passed += faces.size();
+    m_passed.faces.clear();
   }
 
   const Unfolded_mesh<FT>& m_mesh;
@@ -132,7 +156,8 @@ private:
   const Face_passing<FT> m_passing;
   Ray_spreading<Traits> m_spreading;
   Taking m_taking;
-  std::vector<Index> m_passed; // faces that the consumer has not taken yet
+  Passed_faces m_passed; // that the consumer has not taken yet
+  bool m_is_update = false;
   std::size_t m_number_of_passed = 0;
 };
 

@@ -48,7 +48,7 @@ public:
   typedef Vertex_arrival<FT> Arrival;
   typedef Window_output<FT, Window> Output;
 
-  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4 };
+  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8 };
   enum Face_state : char { SCHEDULED = 1, FINISHED = 2, BOUNDED = 4 };
 
   // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
@@ -134,13 +134,46 @@ public:
     if (ties) return;
     field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
     field.root[v] = a.root;
-    vertex_state[v] &= char(~(WAITS | IS_BENT));
+    vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN));
     if (a.is_bent) vertex_state[v] |= IS_BENT;
     Part& p = m_part[parts.of_vertex(v)];
     if (a.is_bent) p.has_bent_paths = true;
     if (a.back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
+  }
+
+  // The way to the source of h along an edge of the face of h, the shorter one.
+  Arrival along_edge(Index h) const
+  {
+    const Index p = mesh.previous(h), v = mesh.target(h), u = mesh.source(p);
+    const FT by_v = field.distance[v] + mesh[h].length, by_u = field.distance[u] + mesh[p].length;
+    const bool is_by_v = by_v <= by_u;
+    const Ray_at_vertex<FT> back =
+      is_by_v ? Ray_at_vertex<FT>{h, FT(1), FT(0)} : Ray_at_vertex<FT>{h, mesh[h].apex_x, mesh[h].apex_y};
+    const Index corner = is_by_v ? v : u;
+    const Index pseudo_source = field.back[corner].corner == no_index ? no_index : corner;
+    return {is_by_v ? by_v : by_u, back, field.root[corner], pseudo_source};
+  }
+
+  // Whether a distance is shorter than the one that is known, and not by rounding only.
+  static bool is_shorter(const FT& distance, const FT& known)
+  {
+    return distance < known && !(known - known * Number_policy<FT>::rounding(64) <= distance); // known may be infinite
+  }
+
+  // The source of h, which rounding has hidden from the windows, takes what comes along an edge of the face of h. The
+  // windows that have missed it are lost to the faces behind it too, so rays start from it all round.
+  void reveal_vertex(Index h)
+  {
+    const Index v = mesh.source(h);
+    const Arrival a = along_edge(h);
+    if (!is_shorter(a.distance, field.distance[v])) return;
+    vertex_state[v] &= char(~HAS_SPREAD);
+    update_vertex(v, a);
+    vertex_state[v] |= WAITS | WAS_HIDDEN;
+    Bucket_queue& queue = m_part[parts.of_vertex(v)].queue;
+    queue.push_vertex(queue.bucket_of(a.distance), v);
   }
 
   // A face that the front has reached is looked at again when the front may have passed it.
