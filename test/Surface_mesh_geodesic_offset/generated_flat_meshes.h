@@ -94,6 +94,26 @@ inline Soup crumpled_needles(double thickness, double noise, std::size_t points_
   return rotated(soup, seed);
 }
 
+/// Points at distances of 10^-decades to 1, Delaunay-triangulated and bent by the given part of their
+/// distance: tiny faces beside large ones.
+inline Soup graded_disc(std::size_t points, double decades, double bending, unsigned seed)
+{
+  Random random(seed);
+  std::vector<Point_2> plane;
+  Soup soup;
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    const double radius = std::pow(10, uniform(random, -decades, 0));
+    const double angle = uniform(random, 0, 2 * CGAL_PI);
+    plane.push_back(Point_2(radius * std::cos(angle), radius * std::sin(angle)));
+    const double height = bending * radius * uniform(random, -1, 1);
+    soup.points.push_back(Point_3(plane.back().x(), plane.back().y(), height));
+  }
+  for (const std::array<std::size_t, 3>& triangle : delaunay_triangles(plane))
+    soup.add_triangle(triangle, 0, {plane[triangle[0]], plane[triangle[1]], plane[triangle[2]]});
+  return soup;
+}
+
 /// A flat square subdivided into an L: [0, 2] x [0, 1] together with [0, 1] x [0, 2]; reflex corner
 /// (1, 1).
 inline Soup l_shape(std::size_t points_per_square, std::size_t points_per_edge, unsigned seed)

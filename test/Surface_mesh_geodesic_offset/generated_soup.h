@@ -58,6 +58,20 @@ struct Soup
   }
 };
 
+/// The Delaunay triangles of points in the plane, as indices of their corners.
+inline std::vector<std::array<std::size_t, 3>>
+delaunay_triangles(const std::vector<Point_2>& points)
+{
+  typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel> Vertex_base;
+  typedef CGAL::Triangulation_data_structure_2<Vertex_base> Structure;
+  CGAL::Delaunay_triangulation_2<Kernel, Structure> triangulation;
+  for (std::size_t i = 0; i < points.size(); ++i) triangulation.insert(points[i])->info() = i;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
+    triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  return triangles;
+}
+
 /// Builds a soup from flat triangles and parallelograms; those that share two corners share the
 /// points between them.
 class Patch_assembler
@@ -161,20 +175,16 @@ private:
 
   void triangulate(const std::vector<Local_point>& local, std::size_t patch)
   {
-    typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel> Vertex_base;
-    typedef CGAL::Triangulation_data_structure_2<Vertex_base> Structure;
-    CGAL::Delaunay_triangulation_2<Kernel, Structure> triangulation;
-    for (std::size_t i = 0; i < local.size(); ++i)
-      triangulation.insert(local[i].reference)->info() = i;
-    for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
+    std::vector<Point_2> points;
+    for (const Local_point& p : local) points.push_back(p.reference);
+    for (const std::array<std::size_t, 3>& triangle : delaunay_triangles(points))
     {
       std::array<std::size_t, 3> corners;
       std::array<Point_2, 3> coordinates;
-      for (int k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        const Local_point& p = local[f->vertex(k)->info()];
-        corners[static_cast<std::size_t>(k)] = p.id;
-        coordinates[static_cast<std::size_t>(k)] = p.uv;
+        corners[k] = local[triangle[k]].id;
+        coordinates[k] = local[triangle[k]].uv;
       }
       soup_.add_triangle(corners, patch, coordinates);
     }

@@ -594,6 +594,39 @@ void vertices_hidden_by_rounding()
     }
 }
 
+// On meshes whose faces are of sizes from 1e-7 to 1, rounding in a large face is much in a tiny one
+// beside it. Still paths are as long as the distance, and end on the source.
+void paths_over_graded_meshes()
+{
+  for (unsigned seed = 0; seed < 4000; ++seed)
+  {
+    Report::instance().set_context("graded mesh, seed " + std::to_string(seed));
+    const Data data(graded_disc(5 + seed % 23, 7, seed % 2 ? 0.5 : 0, seed));
+    const Locations locations(data.mesh);
+    const double rounding = 1e-14 * bounding_box_diagonal(data.mesh);
+    Random random(seed);
+    Geodesic geodesic(data.mesh);
+    const auto first = random_location(locations, data.mesh, random, seed % 2);
+    Halfedge_index h = halfedge(first.first, data.mesh);
+    if (seed % 3) h = next(h, data.mesh);
+    const auto second = seed % 5 == 0 ? Face_location(first.first, random_barycentric(random))
+                                      : locations.on_edge(h, uniform(random, 0.02, 0.98));
+    geodesic.add_source_polyline(std::vector<Face_location>{first, second});
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    for (std::size_t i = 0; i < 30; ++i)
+    {
+      const Face_location query = random_location(locations, data.mesh, random, i % 3);
+      const double d = geodesic.distance_to_sources(query);
+      Path_locations path;
+      geodesic.shortest_path_to_sources(query, std::back_inserter(path));
+      const double length = length_of(locations, path);
+      CHECK_DETAIL(std::abs(length - d) <= 1e-11 * d + rounding, values(length, d));
+      const double miss = geodesic.distance_to_sources(geodesic.nearest_source(query)->location);
+      CHECK_DETAIL(miss <= rounding, values(miss, 0));
+    }
+  }
+}
+
 // Polylines across tiny and needle faces: nothing infinite or NaN, zero on the polyline itself.
 void polyline_over_tiny_faces()
 {
@@ -647,6 +680,7 @@ int main()
     {"tiny and needle faces", tiny_and_needle_faces},
     {"paths over tiny and needle faces", paths_over_tiny_and_needle_faces},
     {"vertices hidden by rounding", vertices_hidden_by_rounding},
+    {"paths over graded meshes", paths_over_graded_meshes},
     {"polyline over tiny faces", polyline_over_tiny_faces},
     {"not a number", not_a_number}};
   for (const auto& test : tests)

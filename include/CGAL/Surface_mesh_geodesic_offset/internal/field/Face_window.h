@@ -60,7 +60,7 @@ struct Face_window
   // For strips that start inside the face: p is not behind the source, or by the allowance at most.
   bool is_in_front(const Point& p, const FT& allowance = FT(0)) const
   {
-    return !(is_parallel() && origin == STARTS_IN_FACE) || distance_at(p) >= -allowance;
+    return !starts_in_strip() || distance_at(p) >= -allowance;
   }
 
   bool contains(const Point& p) const
@@ -90,15 +90,23 @@ struct Face_window
       is_straight = contains(p);
       return distance_at(p);
     }
-    // a point on the source is in front of it on both sides, whatever rounding does
-    const FT rounding = Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y));
     is_straight = false;
-    if (!is_in_front(p, rounding)) return Number_policy<FT>::infinity();
+    if (starts_in_strip() && distance_at(p) < -rounding_at(p)) return Number_policy<FT>::infinity();
     const FT d = with_rays([&](const auto& rays) { return rays.path_length(p, is_straight); });
     return is_straight ? (std::max)(d, FT(0)) : d;
   }
 
 private:
+  bool starts_in_strip() const { return is_parallel() && origin == STARTS_IN_FACE; }
+
+  // A point on the source is in front of it on both sides, whatever rounding does: of the point, and of the source, which may
+  // be much longer and farther from the origin of the frame.
+  FT rounding_at(const Point& p) const
+  {
+    const FT at_chord = (std::max)(CGAL::abs(left.x) + CGAL::abs(left.y), CGAL::abs(right.x) + CGAL::abs(right.y));
+    return Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y) + at_chord);
+  }
+
   template <class Function>
   auto with_rays(const Function& f) const
   {

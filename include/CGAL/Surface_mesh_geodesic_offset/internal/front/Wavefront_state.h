@@ -119,11 +119,13 @@ public:
   {
     const FT& d = a.distance;
     FT& known = field.distance[v];
-    const FT rounding = known * Number_policy<FT>::rounding(64);
-    if (!a.is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && a.root == field.root[v] &&
-        CGAL::abs(FT(d - known)) <= rounding)
+    FT rounding = known * Number_policy<FT>::rounding(64);
+    if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // not often
+      rounding += Number_policy<FT>::rounding(64) * (mesh[a.back.corner].length + mesh[mesh.previous(a.back.corner)].length);
+    if (!a.is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && CGAL::abs(FT(d - known)) <= rounding)
     {
       field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
+      field.root[v] = a.root;
       vertex_state[v] &= char(~IS_BENT);
     }
     if (!(d < known)) return;

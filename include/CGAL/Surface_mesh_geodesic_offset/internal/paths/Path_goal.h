@@ -108,13 +108,13 @@ public:
   }
 
   // A path to one segment may end at another one of the source: windows of segments in one line have become one.
-  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, End& end) const
+  // `extent`: of the largest face that was passed.
+  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, End& end) const
   {
     const Index face = walk.face();
     const Face_frame<FT> frame(m_mesh, face);
     const Point p = frame.from_halfedge(int(walk.halfedge() % 3), walk.position());
     const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
-    const FT extent = frame.longest_edge();
     const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
     // as near to q as the direction is exact: the next segment, in the next face, may be meant
     FT nearest = FT(nearby) * length(q - p) + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);

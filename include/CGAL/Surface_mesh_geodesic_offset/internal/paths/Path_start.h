@@ -182,14 +182,18 @@ private:
     return true;
   }
 
+  // Calls f(face, position in its frame, number of the edge that the point is on or -1).
   template <class Function>
   void for_each_face(const Surface_point<FT>& p, const Function& f) const
   {
-    if (p.kind == Surface_point<FT>::FACE) return f(p.element, Point{p.x, p.y});
+    if (p.kind == Surface_point<FT>::FACE) return f(p.element, Point{p.x, p.y}, -1);
     for (const Index h : {p.element, m_mesh.twin(p.element)})
       if (h != no_index)
-        f(m_mesh.face(h), Face_frame<FT>(m_mesh, m_mesh.face(h))
-                            .on_edge(int(h % 3), h == p.element ? p.x : FT(m_mesh[h].length - p.x)));
+      {
+        const int k = int(h % 3);
+        f(m_mesh.face(h), Face_frame<FT>(m_mesh, m_mesh.face(h)).on_edge(k, h == p.element ? p.x : FT(m_mesh[h].length - p.x)),
+          k);
+      }
   }
 
   Path_start<FT> at_point(const Surface_point<FT>& p, const FT& distance) const
@@ -197,23 +201,18 @@ private:
     Path_start<FT> start;
     start.distance = distance;
     if (!start.is_reached()) return start;
-    int liking = -1;
-    FT shortest;
     Face_field<FT> field(m_mesh, m_initial, m_field);
-    for_each_face(p, [&](Index f, const Point& q) {
-      field.set_face_at(f, q, start.distance);
-      for (std::size_t i = 0; i < field.windows().size(); ++i)
-      {
-        const FT d = field.windows()[i].path_length(q);
-        const int preference = field.tie(d, start.distance) ? field.preference(i, q) : -1;
-        if (preference > liking || (preference == liking && preference >= 0 && d < shortest))
-        {
-          liking = preference;
-          shortest = d;
-          set(start, f, q, field.windows()[i]);
-        }
-      }
+    Choice choice;
+    for_each_face(p, [&](Index f, const Point& q, int edge) {
+      field.set_face_at(f, q, distance);
+      choose(field, q, edge, start, choice);
     });
+    // images of merged windows may be so far away that they tell the distance with more rounding than ties are allowed
+    if (choice.preference < 0)
+      for_each_face(p, [&](Index f, const Point& q, int edge) {
+        field.set_face(f);
+        choose(field, q, edge, start, choice);
+      });
     // through the edge that the point is on: the path starts on the other side
     if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE && !goes_along_edge(start))
     {
@@ -229,6 +228,28 @@ private:
       }
     }
     return start;
+  }
+
+  struct Choice
+  {
+    int preference = -1;
+    FT length = Number_policy<FT>::infinity();
+  };
+
+  // Of the windows in a face the one by which a path from q, which is on an edge or not, starts best.
+  void choose(const Face_field<FT>& field, const Point& q, int edge, Path_start<FT>& start, Choice& best) const
+  {
+    for (std::size_t i = 0; i < field.windows().size(); ++i)
+    {
+      const Face_window<FT>& w = field.windows()[i];
+      const FT d = w.path_length(q);
+      // a path that leaves the face there is one of the other face, which may be much smaller, and its rounding with it
+      const bool stays = edge == -1 || int(w.edge) != edge || w.origin > ENTERS_HALFEDGE_2;
+      const int preference = field.tie(d, start.distance) ? 2 * field.preference(i, q) + int(stays) : -1;
+      if (preference < best.preference || (preference == best.preference && !(d < best.length))) continue;
+      best = {preference, d};
+      set(start, field.face(), q, w);
+    }
   }
 
   // The way may lie in the edge, up to rounding. Then it leads by the vertex at the end, if this gives as short a way.

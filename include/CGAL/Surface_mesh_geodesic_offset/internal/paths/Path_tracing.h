@@ -154,6 +154,7 @@ private:
     int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
     Index last_vertex = no_index;
+    FT extent = walk.extent(); // of the largest face that was passed, whose rounding the way has
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
@@ -164,18 +165,17 @@ private:
       {
         if constexpr (!Number_policy<FT>::is_inexact) return goal.end;
         const FT left = length(walk.goal() - walk.position());
-        const FT rounding =
-          Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * walk.extent();
+        const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * extent;
         if (last <= left + rounding || (has_missed && reach - left + last + m_goals.distance_of(goal) <= detour.length))
           return goal.end;
         break;
       }
       if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
       const auto crossing = walk.crossing(exit);
-      const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + walk.extent());
+      const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, end)) return end;
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, end)) return end;
         if (crossing.goal.y < -beside) break;
       }
       const Index beyond = walk.beyond(exit);
@@ -202,6 +202,7 @@ private:
         passed.push_back(passed.item({no_index, v, v, FT(0)}));
       last_vertex = v;
       walk.cross_over(exit, crossing);
+      extent = (std::max)(extent, walk.extent());
     }
     if (!has_missed)
     {
