@@ -99,8 +99,8 @@ struct Face_window
 private:
   bool starts_in_strip() const { return is_parallel() && origin == STARTS_IN_FACE; }
 
-  // A point on the source is in front of it on both sides, whatever rounding does: of the point, and of the source, which may
-  // be much longer and farther from the origin of the frame.
+  // A point on the source is in front of it on both sides, whatever rounding does: that of the point, and of the source,
+  // which may be much longer and farther from the origin of the frame.
   FT rounding_at(const Point& p) const
   {
     const FT at_chord = (std::max)(CGAL::abs(left.x) + CGAL::abs(left.y), CGAL::abs(right.x) + CGAL::abs(right.y));

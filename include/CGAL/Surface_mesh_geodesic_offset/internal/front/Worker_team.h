@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cstdint>
 #include <exception>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -62,7 +63,7 @@ public:
     return unsigned((std::max)(std::size_t(1), (std::min)(allowed, std::size_t((std::max)(here, 1)))));
   }
 
-  explicit Worker_team(unsigned size) : m_size(size), m_arena(int((std::max)(size, 2u)), 1)
+  explicit Worker_team(unsigned size) : m_size(size)
   {
     if (size < 2) return;
     m_shared = std::make_shared<Shared>();
@@ -70,7 +71,8 @@ public:
     __tsan_release(m_shared.get());
     __tsan_ignore_thread_begin();
 #endif
-    for (unsigned i = 1; i < size; ++i) m_arena.enqueue(Helper{m_shared, size});
+    tbb::task_arena& waiting = arena();
+    for (unsigned i = 1; i < size; ++i) waiting.enqueue(Helper{m_shared, size});
 #ifdef CGAL_GEODESIC_OFFSET_THREAD_SANITIZER
     __tsan_ignore_thread_end();
 #endif
@@ -114,6 +116,19 @@ public:
   }
 
 private:
+  // Where helpers wait for threads, those of all teams that are made where TBB may use as many. Short builds may be over
+  // before a thread comes, and arenas of their own would heap up.
+  static tbb::task_arena& arena()
+  {
+    static std::mutex mutex;
+    static std::map<unsigned, std::unique_ptr<tbb::task_arena>> arenas;
+    const unsigned size = (std::max)(possible_size(), 2u);
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::unique_ptr<tbb::task_arena>& arena = arenas[size];
+    if (!arena) arena = std::make_unique<tbb::task_arena>(int(size), 1);
+    return *arena;
+  }
+
   static constexpr std::uint64_t no_more = ~std::uint64_t(0);
 
   // Waits a little: first on the core, for work that comes soon, then leaving it to others.
@@ -204,7 +219,6 @@ private:
   };
 
   const unsigned m_size;
-  tbb::task_arena m_arena;
   std::shared_ptr<Shared> m_shared;
   std::uint64_t m_round = 0;
 };

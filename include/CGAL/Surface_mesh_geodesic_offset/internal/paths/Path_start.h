@@ -190,9 +190,9 @@ private:
     for (const Index h : {p.element, m_mesh.twin(p.element)})
       if (h != no_index)
       {
+        const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
         const int k = int(h % 3);
-        f(m_mesh.face(h), Face_frame<FT>(m_mesh, m_mesh.face(h)).on_edge(k, h == p.element ? p.x : FT(m_mesh[h].length - p.x)),
-          k);
+        f(m_mesh.face(h), frame.on_edge(k, h == p.element ? p.x : FT(m_mesh[h].length - p.x)), k);
       }
   }
 
