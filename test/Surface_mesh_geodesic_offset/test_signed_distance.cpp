@@ -289,6 +289,56 @@ void no_side()
   CHECK(apart.signed_distance_to_sources(inside) == -0.125);
 }
 
+// Polylines along the edges of grids in general position, where all windows meet at vertices of the
+// polyline and rounding decides which of them are told: the sides of all vertices, and the inner side.
+void along_edges_of_grids()
+{
+  Totals totals;
+  for (unsigned seed = 1; seed <= 120; ++seed)
+  {
+    const std::size_t n = 4 * (1 + seed % 8), first = n / 4, last = 3 * n / 4;
+    Report::instance().set_context("grid " + std::to_string(n) + ", seed " + std::to_string(seed));
+    const Generated_mesh<test::Surface_mesh> data(
+      rotated(planar_grid(n, n, seed % 2 ? Diagonals::forward : Diagonals::random, 1, 0, seed), seed));
+    const Locations<test::Surface_mesh> locations(data.mesh);
+    std::vector<Face_location> polyline;
+    std::vector<Leg> legs;
+    const auto add = [&](std::size_t i, std::size_t j)
+    {
+      const Point_2 p(static_cast<double>(i), static_cast<double>(j));
+      if (!legs.empty()) legs.back().b = p;
+      legs.push_back({0, p, p});
+      polyline.push_back(locations.at_vertex(data.vertices[j * (n + 1) + i], seed));
+    };
+    for (std::size_t i = first; i < last; ++i) add(i, first);
+    for (std::size_t j = first; j < last; ++j) add(last, j);
+    for (std::size_t i = last; i > first; --i) add(i, last);
+    const bool closed = seed % 3 != 0;
+    if (closed)
+      for (std::size_t j = last; j > first; --j) add(first, j);
+    if (closed) legs.back().b = legs.front().a;
+    else legs.pop_back();
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_polyline(polyline, closed);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Signed_distance expected(legs, closed);
+    for (std::size_t i = 0; i < data.vertices.size(); ++i)
+    {
+      const Point_2 p(static_cast<double>(i % (n + 1)), static_cast<double>(i / (n + 1)));
+      check_signed(geodesic.signed_distance_to_sources(data.vertices[i]), expected(p, 1e-9), totals);
+    }
+    if (!closed) continue;
+    const double level = 0.4, width = static_cast<double>(last - first);
+    Offset_curves inside;
+    geodesic.offset_curves(level, std::back_inserter(inside), Offset_side::INSIDE);
+    CHECK(inside.size() == 1);
+    for (const Offset_curve& curve : inside)
+      CHECK_CLOSE(totals.error, curve.length(), 4 * (width - 2 * level));
+  }
+  std::cout << "along edges of grids: " << totals.signs << " signs, " << totals.undecided
+            << " undecided, " << totals.caps << " beyond ends" << std::endl;
+}
+
 } // namespace
 
 int main()
@@ -297,5 +347,6 @@ int main()
   random_polylines();
   ends_of_open_polylines();
   no_side();
+  along_edges_of_grids();
   return Report::instance().finish("test_signed_distance");
 }

@@ -104,13 +104,14 @@ public:
     {
       if (!(m_lowest[i] <= best)) continue;
       const FT d = m_windows[i].path_length(p);
-      if (tie(d, best) ? preference(i, p) > preference(nearest, p) : d < best) nearest = i;
+      if (!Number_policy<FT>::is_finite(d)) continue;
+      if (Number_policy<FT>::is_finite(best) && tie(d, best) ? preference(i, p) > preference(nearest, p) : d < best) nearest = i;
       best = (std::min)(best, d);
     }
     return best;
   }
 
-  // Whether two distances in the face are the same up to rounding; two infinite ones are not.
+  // Whether two finite distances in the face are the same up to rounding.
   bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
 
   int preference(std::size_t i, const Point& p) const

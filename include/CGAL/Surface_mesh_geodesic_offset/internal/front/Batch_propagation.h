@@ -210,7 +210,8 @@ private:
     const FT along_edge = (std::min)(FT(m_state.field.distance[m_mesh.source(h)] + face.left_length),
                                      FT(m_state.field.distance[m_mesh.target(h)] + face.right_length));
     if (!Number_policy<FT>::is_finite(m_known) || !m_state.is_shorter(along_edge, m_known)) return;
-    m_arrivals.push_back(m_state.along_edge(m_mesh.previous(h)));
+    const Root root = m_arrivals.empty() ? m_state.field.root[m_apex] : m_arrivals.back().root;
+    m_arrivals.push_back(m_state.along_edge(m_mesh.previous(h), root));
     m_known = along_edge;
   }
 

@@ -103,7 +103,7 @@ private:
     const std::size_t before = hidden.size();
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      const FT along_edge = m_state.along_edge(h).distance;
+      const FT along_edge = m_state.along_edge(h, Root()).distance;
       const FT allowed = along_edge + (m_tolerance.relative * along_edge + m_tolerance.absolute);
       if (along_edge <= m_state.maximum && m_state.is_shorter(allowed, m_state.field.distance[m_state.mesh.source(h)]))
         hidden.push_back(h);

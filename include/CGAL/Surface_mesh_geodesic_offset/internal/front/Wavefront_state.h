@@ -145,8 +145,8 @@ public:
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
 
-  // The way to the source of h along an edge of the face of h, the shorter one.
-  Arrival along_edge(Index h) const
+  // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given root.
+  Arrival along_edge(Index h, Root root) const
   {
     const Index p = mesh.previous(h), v = mesh.target(h), u = mesh.source(p);
     const FT by_v = field.distance[v] + mesh[h].length, by_u = field.distance[u] + mesh[p].length;
@@ -155,7 +155,8 @@ public:
       is_by_v ? Ray_at_vertex<FT>{h, FT(1), FT(0)} : Ray_at_vertex<FT>{h, mesh[h].apex_x, mesh[h].apex_y};
     const Index corner = is_by_v ? v : u;
     const Index pseudo_source = field.back[corner].corner == no_index ? no_index : corner;
-    return {is_by_v ? by_v : by_u, back, field.root[corner], pseudo_source};
+    root = CGAL::is_zero(field.distance[corner]) ? Root::to_vertex(field.root[corner], root) : field.root[corner];
+    return {is_by_v ? by_v : by_u, back, root, pseudo_source};
   }
 
   // Whether a distance is shorter than the one that is known, and not by rounding only.
@@ -169,7 +170,7 @@ public:
   void reveal_vertex(Index h)
   {
     const Index v = mesh.source(h);
-    const Arrival a = along_edge(h);
+    const Arrival a = along_edge(h, field.root[v]);
     if (!is_shorter(a.distance, field.distance[v])) return;
     vertex_state[v] &= char(~HAS_SPREAD);
     update_vertex(v, a);

@@ -104,6 +104,15 @@ public:
     return false;
   }
 
+  // Whether, going counterclockwise from a, `from` comes before `to`, where both are a quarter turn behind a and before a ray
+  // b that is at least a half turn away: with a half turn up to rounding they may come in the wrong order.
+  bool come_in_order(const Ray& a, const Ray& from, const Ray& to) const
+  {
+    if (from.corner == to.corner) return true; // left to for_each_corner()
+    if (to.corner == a.corner) return !same_corner_in_order(a, to);
+    return !comes_first(to.corner, a.corner, from.corner);
+  }
+
   // Calls f(corner, from, to) for each corner of the sector that reaches from `from` counterclockwise to `to`; the
   // rays are null where the sector covers the corner up to its edge. Without a corner, `from` stands for the border at
   // `first`, and `to` for the border at the other end.

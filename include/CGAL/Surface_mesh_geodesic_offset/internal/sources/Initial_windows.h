@@ -80,7 +80,10 @@ public:
       m_mesh.for_each_fan(p.element, [&](Index first) { fans.push_back({p.element, Ray(), Ray(), first, root}); });
     }
     else
+    {
+      add_seeds_of_point(p, [root](const Point&) { return root; });
       add_flat_sector(p, nullptr, nullptr, root);
+    }
   }
 
   // Call once everything is added: shows the fans in the faces round their vertices, and orders the local windows by
@@ -169,8 +172,6 @@ public:
     const Face_frame<FT> frame(m_mesh, face);
     for (int k = 0; k < 3; ++k)
     {
-      const Point back = p - frame.corner(k);
-      seed_corner(face, frame, k, length(back), back, root);
       if (k == on_edge || !CGAL::is_positive(frame.height(k, p))) continue;
       // seen from p, the right end of the edge is its source
       Point right = frame.corner(k), left = frame.corner((k + 1) % 3);
@@ -184,7 +185,10 @@ public:
     }
   }
 
-  void add_seeds_of_point(const Surface_point_& p, Root root)
+  // What a point inside a face or an edge tells the corners of its faces. root_of(v): the root for a corner at v, seen from p,
+  // in the frame of the point's face or halfedge.
+  template <class Function>
+  void add_seeds_of_point(const Surface_point_& p, const Function& root_of)
   {
     for (Index f : faces_of(m_mesh, p))
     {
@@ -195,7 +199,11 @@ public:
       for (int k = 0; k < 3; ++k)
       {
         const Point back = position - frame.corner(k);
-        seed_corner(f, frame, k, length(back), back, root);
+        Point to_corner = FT(-1) * back;
+        if (p.kind == Surface_point_::EDGE)
+          to_corner = m_mesh.face(p.element) == f ? frame.vector_to_halfedge(int(p.element % 3), to_corner)
+                                                  : frame.vector_to_halfedge(int(m_mesh.twin(p.element) % 3), back);
+        seed_corner(f, frame, k, length(back), back, root_of(to_corner));
       }
     }
   }

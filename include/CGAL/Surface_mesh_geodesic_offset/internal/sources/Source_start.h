@@ -216,6 +216,7 @@ private:
     }
     const Point u = vector_of(s, at_second, p);
     const Point from = quarter_turn(u), to = FT(-1) * from;
+    m_out.add_seeds_of_point(p, [root](const Point&) { return root; });
     m_out.add_flat_sector(p, &from, &to, root);
   }
 
@@ -243,14 +244,15 @@ private:
     }
     const Point u_in = vector_of(in, true, p), u_out = vector_of(out, false, p);
     const FT turn = cross(u_in, u_out);
-    // u_in points back along the incoming segment: going straight on, both are opposite
-    if (CGAL::is_zero(turn) && CGAL::is_negative(dot(u_in, u_out)))
-    {
-      m_out.add_seeds_of_point(p, left);
-      return;
-    }
     // counterclockwise from out to in is the left side; it is reflex where in is right of out
     const bool reflex_left = !CGAL::is_negative(turn);
+    m_out.add_seeds_of_point(p, [&](const Point& v) {
+      const Point &first = reflex_left ? u_in : u_out, &last = reflex_left ? u_out : u_in; // of the side that is not reflex
+      const bool is_between = CGAL::is_positive(cross(first, v)) && CGAL::is_positive(cross(v, last));
+      return is_between == reflex_left ? right : left;
+    });
+    // u_in points back along the incoming segment: going straight on, both are opposite
+    if (CGAL::is_zero(turn) && CGAL::is_negative(dot(u_in, u_out))) return;
     const Point from = quarter_turn(reflex_left ? u_out : u_in);
     const Point to = FT(-1) * quarter_turn(reflex_left ? u_in : u_out);
     m_out.add_flat_sector(p, &from, &to, reflex_left ? left : right);
@@ -287,7 +289,8 @@ private:
       if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, root});
       if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, root});
     }
-    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b))
+    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b) &&
+             m_sector.come_in_order(a, from, to))
       m_out.fans.push_back({v, from, to, from.corner, root});
   }
 
