@@ -119,6 +119,54 @@ void saddles()
   }
 }
 
+// Sources on multiples of 1/2, levels on multiples of 1/4: fronts touch each other, and themselves, at
+// vertices and inside edges that are long against the level.
+void touching_fronts()
+{
+  for (unsigned seed = 0; seed < 300; ++seed)
+  {
+    Random random(seed);
+    const std::size_t n = 1 + uniform_index(random, 4), m = 1 + uniform_index(random, 4);
+    Planar_mesh plane(planar_grid(n, m, all_diagonals[seed % 4], 1, 0, seed));
+    const test::Surface_mesh& mesh = plane.data.mesh;
+    Geodesic geodesic(mesh);
+    for (std::size_t i = 0; i < 2 + seed % 2; ++i)
+      switch (uniform_index(random, 4))
+      {
+      case 0:
+        geodesic.add_source_point(
+          plane.data.vertices[uniform_index(random, plane.data.vertices.size())]);
+        break;
+      case 1:
+        geodesic.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{
+          test::Surface_mesh::Edge_index(test::Surface_mesh::size_type(
+            uniform_index(random, num_edges(mesh))))});
+        break;
+      default:
+        geodesic.add_source_point(plane.location(
+          Point_2(0.5 * double(uniform_index(random, 2 * n + 1)),
+                  0.5 * double(uniform_index(random, 2 * m + 1)))));
+      }
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    Validation_options options;
+    options.probes = 100;
+    options.quadrature_faces = 2;
+    options.largest_number_of_texts = 2;
+    const Curve_checker checker(mesh, geodesic, options);
+    for (double level = 0.25; level <= 1.5; level += 0.25)
+    {
+      Report::instance().set_context("touching fronts, seed " + std::to_string(seed) + ", level " +
+                                     std::to_string(level));
+      const Offset_curves kept = offsets(geodesic, level);
+      checker.check({level}, kept);
+      Geodesic again(geodesic);
+      Offset_curves on_the_way;
+      again.build_with_offset_curves(level, std::back_inserter(on_the_way));
+      CHECK(on_the_way.size() == kept.size() && again.statistics().forced_joints == 0);
+    }
+  }
+}
+
 // A local maximum at a vertex, inside an edge, inside a face, on a segment.
 void maxima()
 {
@@ -403,6 +451,7 @@ int main()
   vertices_on_the_level();
   edges_on_the_level();
   saddles();
+  touching_fronts();
   maxima();
   saddle_vertex();
   points_beside_edges();

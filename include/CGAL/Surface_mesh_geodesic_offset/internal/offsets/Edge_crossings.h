@@ -56,7 +56,7 @@ public:
           add_window(w, field.frame(), int(h % 3), level, false);
     }
     std::sort(m_near.begin(), m_near.end());
-    const FT gap = Number_policy<FT>::rounding(1024) * m_length;
+    const FT gap = Number_policy<FT>::rounding(64) * m_length;
     // near intervals, united
     std::size_t n = 0;
     for (const Interval& i : m_near)
