@@ -92,8 +92,8 @@ public:
   /// \param out an output iterator for `Offset_curve`
   /// \param selection the side of polylines, and the form at their ends
   /// \param np optional named parameters, as those of `build()`
-  /// \throws std::invalid_argument if a distance is not a positive finite number, or if a selection by inside and outside is
-  ///         asked for and there is an open polyline, or a closed one that does not divide the surface, or if there is a
+  /// \throws std::invalid_argument if a distance is not a positive finite number, or the spacing of unlimited levels is less
+  ///         than the rounding of distances, or if a selection by inside and outside is asked for and there is an open polyline, or a closed one that does not divide the surface, or if there is a
   ///         tolerance. Then the last build is still there.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
             class NamedParameters = parameters::Default_named_parameters>
@@ -142,8 +142,8 @@ public:
   /// once more, up to the largest level and once for all levels.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
-  /// points that are strictly nearer. With an inexact number type every level is cut \f$2^{-42}\f$ of its value below
-  /// itself. Levels beyond the largest distance of the surface, or beyond the distance limit of the build, give no curves.
+  /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
+  /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the distance limit of the build, give no curves.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
@@ -167,6 +167,7 @@ public:
     const Build& b = built_exactly();
     if (b.kept)
     {
+      check_spacing(wanted);
       const auto output = curve_output(b, wanted, selection, f);
       b.cut(wanted, output);
       output.finish();
@@ -210,10 +211,19 @@ private:
     };
   }
 
+  // Levels nearer to each other than rounding would never come to an end.
+  void check_spacing(const Levels_inside& levels) const
+  {
+    typedef Geodesic_offset::internal::Number_policy<Number> Policy;
+    if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * unfolded().longest_edge())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of distances");
+  }
+
   template <class ConcurrencyTag, class Function>
   void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
                          Function& f) const
   {
+    check_spacing(levels);
     const auto output = curve_output(b, levels, selection, f);
     b.template propagate_and_cut<ConcurrencyTag>(m_traits, levels, output);
     output.finish();

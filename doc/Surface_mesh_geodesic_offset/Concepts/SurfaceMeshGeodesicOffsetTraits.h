@@ -96,8 +96,8 @@ public:
   direction \f$(c, s)\f$. With \f$D = s (X - bW) - c Y\f$ it returns whether \f$D > 0\f$, that is, whether the ray meets the line of
   the edge; if so, it sets `t` to the smaller of the length and \f$-bY / D\f$, `distance` to the distance there, which is
   \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$ otherwise, and `is_rough` to whether it should be found anew
-  by `Compute_distance_2`, because of rounding. If so, `distance` need not be set. With exact numbers `t` may be beyond the
-  length: it is asked for where it is not, only.
+  by `Compute_distance_2`, because of rounding. If so, `distance` need not be set. With exact numbers `t` need not be cut down to
+  the length: the functor is asked only for rays that meet the edge itself.
   */
   typedef unspecified_type Construct_exit_2;
 

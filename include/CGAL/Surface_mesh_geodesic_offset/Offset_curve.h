@@ -30,8 +30,9 @@ inside the surface. The smaller distances are on the left of the direction of tr
 surface. No curve meets itself or another one of the same distance.
 
 The curve is exact, but for its number type; polylines are made of it only on output. Points on arcs, angles and lengths of
-arcs are rounded to `double` whatever the number type. It refers to the mesh, which must outlive it; copies share nothing but
-that. All member functions are const and, with floating point numbers, may be called from several threads.
+arcs are rounded to `double` whatever the number type. It refers to the mesh, which must outlive it, and shares the unfolded
+mesh, which nothing changes, with its copies; the `Surface_mesh_geodesic_offset` need not outlive it. All member functions
+are const and, with floating point numbers, may be called from several threads.
 
 \tparam Surface_ internal
 */
@@ -55,8 +56,8 @@ public:
   {
   }
 
-  /// the distance from the sources that was asked for. With an inexact number type all points of the curve are at
-  /// \f$1 - 2^{-42}\f$ times that.
+  /// the distance from the sources that was asked for. With an inexact number type all points of the curve are at 1024
+  /// units in the last place less: \f$1 - 2^{-42}\f$ times that with `double`.
   const FT& distance() const { return m_distance; }
 
   /// whether the curve is closed.

@@ -122,7 +122,9 @@ public:
   /// \throws std::invalid_argument if the distance limit is negative or not a number, or a target is not a valid location,
   ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
   ///         number, or one of them is not 0 and the number type is exact.
-  ///         Then, and after an exception of the visitor, the last build is still there.
+  /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh, as in needle faces thinner than some
+  ///         1e-9, where rounding does not let windows be told apart and their number grows without a bound.
+  ///         After all these exceptions, and those of the visitor, the last build is still there.
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
   {
@@ -134,10 +136,11 @@ public:
   /// brings the last build up to date with the sources: only what the sources that were added since then improve is
   /// propagated. The result is that of `build()` with the parameters `distance_limit` and `keep_windows` of the last
   /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, or had a tolerance, all is
-  /// computed anew, with that tolerance. While it runs there are two fields in memory.
+  /// computed anew, with that tolerance. While it runs there are two fields in memory; kept windows of the last build are
+  /// copied, which takes time linear in their number. If the visitor cancels it, the last build is still there.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param np an optional named parameter, `visitor(f)`
-  /// \throws std::logic_error if `!is_built()`
+  /// \throws std::logic_error if `!is_built()`, and std::runtime_error as `build()`
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   void update(const NamedParameters& np = parameters::default_values())
   {
@@ -150,7 +153,7 @@ public:
     const bool grows = b.is_whole() && !b.is_approximate() && m_sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
     fresh->template propagate<ConcurrencyTag>(m_traits);
-    m_built = fresh;
+    if (!fresh->is_cancelled) m_built = fresh;
   }
 
   /// the distance of points that no path reaches. `std::numeric_limits<FT>::infinity()`, or, for number types that have no

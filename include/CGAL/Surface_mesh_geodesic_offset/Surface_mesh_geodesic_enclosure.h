@@ -65,7 +65,10 @@ public:
   /// \param np an optional named parameter, `keep_windows(b)`: whether points other than vertices will be asked for; then
   ///        some 100 bytes a window stay in memory. The bounds are always those of the whole surface, as near as they can
   ///        be: other parameters, as a distance limit or a tolerance, are ignored.
-  /// \throws std::logic_error if the rounding mode is not to nearest
+  /// \throws std::logic_error if the rounding mode is not to nearest, or the compiler has rearranged floating point
+  ///         operations
+  /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than some
+  ///         1e-4 it may be that no window is certainly nearer than another one, so that their number doubles in each face
   /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60
   template <class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
@@ -74,6 +77,10 @@ public:
     using parameters::get_parameter;
     if (std::fegetround() != FE_TONEAREST)
       throw std::logic_error("Surface_mesh_geodesic_enclosure: the rounding mode must be to nearest");
+    volatile const double one = 1, tiny = 0x1p-60; // of which the compiler must not know
+    const Geodesic_offset::internal::Double_double sum = Geodesic_offset::internal::two_sum(one, tiny);
+    if (sum.high != 1 || sum.low != 0x1p-60)
+      throw std::logic_error("Surface_mesh_geodesic_enclosure: the compiler has rearranged floating point operations");
     const bool keeps = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     if (!m_mesh) m_mesh = std::make_shared<Mesh>(this->unfolded(), [&](auto v) { return coordinates(v); });
     m_built = std::make_shared<Build>(*m_mesh, this->m_sources.initial_windows(this->unfolded()), keeps);

@@ -111,15 +111,16 @@ public:
   /// @{
 
   /// adds a vertex.
-  /// \throws std::invalid_argument if the vertex is not of the mesh.
+  /// \pre The vertex is of the mesh.
+  /// \throws std::invalid_argument if it is null, or its index is none of the mesh.
   std::size_t add_source_point(vertex_descriptor v)
   {
     return m_sources.add(unfolded(), {classified(v)}, Source_set::POINT);
   }
 
-  /// adds a point anywhere on the surface. Coordinates that are zero up to round-off (1e-13) put it on the edge, or at
-  /// the vertex.
-  /// \throws std::invalid_argument if the coordinates are not finite or outside of the face.
+  /// adds a point anywhere on the surface. Coordinates are divided by their sum; those that are zero up to round-off (1e-13)
+  /// put it on the edge, or at the vertex.
+  /// \throws std::invalid_argument if the coordinates are not finite, or outside of the face, or their sum is not positive.
   std::size_t add_source_point(const Face_location& location)
   {
     return m_sources.add(unfolded(), {classified(location)}, Source_set::POINT);

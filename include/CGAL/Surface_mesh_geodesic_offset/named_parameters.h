@@ -56,12 +56,13 @@ struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
   }
 
   /// a function object `bool(double)`. It is told, every now and then, which part of the surface the front has passed: from
-  /// 0 to 1, never decreasing, and 1 at the end alone. If it returns `false` the build is cancelled.
+  /// 0 to 1, never decreasing, and 1 at the end alone. If it returns `false` the build is cancelled. It is copied:
+  /// `std::ref` hands on an object with a state.
   /// (`parameters::visitor()` is that of \cgal; it can be given alone, or behind one of these.)
   template <class Visitor>
-  auto visitor(const Visitor& v) const
+  auto visitor(const Visitor& function) const
   {
-    return and_also<internal_np::visitor_t>(v);
+    return and_also<internal_np::visitor_t>(function);
   }
 
   /// the part of the distance by which every distance may be smaller than the exact one: a number from 0 to 0.5, in practice

@@ -189,11 +189,13 @@ the distance. The file has no unit; one unit of it is one of the mesh.
 \param curves the curves
 \param chord_tolerance the largest distance of a 3D polyline from the curve that it stands for; positive
 \return whether the stream is still good.
+\throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
+  internal::check_chord_tolerance(chord_tolerance);
   std::vector<std::string> layers;
   std::map<std::string, std::size_t> layer_of;
   std::vector<internal::Dxf_polyline> polylines;

@@ -73,11 +73,13 @@ colour them.
 \param curves the curves
 \param chord_tolerance the largest distance of a line from the curve that it stands for; positive
 \return whether the stream is still good.
+\throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
+  internal::check_chord_tolerance(chord_tolerance);
   const internal::Full_precision precision(os);
 
   // the number of all points stands before the first of them

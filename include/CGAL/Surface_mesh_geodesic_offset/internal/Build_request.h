@@ -17,6 +17,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +45,10 @@ struct Build_request
     r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_distance_limit), Number_policy<FT>::infinity());
     require(r.maximum >= FT(0), "the distance limit is negative or not a number");
     r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
+    typedef std::decay_t<decltype(get_parameter(np, internal_np::visitor))> Visitor;
+    static_assert(std::is_same<Visitor, internal_np::Param_not_found>::value ||
+                    std::is_invocable_r<bool, Visitor&, double>::value,
+                  "the visitor of a geodesic build must be a function object bool(double)");
     r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
     static const std::array<Target, 0> none{};
     const auto targets = choose_parameter(get_parameter(np, internal_np::geodesic_targets), std::cref(none));

@@ -18,6 +18,7 @@
 #include <locale>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,14 @@ struct Discretized_curve
   std::vector<Coordinates> points;
   std::vector<std::size_t> pieces;
 };
+
+// Before anything is written.
+template <class FT>
+void check_chord_tolerance(const FT& chord_tolerance)
+{
+  if (!(chord_tolerance > FT(0)))
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
+}
 
 template <class Curve, class FT>
 Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance)

@@ -97,10 +97,10 @@ private:
     for_each_face(curves, [&](const std::array<Coordinates, 3>& c, const auto& curve, std::size_t number) {
       for (const Coordinates& p : c)
         if (!(std::abs(dot(m_normal, difference(p, m_point))) <= tolerance))
-          throw std::invalid_argument("the curves do not lie in one plane: that number " + std::to_string(number) +
+          throw std::invalid_argument("the curves do not lie in one plane: curve " + std::to_string(number) +
                                       ", at distance " + short_number(CGAL::to_double(curve.distance())) +
-                                      ", crosses a face with a vertex outside of it, at (" + short_number(p[0]) + ", " +
-                                      short_number(p[1]) + ", " + short_number(p[2]) + ")");
+                                      ", crosses a face with the vertex (" + short_number(p[0]) + ", " + short_number(p[1]) +
+                                      ", " + short_number(p[2]) + ") outside of the plane");
     });
   }
 

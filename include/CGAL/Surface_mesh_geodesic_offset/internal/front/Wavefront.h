@@ -45,6 +45,7 @@ public:
       m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
       m_taking(m_state, initial.source_of, traits, tolerance)
   {
+    m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
 
   // Propagates what starts from the primitives from `first_primitive` on. What the field says already stays where nothing

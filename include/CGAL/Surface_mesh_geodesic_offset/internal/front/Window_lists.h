@@ -16,6 +16,8 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -55,9 +57,13 @@ public:
 
   Window_lists() = default;
   explicit Window_lists(std::size_t number_of_halfedges, Front_parts parts = Front_parts())
-    : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number())
+    : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number()),
+      m_longest(longest + 4 * number_of_halfedges)
   {
   }
+
+  // Source primitives may send windows of their own to every edge.
+  void set_number_of_primitives(std::size_t n) { m_longest = longest + 4 * (m_place.size() + n); }
 
   bool has(Index h) const { return h < m_place.size() && m_place[h] != no_index; }
   const List& get(Index h) const
@@ -181,9 +187,16 @@ public:
   }
 
 private:
-  static void reserve(List& list, std::size_t n, Arena& arena)
+  // Longer lists, on small meshes, come of faces so thin that none of the windows is certainly nearer than another one:
+  // their number doubles in every face.
+  static constexpr std::size_t longest = 1 << 12;
+
+  void reserve(List& list, std::size_t n, Arena& arena) const
   {
     if (list.data && n <= Arena::capacity(list.size_class)) return;
+    if (n > m_longest)
+      throw std::runtime_error("Surface_mesh_geodesic_offset: " + std::to_string(n) +
+                               " windows on an edge: faces are so thin that rounding does not let windows be told apart");
     const Index c = Arena::size_class(n, list.size_class);
     Window* const data = arena.allocate(c);
     std::copy(list.data, list.data + list.size, data);
@@ -193,7 +206,7 @@ private:
   }
 
   // Writes behind the last window, without counting.
-  static void write(List& list, const Window* first, std::size_t n, Arena& arena)
+  void write(List& list, const Window* first, std::size_t n, Arena& arena) const
   {
     reserve(list, list.size + n, arena);
     std::copy(first, first + n, list.data + list.size);
@@ -258,6 +271,7 @@ private:
   std::vector<Part> m_part = std::vector<Part>(1);
   std::vector<Arena> m_arenas = std::vector<Arena>(1);
   std::size_t m_peak = 0;
+  std::size_t m_longest = longest;
 };
 
 } // namespace internal

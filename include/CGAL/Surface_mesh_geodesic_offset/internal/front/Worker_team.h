@@ -227,4 +227,7 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
+#undef CGAL_GEODESIC_OFFSET_PAUSE
+#undef CGAL_GEODESIC_OFFSET_THREAD_SANITIZER
+
 #endif

@@ -16,7 +16,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -28,6 +30,9 @@ namespace internal {
 template <class FT>
 class Offset_extraction
 {
+  static_assert(!std::is_floating_point<FT>::value || std::numeric_limits<FT>::digits >= 53,
+                "offset curves need numbers with the precision of double, at least");
+
 public:
   typedef Level_piece<FT> Piece;
 

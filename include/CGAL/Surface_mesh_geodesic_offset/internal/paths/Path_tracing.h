@@ -184,9 +184,9 @@ private:
       // the corners that have not been looked at
       if (is_first)
       {
-        const int first = exit, last = (exit + 1) % 3;
-        const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(last) - walk.corner(first)));
-        for (int k : {ahead ? last : first, ahead ? first : last})
+        const int source = exit, target = (exit + 1) % 3;
+        const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(target) - walk.corner(source)));
+        for (int k : {ahead ? target : source, ahead ? source : target})
           if (passes(walk, k, crossing, start)) return m_goals.at_vertex(walk.vertex(k));
       }
       else if (passes(walk, 2, crossing, start))

@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +40,7 @@ public:
     for (std::size_t i = 0; i + 1 < n + (closed ? 1 : 0); ++i)
     {
       Segment s;
-      if (make_segment(points[i], points[(i + 1) % n], s))
+      if (make_segment(points[i], points[(i + 1) % n], i, s))
       {
         s.part = Index(i);
         segments.push_back(s);
@@ -100,8 +102,8 @@ private:
     Index part;
   };
 
-  // Returns false if the two points coincide; throws if they have no face in common.
-  bool make_segment(const Surface_point_& p, const Surface_point_& q, Segment& s) const
+  // From the point with the given number. Returns false if the two points coincide; throws if they have no face in common.
+  bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, Segment& s) const
   {
     s.first = p;
     s.second = q;
@@ -123,8 +125,8 @@ private:
       if (s.edge) break;
     }
     if (!found)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: two consecutive points of a polyline have no "
-                                  "face in common");
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: point " + std::to_string(number) +
+                                  " of a polyline and the next one have no face in common");
     if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;
     return CGAL::is_positive(length(s.b - s.a));
   }
