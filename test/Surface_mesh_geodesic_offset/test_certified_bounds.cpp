@@ -391,6 +391,41 @@ void removed_elements()
   CHECK(with_gaps == without && with_gaps.size() > 30);
 }
 
+// On needles no window may be certainly nearer than another one, and their number doubles in every face: then there are
+// bounds that contain the distances of 200 bits, or an exception, but not a build without an end.
+void needles_without_an_end()
+{
+  std::size_t refused = 0, bounded = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed)
+  {
+    Random random(seed);
+    Soup soup = planar_grid(4, 4);
+    const double thickness = seed % 2 ? 1e-2 : 1e-5;
+    for (Point_3& p : soup.points)
+      p = Point_3(thickness * uniform(random, 0, 1), thickness * uniform(random, 0, 1), uniform(random, 0, 1));
+    const Generated_mesh<test::Surface_mesh> data(rotated(soup, seed));
+    Enclosure enclosure(data.mesh);
+    enclosure.add_source_point(data.vertices[0]);
+    try
+    {
+      enclosure.build();
+    }
+    catch (const std::runtime_error&)
+    {
+      CHECK(!enclosure.is_built());
+      ++refused;
+      continue;
+    }
+    ++bounded;
+    Long_distance exact(data.mesh);
+    exact.add_source_point(data.vertices[0]);
+    exact.build();
+    for (const Vertex_index v : data.vertices) check(enclosure.distance_bounds(v), exact.distance_to_sources(v));
+  }
+  CHECK(refused > 0 && bounded > 0);
+  std::cout << "needles: " << bounded << " bounded, " << refused << " refused" << std::endl;
+}
+
 } // namespace
 
 int main()
@@ -398,6 +433,7 @@ int main()
   const std::pair<const char*, void (*)()> tests[] = {{"use", use},
                                                       {"a straight border", straight_border},
                                                       {"removed elements", removed_elements},
+                                                      {"needles without an end", needles_without_an_end},
                                                       {"past a flat vertex", past_flat_vertex},
                                                       {"near a saddle vertex", near_saddle},
                                                       {"sweeps", sweeps},

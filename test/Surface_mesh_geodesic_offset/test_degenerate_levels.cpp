@@ -430,6 +430,13 @@ void levels_that_are_no_distances()
     check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level); });
     check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level, 3); });
   }
+  for (double spacing : {1e-300, 1e-14}) // levels that rounding does not let one tell apart, without an end
+  {
+    const auto levels = CGAL::Offset_levels<double>::equally_spaced(spacing);
+    CHECK_THROWS(geodesic.offset_curves(levels, std::back_inserter(curves)), std::invalid_argument);
+    CHECK_THROWS(geodesic.build_with_offset_curves(levels, std::back_inserter(curves)),
+                 std::invalid_argument);
+  }
   CHECK(curves.empty());
   CHECK(geodesic.distance_to_sources(square.vertex(0, 0)) ==
         distance); // the last build is still there

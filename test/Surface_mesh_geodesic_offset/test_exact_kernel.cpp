@@ -5,6 +5,7 @@
 // octahedron, prisms, a saddle, an L and a plane; from vertices, points on edges and in faces, and segments. Offsets have
 // exact joints.
 
+#include "generated_soup.h"
 #include "test_check.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -16,6 +17,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -397,6 +399,104 @@ void test_offsets()
   CHECK(joints == 4); // of each of the two joints, the end of one piece and the start of the next
 }
 
+// A vertex, an edge that ends there, and a polyline to and fro along it: arcs touch segments and coincide with arcs. The offset
+// is that of the edge.
+void test_coinciding_sources()
+{
+  std::map<std::pair<int, int>, std::size_t> id;
+  Shape s = squares("coinciding sources", 5, 4, id, [](int, int) { return true; });
+  Report::instance().set_context("coinciding sources");
+  const auto vertex = [&](int x, int y) { return s.vertices[id.at({x, y})]; };
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    Geodesic geodesic(s.mesh);
+    if (kind != 1) geodesic.add_source_point(vertex(2, 2));
+    if (kind != 2)
+    {
+      const auto h = s.mesh.halfedge(vertex(2, 2), vertex(3, 2));
+      geodesic.add_source_edges(std::vector<Mesh::Edge_index>{s.mesh.edge(h)});
+    }
+    if (kind == 3) geodesic.add_source_point(vertex(3, 2));
+    if (kind == 1 || kind == 2)
+      geodesic.add_source_polyline(std::vector<Face_location>{s.vertex(id.at({3, 2})), s.vertex(id.at({2, 2}))}, true);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    for (const FT& level : {FT(FT(1) / 8), FT(FT(1) / 3), FT(1)})
+    {
+      std::vector<Geodesic::Offset_curve> curves;
+      geodesic.offset_curves(level, std::back_inserter(curves));
+      CHECK(curves.size() == 1 && curves.front().is_closed());
+      double length = 0;
+      for (const auto& curve : curves)
+      {
+        length += CGAL::to_double(curve.length());
+        for (const auto& piece : curve.pieces())
+          for (const Face_location& l : {piece.start(), piece.end()})
+          {
+            const Point_3 p = curve.point(l);
+            const FT beside = p.x() < 2 ? FT(2 - p.x()) : p.x() > 3 ? FT(p.x() - 3) : FT(0);
+            CHECK(beside * beside + (p.y() - 2) * (p.y() - 2) == level * level);
+          }
+      }
+      const double expected = 2 + 2 * CGAL_PI * CGAL::to_double(level);
+      CHECK_DETAIL(std::abs(length - expected) < 1e-12, values(length, expected));
+    }
+  }
+}
+
+// The pieces of an offset round a vertex and edges, one of which ends there, on a triangulation of points with coordinates
+// that are multiples of 1/16: their length, and how far ends of arcs are off their circles.
+template <class Traits>
+std::array<double, 2> coinciding_offset(const typename Traits::Triangle_mesh& mesh, unsigned seed)
+{
+  CGAL::Surface_mesh_geodesic_offset<Traits> geodesic(mesh);
+  const auto h = mesh.halfedge(typename Traits::Triangle_mesh::Edge_index(seed % num_edges(mesh)));
+  geodesic.add_source_point(mesh.target(h));
+  geodesic.add_source_edges(std::vector<typename Traits::Triangle_mesh::Edge_index>{
+    mesh.edge(h), mesh.edge(mesh.opposite(mesh.next(mesh.opposite(h))))});
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  std::vector<typename CGAL::Surface_mesh_geodesic_offset<Traits>::Offset_curve> curves;
+  geodesic.offset_curves(typename Traits::FT(35) / 256, std::back_inserter(curves));
+  std::array<double, 2> result{0, 0};
+  for (const auto& curve : curves)
+    for (const auto& piece : curve.pieces())
+    {
+      result[0] += CGAL::to_double(piece.length());
+      if (!piece.is_arc()) continue;
+      for (const auto& p : {piece.start_2(), piece.end_2()})
+      {
+        const auto d = CGAL::squared_distance(p, piece.center()) - piece.radius() * piece.radius();
+        result[1] = (std::max)(result[1], std::abs(CGAL::to_double(d)));
+      }
+    }
+  return result;
+}
+
+void test_coinciding_sources_in_general_position()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Inexact;
+  typedef CGAL::Surface_mesh<Inexact::Point_3> Inexact_mesh;
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    Report::instance().set_context("coinciding sources, seed " + std::to_string(seed));
+    test::Random random(seed);
+    std::vector<test::Point_2> points;
+    std::set<std::pair<std::size_t, std::size_t>> known;
+    while (points.size() < 16)
+    {
+      const std::size_t x = test::uniform_index(random, 16), y = test::uniform_index(random, 16);
+      if (known.emplace(x, y).second) points.push_back(test::Point_2(double(x) / 16, double(y) / 16));
+    }
+    Inexact_mesh mesh;
+    std::vector<Inexact_mesh::Vertex_index> v;
+    for (const test::Point_2& p : points) v.push_back(mesh.add_vertex(Inexact::Point_3(p.x(), p.y(), 0)));
+    for (const auto& t : test::delaunay_triangles(points)) mesh.add_face(v[t[0]], v[t[1]], v[t[2]]);
+    const auto rounded = coinciding_offset<CGAL::Surface_mesh_geodesic_offset_traits<Inexact, Inexact_mesh>>(mesh, seed);
+    const auto exact = coinciding_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Inexact_mesh>>(mesh, seed);
+    CHECK_DETAIL(std::abs(exact[0] - rounded[0]) < 1e-11, values(exact[0], rounded[0]));
+    CHECK_DETAIL(exact[1] == 0, values(exact[1], 0));
+  }
+}
+
 // Exact numbers have no use for a tolerance.
 void test_tolerance()
 {
@@ -429,6 +529,8 @@ int main()
     test_l();
     test_segments_in_plane();
     test_offsets();
+    test_coinciding_sources();
+    test_coinciding_sources_in_general_position();
     test_tolerance();
   }
   catch (const std::exception& e)

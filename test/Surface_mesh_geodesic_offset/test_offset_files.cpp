@@ -127,6 +127,8 @@ void curves_that_are_not_in_a_plane()
     CHECK_THROWS(CGAL::IO::write_offset_polylines(os, on_sphere.curves, tolerance), std::invalid_argument);
     CHECK_THROWS(CGAL::IO::write_offset_OBJ(os, on_sphere.curves, tolerance), std::invalid_argument);
     CHECK_THROWS(CGAL::IO::write_offset_VTK(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_DXF(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK(os.str().empty());
   }
   os.str("");
 

@@ -97,7 +97,17 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
         }));
       CHECK(last == 1);
     }
-    else geodesic.update();
+    else
+    {
+      if (seed % 4 == 1) // a cancelled one changes nothing
+      {
+        const double before = geodesic.distance_to_sources(*vertices(c.mesh).begin());
+        geodesic.update(CGAL::parameters::visitor([](double) { return false; }));
+        CHECK(!geodesic.is_cancelled() &&
+              geodesic.distance_to_sources(*vertices(c.mesh).begin()) == before);
+      }
+      geodesic.update();
+    }
     const Geodesic scratch = from_scratch(c, sources, keep);
     totals.update_windows += geodesic.statistics().windows_propagated;
     totals.scratch_windows += scratch.statistics().windows_propagated;

@@ -78,7 +78,7 @@ public:
     if (std::fegetround() != FE_TONEAREST)
       throw std::logic_error("Surface_mesh_geodesic_enclosure: the rounding mode must be to nearest");
     volatile const double one = 1, tiny = 0x1p-60; // of which the compiler must not know
-    const Geodesic_offset::internal::Double_double sum = Geodesic_offset::internal::two_sum(one, tiny);
+    const auto sum = Geodesic_offset::internal::two_sum(double(one), double(tiny));
     if (sum.high != 1 || sum.low != 0x1p-60)
       throw std::logic_error("Surface_mesh_geodesic_enclosure: the compiler has rearranged floating point operations");
     const bool keeps = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);

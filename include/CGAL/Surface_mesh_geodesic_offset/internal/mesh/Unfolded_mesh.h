@@ -305,7 +305,7 @@ private:
     }
   }
 
-  static constexpr double small_size() { return std::is_same<FT, double>::value ? 0x1p-256 : 0x1p-32; }
+  static constexpr double small_size() { return std::is_same<FT, float>::value ? 0x1p-32 : 0x1p-256; }
 
   std::vector<Halfedge> m_halfedges;
   std::size_t m_number_of_faces = 0; // gaps are not counted

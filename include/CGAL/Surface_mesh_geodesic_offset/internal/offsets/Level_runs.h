@@ -300,8 +300,10 @@ private:
     if (!a.is_ahead(p)) return;
     const FT t = a.parameter(p);
     if (!(t > run.from && t < run.to)) return;
-    const Point q = p + m_step * a.tangent(p);
+    Point q = p + m_step * a.tangent(p);
     const Level_arc<FT>& b = m_arcs[j];
+    if constexpr (!Number_policy<FT>::is_inexact) // where they touch, only farther along is it seen which one is nearer
+      if (CGAL::is_zero(b.excess(p)) && entered != 0) q = a.point(FT(t + (FT(1) - t) / FT(1 << 16)));
     if (entered != 0 && !(b.excess(q) < -m_cover_depth)) return;
     if (entered != 1 && !(b.left().value(q) < FT(0))) return;
     if (entered != 2 && !(b.right().value(q) < FT(0))) return;
