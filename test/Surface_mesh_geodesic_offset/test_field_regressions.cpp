@@ -373,27 +373,10 @@ void source_and_query_on_one_edge()
     }
 }
 
-// A custom vertex point map is used (PR 2432): the mesh's own points are all zero.
-void custom_point_map()
+// Distances, paths, points and gradients on a plane whose points are those of `soup`.
+template <class Moved>
+void check_moved(const Data& data, const Soup& soup, Moved& geodesic)
 {
-  const Soup soup = rotated(random_rectangle(2, 1, 60, 5, 6), 6);
-  Data data(soup);
-  typedef test::Surface_mesh::Vertex_index Vertex_index;
-  auto points = data.mesh.add_property_map<Vertex_index, Point_3>("v:moved").first;
-  for (auto v : data.vertices)
-  {
-    points[v] = data.mesh.point(v);
-    data.mesh.point(v) = Point_3(0, 0, 0);
-  }
-  typedef boost::property_map<test::Surface_mesh, boost::vertex_index_t>::const_type
-    Vertex_index_map;
-  typedef boost::property_map<test::Surface_mesh, boost::face_index_t>::const_type Face_index_map;
-  typedef test::Surface_mesh::Property_map<Vertex_index, Point_3> Point_map;
-  CGAL::Surface_mesh_geodesic_offset<
-    CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>, Vertex_index_map,
-    Face_index_map, Point_map>
-    geodesic(data.mesh, get(boost::vertex_index, data.mesh), get(boost::face_index, data.mesh),
-             points);
   geodesic.add_source_point(data.vertices[7]);
   geodesic.build(CGAL::parameters::keep_windows(true));
   Worst_error worst(1e-12, 2);
@@ -413,6 +396,32 @@ void custom_point_map()
     const Vector_3 away = soup.points[i] - soup.points[7];
     CHECK((geodesic.gradient(data.vertices[i]) - away / expected).squared_length() <= 1e-20);
   }
+}
+
+// A custom vertex point map is used (PR 2432): the mesh's own points are all zero.
+void custom_point_map()
+{
+  const Soup soup = rotated(random_rectangle(2, 1, 60, 5, 6), 6);
+  Data data(soup);
+  typedef test::Surface_mesh::Vertex_index Vertex_index;
+  auto points = data.mesh.add_property_map<Vertex_index, Point_3>("v:moved").first;
+  for (auto v : data.vertices)
+  {
+    points[v] = data.mesh.point(v);
+    data.mesh.point(v) = Point_3(0, 0, 0);
+  }
+  typedef boost::property_map<test::Surface_mesh, boost::vertex_index_t>::const_type
+    Vertex_index_map;
+  typedef boost::property_map<test::Surface_mesh, boost::face_index_t>::const_type Face_index_map;
+  typedef test::Surface_mesh::Property_map<Vertex_index, Point_3> Point_map;
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
+  CGAL::Surface_mesh_geodesic_offset<Traits, Vertex_index_map, Face_index_map, Point_map>
+    with_all_maps(data.mesh, get(boost::vertex_index, data.mesh),
+                  get(boost::face_index, data.mesh), points);
+  check_moved(data, soup, with_all_maps);
+  CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, CGAL::Default, Point_map>
+    with_point_map(data.mesh, points);
+  check_moved(data, soup, with_point_map);
 }
 
 // Segments of length zero and of almost zero, within polylines (libigl 1013, 2535; geometry-central

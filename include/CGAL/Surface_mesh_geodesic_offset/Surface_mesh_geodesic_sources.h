@@ -96,7 +96,17 @@ public:
   {
   }
 
-  /// the same with property maps.
+  /// the same with points that are not those of the mesh. For instance, with a map that keeps moved points:
+  /// \code
+  /// CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, CGAL::Default, Moved_points> geodesic(mesh, moved_points);
+  /// \endcode
+  Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+    : Surface_mesh_geodesic_sources(tm, get_initialized_vertex_index_map(tm), get_initialized_face_index_map(tm),
+                                    vertex_point_map, traits)
+  {
+  }
+
+  /// the same with index maps, too: of numbers from 0 on, each of which is that of one vertex, or face, at most.
   Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
                                 Vertex_point_map vertex_point_map, const Traits& traits = Traits())
     : m_traits(Geodesic_offset::internal::Computation<Traits>::computing_traits(traits)),
