@@ -37,7 +37,8 @@ numbers they may be called from several threads at once. Points that no path rea
 Adding or removing sources leaves the result of the last `build()` as it is until `build()` is called again.
 
 The mesh is not copied and not modified; it must outlive the object and must not change meanwhile. Lengths and distances
-are in the units of the mesh's points.
+are in the units of the mesh's points. Offset curves need numbers with the precision of `double`, at least; distances can be
+had of `float`, too.
 
 Functions that propagate take a concurrency tag, as those of `Surface_mesh_geodesic_distance` do.
 
@@ -93,8 +94,9 @@ public:
   /// \param selection the side of polylines, and the form at their ends
   /// \param np optional named parameters, as those of `build()`
   /// \throws std::invalid_argument if a distance is not a positive finite number, or the spacing of unlimited levels is less
-  ///         than the rounding of distances, or if a selection by inside and outside is asked for and there is an open polyline, or a closed one that does not divide the surface, or if there is a
-  ///         tolerance. Then the last build is still there.
+  ///         than the rounding of distances, or if a selection by inside and outside is asked for and there is an open
+  ///         polyline, or a closed one that does not divide the surface, or if there is a tolerance; and the exceptions of
+  ///         `build()`. Then the last build is still there.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
             class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out, const Offset_selection& selection,
@@ -143,7 +145,8 @@ public:
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
-  /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the distance limit of the build, give no curves.
+  /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the
+  /// distance limit of the build, give no curves.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
@@ -216,7 +219,8 @@ private:
   {
     typedef Geodesic_offset::internal::Number_policy<Number> Policy;
     if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * unfolded().longest_edge())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of distances");
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
+                                  "distances");
   }
 
   template <class ConcurrencyTag, class Function>

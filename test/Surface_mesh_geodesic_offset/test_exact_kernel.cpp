@@ -399,8 +399,8 @@ void test_offsets()
   CHECK(joints == 4); // of each of the two joints, the end of one piece and the start of the next
 }
 
-// A vertex, an edge that ends there, and a polyline to and fro along it: arcs touch segments and coincide with arcs. The offset
-// is that of the edge.
+// A vertex, an edge that ends there, and a polyline to and fro along it: arcs touch segments and coincide with arcs. The
+// offset is that of the edge.
 void test_coinciding_sources()
 {
   std::map<std::pair<int, int>, std::size_t> id;

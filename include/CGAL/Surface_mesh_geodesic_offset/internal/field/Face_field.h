@@ -105,7 +105,8 @@ public:
       if (!(m_lowest[i] <= best)) continue;
       const FT d = m_windows[i].path_length(p);
       if (!Number_policy<FT>::is_finite(d)) continue;
-      if (Number_policy<FT>::is_finite(best) && tie(d, best) ? preference(i, p) > preference(nearest, p) : d < best) nearest = i;
+      const bool ties = Number_policy<FT>::is_finite(best) && tie(d, best);
+      if (ties ? preference(i, p) > preference(nearest, p) : d < best) nearest = i;
       best = (std::min)(best, d);
     }
     return best;

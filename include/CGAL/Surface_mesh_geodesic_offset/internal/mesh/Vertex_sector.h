@@ -104,8 +104,8 @@ public:
     return false;
   }
 
-  // Whether, going counterclockwise from a, `from` comes before `to`, where both are a quarter turn behind a and before a ray
-  // b that is at least a half turn away: with a half turn up to rounding they may come in the wrong order.
+  // Whether, going counterclockwise from a, `from` comes before `to`: they are a quarter turn behind a, and a quarter turn
+  // before a ray that is at least a half turn away. With a half turn up to rounding they may come in the wrong order.
   bool come_in_order(const Ray& a, const Ray& from, const Ray& to) const
   {
     if (from.corner == to.corner) return true; // left to for_each_corner()

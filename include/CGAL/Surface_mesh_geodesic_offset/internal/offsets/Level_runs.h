@@ -161,8 +161,9 @@ public:
 
   // Of all arcs that pass p, the one that can be followed farthest; one that goes back only if there is no other: where both
   // sides of a narrow strip are as near to each other as rounding, each of them passes all points of the other one.
-  // `heading`, a unit vector, is where the chain comes from the last arc, or into the face. A gate that is waiting for its arc
-  // may be served by one that rounding has moved farther away, and the end of a narrow strip may be too short to be followed.
+  // `heading`, a unit vector, is where the chain comes from the last arc, or into the face. A gate that is waiting for its
+  // arc may be served by one that rounding has moved farther away, and the end of a narrow strip may be too short to be
+  // followed.
   Run best_run(const Point& p, std::size_t without, bool to_gate, const Point& heading) const
   {
     Run best;

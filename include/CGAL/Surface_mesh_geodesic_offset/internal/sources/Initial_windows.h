@@ -185,8 +185,8 @@ public:
     }
   }
 
-  // What a point inside a face or an edge tells the corners of its faces. root_of(v): the root for a corner at v, seen from p,
-  // in the frame of the point's face or halfedge.
+  // What a point inside a face or an edge tells the corners of its faces. root_of(v): the root for a corner at v, seen from
+  // p, in the frame of the point's face or halfedge.
   template <class Function>
   void add_seeds_of_point(const Surface_point_& p, const Function& root_of)
   {
