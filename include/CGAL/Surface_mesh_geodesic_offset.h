@@ -170,7 +170,6 @@ public:
     const Build& b = built_exactly();
     if (b.kept)
     {
-      check_spacing(wanted);
       const auto output = curve_output(b, wanted, selection, f);
       b.cut(wanted, output);
       output.finish();
@@ -227,7 +226,6 @@ private:
   void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
                          Function& f) const
   {
-    check_spacing(levels);
     const auto output = curve_output(b, levels, selection, f);
     b.template propagate_and_cut<ConcurrencyTag>(m_traits, levels, output);
     output.finish();
@@ -237,6 +235,7 @@ private:
   auto curve_output(const Build& b, const Levels_inside& levels, const Offset_selection& selection,
                     Function& f) const
   {
+    check_spacing(levels);
     const bool by_inside = selection.side == Offset_side::INSIDE || selection.side == Offset_side::OUTSIDE;
     std::map<Index, Source_side> inside;
     if (by_inside) inside = Geodesic_offset::internal::inner_sides(unfolded(), m_traits, b.sources);

@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_context.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
 
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace CGAL {
 
@@ -186,8 +186,7 @@ private:
 
   std::size_t number_of_chords(const FT& tolerance, const FT& angle) const
   {
-    if (!(tolerance > FT(0)))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
+    Geodesic_offset::internal::check_chord_tolerance(tolerance);
     if (is_segment()) return 1;
     // The height of an arc of radius r and angle s over its chord is r (1 - cos(s / 2)) = 2 r sin^2(s / 4).
     const double sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));

@@ -195,7 +195,7 @@ template <class OffsetCurveRange, class FT>
 bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  internal::check_chord_tolerance(chord_tolerance);
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
   std::vector<std::string> layers;
   std::map<std::string, std::size_t> layer_of;
   std::vector<internal::Dxf_polyline> polylines;

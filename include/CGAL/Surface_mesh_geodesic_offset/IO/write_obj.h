@@ -34,7 +34,7 @@ template <class OffsetCurveRange, class FT>
 bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  internal::check_chord_tolerance(chord_tolerance);
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
   const internal::Full_precision precision(os);
   os << "# geodesic offsets\n";
   std::size_t first = 1; // counted from 1 in this format

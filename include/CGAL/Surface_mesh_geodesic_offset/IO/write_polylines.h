@@ -31,7 +31,7 @@ template <class OffsetCurveRange, class FT>
 bool write_offset_polylines(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  internal::check_chord_tolerance(chord_tolerance);
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
   const internal::Full_precision precision(os);
   for (const auto& curve : curves)
   {

@@ -79,7 +79,7 @@ template <class OffsetCurveRange, class FT>
 bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  internal::check_chord_tolerance(chord_tolerance);
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
   const internal::Full_precision precision(os);
 
   // the number of all points stands before the first of them

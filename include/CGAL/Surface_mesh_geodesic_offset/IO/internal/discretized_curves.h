@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
@@ -18,7 +20,6 @@
 #include <locale>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -95,14 +96,6 @@ struct Discretized_curve
   std::vector<Coordinates> points;
   std::vector<std::size_t> pieces;
 };
-
-// Before anything is written.
-template <class FT>
-void check_chord_tolerance(const FT& chord_tolerance)
-{
-  if (!(chord_tolerance > FT(0)))
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
-}
 
 template <class Curve, class FT>
 Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance)

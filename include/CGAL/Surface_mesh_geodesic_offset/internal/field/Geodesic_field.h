@@ -91,6 +91,12 @@ public:
     return list;
   }
 
+  // The root of a path that leads to v, in place of one with the root `known` that is as long.
+  Root root_by_way_of(Index v, Root known) const
+  {
+    return CGAL::is_zero(distance[v]) ? Root::to_vertex(root[v], known) : root[v];
+  }
+
   // Calls f(window) for each window that is final on a halfedge, in order.
   template <class Function>
   void for_each_window(Index h, const Function& f) const

@@ -155,8 +155,7 @@ public:
       is_by_v ? Ray_at_vertex<FT>{h, FT(1), FT(0)} : Ray_at_vertex<FT>{h, mesh[h].apex_x, mesh[h].apex_y};
     const Index corner = is_by_v ? v : u;
     const Index pseudo_source = field.back[corner].corner == no_index ? no_index : corner;
-    root = CGAL::is_zero(field.distance[corner]) ? Root::to_vertex(field.root[corner], root) : field.root[corner];
-    return {is_by_v ? by_v : by_u, back, root, pseudo_source};
+    return {is_by_v ? by_v : by_u, back, field.root_by_way_of(corner, root), pseudo_source};
   }
 
   // Whether a distance is shorter than the one that is known, and not by rounding only.

@@ -57,13 +57,12 @@ public:
 
   Window_lists() = default;
   explicit Window_lists(std::size_t number_of_halfedges, Front_parts parts = Front_parts())
-    : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number()),
-      m_longest(longest + 4 * number_of_halfedges)
+    : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number())
   {
   }
 
   // Source primitives may send windows of their own to every edge.
-  void set_number_of_primitives(std::size_t n) { m_longest = longest + 4 * (m_place.size() + n); }
+  void set_number_of_primitives(std::size_t n) { m_number_of_primitives = n; }
 
   bool has(Index h) const { return h < m_place.size() && m_place[h] != no_index; }
   const List& get(Index h) const
@@ -194,7 +193,7 @@ private:
   void reserve(List& list, std::size_t n, Arena& arena) const
   {
     if (list.data && n <= Arena::capacity(list.size_class)) return;
-    if (n > m_longest)
+    if (n > longest + 4 * (m_place.size() + m_number_of_primitives))
       throw std::runtime_error("Surface_mesh_geodesic_offset: " + std::to_string(n) +
                                " windows on an edge: faces are so thin that rounding does not let windows be told apart");
     const Index c = Arena::size_class(n, list.size_class);
@@ -271,7 +270,7 @@ private:
   std::vector<Part> m_part = std::vector<Part>(1);
   std::vector<Arena> m_arenas = std::vector<Arena>(1);
   std::size_t m_peak = 0;
-  std::size_t m_longest = longest;
+  std::size_t m_number_of_primitives = 0;
 };
 
 } // namespace internal

@@ -189,6 +189,17 @@ bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p,
   return false;
 }
 
+// A vector in the frame of a face around p, a point inside a face or an edge, in that of the point's face or halfedge.
+template <class FT>
+Point_in_face<FT> vector_at_point(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face,
+                                  const Point_in_face<FT>& v)
+{
+  if (p.kind == Surface_point<FT>::FACE) return v;
+  const Face_frame<FT> frame(mesh, face);
+  if (mesh.face(p.element) == face) return frame.vector_to_halfedge(int(p.element % 3), v);
+  return FT(-1) * frame.vector_to_halfedge(int(mesh.twin(p.element) % 3), v);
+}
+
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL

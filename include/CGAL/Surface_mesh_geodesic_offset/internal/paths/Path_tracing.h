@@ -88,9 +88,7 @@ public:
       if (walk.vertex(k) == next)
       {
         back = Way_back<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
-        const Root at_end = m_field.root[next];
-        if (root.primitive() != at_end.primitive())
-          root = CGAL::is_zero(m_field.distance[next]) ? Root::to_vertex(at_end, root) : at_end;
+        if (root.primitive() != m_field.root[next].primitive()) root = m_field.root_by_way_of(next, root);
       }
   }
 

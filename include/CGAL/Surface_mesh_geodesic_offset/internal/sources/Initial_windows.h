@@ -199,11 +199,7 @@ public:
       for (int k = 0; k < 3; ++k)
       {
         const Point back = position - frame.corner(k);
-        Point to_corner = FT(-1) * back;
-        if (p.kind == Surface_point_::EDGE)
-          to_corner = m_mesh.face(p.element) == f ? frame.vector_to_halfedge(int(p.element % 3), to_corner)
-                                                  : frame.vector_to_halfedge(int(m_mesh.twin(p.element) % 3), back);
-        seed_corner(f, frame, k, length(back), back, root_of(to_corner));
+        seed_corner(f, frame, k, length(back), back, root_of(vector_at_point(m_mesh, p, f, FT(-1) * back)));
       }
     }
   }

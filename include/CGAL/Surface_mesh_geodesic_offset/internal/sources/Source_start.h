@@ -198,11 +198,7 @@ private:
   // may have another name in the segment, that of the edge's other halfedge.
   Point vector_of(const Segment& s, bool at_second, const Surface_point_& p) const
   {
-    const Point u = at_second ? s.a - s.b : s.b - s.a;
-    if (p.kind == Surface_point_::FACE) return u;
-    const Face_frame<FT> frame(m_mesh, s.face);
-    if (m_mesh.face(p.element) == s.face) return frame.vector_to_halfedge(int(p.element % 3), u);
-    return FT(-1) * frame.vector_to_halfedge(int(m_mesh.twin(p.element) % 3), u);
+    return vector_at_point(m_mesh, p, s.face, at_second ? s.a - s.b : s.b - s.a);
   }
 
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
