@@ -6,6 +6,9 @@
 //
 //   test_parallel [--small]      --small: without the larger meshes
 
+// many parts of small meshes
+#define CGAL_GEODESIC_OFFSET_BITS_OF_A_PART 5
+
 #include "query_cases.h"
 
 #ifndef CGAL_LINKED_WITH_TBB

@@ -31,7 +31,7 @@ public:
     bool empty() const { return faces.empty() && halfedges.empty() && vertices.empty(); }
   };
 
-  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(64) {}
+  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(16) {}
 
   template <class FT>
   std::size_t bucket_of(const FT& distance) const
@@ -59,17 +59,31 @@ public:
   bool advance()
   {
     if (!has_events()) return false;
-    while (is_at_empty_bucket()) move_on();
+    while (m_ring[m_begin].empty())
+    {
+      m_begin = (m_begin + 1) & (m_ring.size() - 1);
+      ++m_current;
+    }
     return true;
   }
 
-  // The same in steps, for queues that move on together.
+  // The same in steps, for queues that move on together: whether anything waits that can move the front; the first bucket
+  // that is not empty, `none` if all are; and moving on to a bucket, which must not be behind that one.
+  static constexpr std::size_t none = ~std::size_t(0);
+
   bool has_events() const { return m_events != 0; }
-  bool is_at_empty_bucket() const { return m_ring[m_begin].empty(); }
-  void move_on()
+
+  std::size_t first() const
   {
-    m_begin = (m_begin + 1) & (m_ring.size() - 1);
-    ++m_current;
+    for (std::size_t i = 0; i < m_ring.size(); ++i)
+      if (!m_ring[(m_begin + i) & (m_ring.size() - 1)].empty()) return m_current + i;
+    return none;
+  }
+
+  void move_to(std::size_t bucket)
+  {
+    m_begin = (m_begin + (bucket - m_current)) & (m_ring.size() - 1);
+    m_current = bucket;
   }
 
   // How many wait in this bucket.

@@ -71,12 +71,12 @@ public:
     return finds_hidden_certainly(f, hidden);
   }
 
-  bool is_finished(Index f) const { return m_state.face_state[f] & State::FINISHED; }
+  bool is_finished(Index f) const { return m_state.is_finished[f]; }
 
   void finish(Index f, std::vector<Index>& passed) const
   {
     if (m_state.face_state[f] & State::SCHEDULED) m_state.unfinished.remove(f);
-    m_state.face_state[f] |= State::FINISHED;
+    m_state.is_finished[f] = true;
     passed.push_back(f);
   }
 

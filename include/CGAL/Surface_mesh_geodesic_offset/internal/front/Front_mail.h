@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the parts of the front tell each other: each writes into its own boxes first, and then each reads those that are for
-// it, in the order of the parts. So the order does not depend on which thread works on which part.
+// What the parts of the front tell each other: each writes into its own boxes in one round, and in the next one each reads
+// those that are for it, in the order of the parts. So the order does not depend on which thread works on which part.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MAIL_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MAIL_H
@@ -15,6 +15,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,9 +23,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// What one part tells another.
+// What one part tells another in a round.
 template <class FT>
-struct alignas(64) Front_box
+struct Front_box
 {
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Wavefront_state<FT>::Output Output;
@@ -61,8 +62,11 @@ struct alignas(64) Front_box
   }
 };
 
-// The boxes of one part, by the part for which they are. Can take the place of the state where rays are spread behind a
-// vertex: of the distances in there it sees those of before, and what it was told itself.
+// The boxes of one part, by the part for which they are: those of this round, and those of the one before, which are read
+// meanwhile. What concerns vertices where parts meet is for all.
+//
+// Can take the place of the state where rays are spread behind a vertex: of the distances in there it sees those of before,
+// and what it was told itself.
 template <class FT>
 class Front_sender
 {
@@ -70,58 +74,90 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Wavefront_state<FT>::Output Output;
   typedef Front_box<FT> Box;
+  typedef std::vector<std::pair<Index, Vertex_arrival<FT>>> Arrivals;
 
-  explicit Front_sender(const Wavefront_state<FT>& state) : m_state(state), m_box(state.parts.number())
+  Front_sender(Wavefront_state<FT>& state, Index part) : m_state(&state), m_part(part)
   {
-    CGAL_assertion(state.parts.number() <= 32); // the bits of m_told
+    CGAL_assertion(state.parts.number() <= 64); // the bits of m_told
+    for (auto& places : m_place) places.assign(state.parts.number(), none);
   }
+
+  // From now on it is told what is for the next round, of which the number is even or odd.
+  void begin(unsigned round)
+  {
+    m_round = round & 1u;
+    m_told = 0;
+    m_nearest = Number_policy<FT>::infinity();
+  }
+
+  // The parts that were told something, by bits, and the smallest distance in there.
+  std::uint64_t told() const { return m_told; }
+  const FT& nearest() const { return m_nearest; }
+
+  // What was told another part in the round before.
+  Box& box_for(Index part, unsigned round) { return m_box[round & 1u][m_place[round & 1u][part]]; }
+
+  // What vertices were told where faces of several parts meet.
+  Arrivals& shared_arrivals() { return m_shared_arrivals; }
 
   void update_vertex(Index v, const Vertex_arrival<FT>& a)
   {
-    box(m_state.parts.of_vertex(v)).arrivals.emplace_back(v, a);
+    if (!m_state->parts.has_alone(v)) m_shared_arrivals.emplace_back(v, a);
+    else box(m_state->parts.of_vertex(v), a.distance).arrivals.emplace_back(v, a);
     m_last[1] = m_last[0];
     m_last[0] = {v, a.distance};
   }
 
+  // The same where all that is read of vertices that parts share is read, and not written, at the time: for those that the
+  // part has alone, and for the others if it may make a difference.
+  void update_apex(Index v, const Vertex_arrival<FT>& a)
+  {
+    if (m_state->parts.has_alone(v)) m_state->update_vertex(v, a);
+    else if (m_state->may_change(v, a)) m_shared_arrivals.emplace_back(v, a);
+  }
+
   void schedule(Index f)
   {
-    if (!m_state.face_state[f]) box(m_state.parts.of_face(f)).faces.push_back(f);
+    const Index part = m_state->parts.of_face(f);
+    if (part == m_part) m_state->schedule(f);
+    else box(part, Number_policy<FT>::infinity()).faces.push_back(f);
   }
 
   // The ends of g must be the last two vertices that were updated.
   void add(Index g, Window& w)
   {
-    if (m_state.admits(g, distance(m_state.mesh.source(g)), distance(m_state.mesh.target(g)), w))
-      box(m_state.parts.of_halfedge(g)).single_windows.push_back({g, w});
+    if (m_state->admits(g, distance(m_state->mesh.source(g)), distance(m_state->mesh.target(g)), w))
+      box(m_state->parts.of_halfedge(g), minimum(w)).single_windows.push_back({g, w});
   }
 
-  // Windows go into a block of the arena.
+  // Windows for other parts go into a block of the arena.
   void append(const Output& output, Window_arena<Window>& arena)
   {
     if (output.size() == 0) return;
-    box(m_state.parts.of_halfedge(output.halfedge())).windows.emplace_back(arena, output);
-  }
-
-  Box& box_for(Index part) { return m_box[part]; }
-
-  // The parts that were told something, by bits, since it was last asked.
-  Index take_told()
-  {
-    const Index told = m_told;
-    m_told = 0;
-    return told;
+    const Index part = m_state->parts.of_halfedge(output.halfedge());
+    if (part == m_part) m_state->append(output, arena);
+    else box(part, output.nearest()).windows.emplace_back(arena, output);
   }
 
 private:
-  Box& box(Index part)
+  static constexpr std::uint8_t none = 0xff;
+
+  Box& box(Index part, const FT& nearest)
   {
-    m_told |= Index(1) << part;
-    return m_box[part];
+    m_told |= std::uint64_t(1) << part;
+    m_nearest = (std::min)(m_nearest, nearest);
+    std::uint8_t& place = m_place[m_round][part];
+    if (place == none)
+    {
+      place = std::uint8_t(m_box[m_round].size());
+      m_box[m_round].emplace_back();
+    }
+    return m_box[m_round][place];
   }
 
   FT distance(Index v) const
   {
-    FT d = m_state.field.distance[v];
+    FT d = m_state->field.distance[v];
     for (const Update& u : m_last)
       if (u.vertex == v) d = (std::min)(d, u.distance);
     return d;
@@ -133,9 +169,14 @@ private:
     FT distance = FT(0);
   };
 
-  const Wavefront_state<FT>& m_state;
-  std::vector<Box> m_box;
-  Index m_told = 0;
+  Wavefront_state<FT>* m_state;
+  Index m_part;
+  unsigned m_round = 0;
+  std::vector<Box> m_box[2];            // for those parts that were ever told anything
+  std::vector<std::uint8_t> m_place[2]; // of the box for each part
+  Arrivals m_shared_arrivals;
+  std::uint64_t m_told = 0;
+  FT m_nearest = Number_policy<FT>::infinity();
   Update m_last[2];
 };
 

@@ -11,26 +11,37 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
+#include <cstdint>
+#include <limits>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// Says to which part an element belongs. One part, or as a Front_partition has it, which must live as long.
 class Front_parts
 {
 public:
-  // One part, or a power of two.
-  explicit Front_parts(Index number = 1) : m_mask(number - 1) {}
+  // The owner of a vertex, by bits below this one, which says that faces of other parts meet there.
+  static constexpr std::uint8_t is_shared = 0x80;
 
-  Index number() const { return m_mask + 1; }
-  Index of_face(Index f) const { return f / block & m_mask; }
-  Index of_halfedge(Index h) const { return h / (3 * block) & m_mask; }
-  Index of_vertex(Index v) const { return v / block & m_mask; }
+  Front_parts() = default;
+
+  // Parts of 2^bits faces.
+  Front_parts(Index number, int bits, const std::uint8_t* vertex) : m_number(number), m_bits(bits), m_vertex(vertex) {}
+
+  Index number() const { return m_number; }
+  Index of_face(Index f) const { return f >> m_bits; }
+  Index of_halfedge(Index h) const { return h / 3 >> m_bits; }
+  Index of_vertex(Index v) const { return m_vertex ? m_vertex[v] & Index(is_shared - 1) : 0; }
+
+  // Whether all faces round a vertex are of its part.
+  bool has_alone(Index v) const { return !m_vertex || !(m_vertex[v] & is_shared); }
 
 private:
-  // Neighbours in memory belong together, so that threads seldom write into the same line of it; but few, so that any front
-  // crosses all parts about equally often.
-  static constexpr Index block = 16;
-  Index m_mask;
+  Index m_number = 1;
+  int m_bits = std::numeric_limits<Index>::digits - 1; // there are fewer faces
+  const std::uint8_t* m_vertex = nullptr;
 };
 
 } // namespace internal

@@ -50,7 +50,24 @@ public:
   {
   }
 
-  static Front_parts parts() { return Front_parts(1); }
+  // One part is all of the front.
+  struct Partition
+  {
+    Partition(const Unfolded_mesh<FT>&, bool) {}
+    Front_parts parts() const { return Front_parts(); }
+  };
+
+  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
+  bool advance()
+  {
+    Bucket_queue& queue = m_state.part(0).queue;
+    const bool is_left = queue.advance();
+    m_state.move_to(queue.current());
+    return is_left;
+  }
+
+  // Says that others have changed the state.
+  void look_at_all_parts() {}
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
   void pass_faces(const Face_passing<FT>& passing, Passed_faces& passed) { passing.look(0, passed); }

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The front on several threads, in rounds: all halfedges that wait in the bucket are taken at one time. The front is divided
-// into parts, always equally many. In the first phase of a round, any thread propagates the windows of the halfedges of a
-// part, on the distances of the vertices as they are at the beginning of the round; in the second phase any thread takes in
-// what has come for a part. So the result depends neither on the number of threads nor on which of them does what.
+// The front on several threads, in rounds. The mesh is divided into parts, always the same. In a round, any thread works on a
+// part: it takes in what other parts have told this one in the round before, and then takes all halfedges of the part that
+// wait in the bucket, as a front of one part would, or spreads rays from its vertices. Of what parts share, the distances at
+// vertices where they meet, it sees what was known at the beginning of the round. So the result depends neither on the number
+// of threads nor on which of them does what.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_TAKING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_TAKING_H
@@ -12,10 +13,13 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_mail.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_taking.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Worker_team.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,34 +35,62 @@ class Halfedge_taking<Traits, Parallel_tag>
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef Window_arena<Window> Arena;
   typedef typename Wavefront_state<FT>::Part State_part;
+  typedef std::uint64_t Parts; // a set of parts, by bits
 
 public:
+  typedef Front_partition Partition;
+
   Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                   const Merging_tolerance<FT>& tolerance)
     : m_state(state), m_team((std::min)(Worker_team::possible_size(), unsigned(state.parts.number()))),
-      m_part(state.parts.number(), Part(state)), m_told(m_part.size())
+      m_waiting(state.parts.number())
   {
+    for (Index i = 0; i < state.parts.number(); ++i) m_part.emplace_back(state, i);
     m_state.field.lists.set_number_of_arenas(m_team.size());
     for (unsigned i = 0; i < m_team.size(); ++i)
       m_batches.push_back(std::make_unique<Halfedge_batch<Traits>>(state, source_of, traits, tolerance));
   }
 
-  // Enough for threads to find work, few enough for what they tell each other to stay in the caches.
-  static Front_parts parts() { return Front_parts(8); }
+  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
+  bool advance()
+  {
+    bool is_left = Number_policy<FT>::is_finite(m_nearest_told);
+    std::size_t next = first_told();
+    for (const Waiting& w : m_waiting)
+    {
+      is_left |= w.has_events;
+      next = (std::min)(next, w.first);
+    }
+    if (is_left) m_state.move_to((std::max)(next, m_state.current()));
+    return is_left;
+  }
+
+  // Says that others have changed the state.
+  void look_at_all_parts()
+  {
+    for (Index i = 0; i < m_part.size(); ++i) look_at(i);
+  }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
   void pass_faces(const Face_passing<FT>& passing, Passed_faces& passed)
   {
-    const std::size_t n = count([](const Bucket_queue& q) { return q.number_of_faces(); });
-    if (n == 0) return;
-    for_each_part(n >= 64, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
-    for (Part& p : m_part) passed.append(p.passed);
+    m_turns.clear();
+    for (Index i = 0; i < m_part.size(); ++i)
+      if (m_waiting[i].first <= m_state.current() || has_bit(m_told | m_gives_up, i)) m_turns.push_back({i, 1});
+    m_gives_up = 0;
+    round(m_turns.size() >= 4, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
+    for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
   }
 
   // Gives up the lists of faces that the front has passed, in the next round.
   void release(const std::vector<Index>& faces)
   {
-    for (Index f : faces) m_part[m_state.parts.of_face(f)].given_up.push_back(f);
+    for (Index f : faces)
+    {
+      const Index i = m_state.parts.of_face(f);
+      m_part[i].given_up.push_back(f);
+      m_gives_up |= bit(i);
+    }
   }
 
   // Works on all halfedges and vertices of the bucket, in rounds of what waits there: the halfedges, if there are any, else
@@ -67,22 +99,20 @@ public:
   {
     while (true)
     {
-      const std::size_t halfedges = count([](const Bucket_queue& q) { return q.number_of_halfedges(); });
-      const std::size_t vertices = halfedges > 0 ? 0 : count([](const Bucket_queue& q) { return q.number_of_vertices(); });
-      if (halfedges + vertices == 0) return;
-      // rounds of less work take less time than other threads need to notice them
-      const bool is_worth_help = halfedges > 0 ? halfedges >= 8 : vertices >= 16;
-      std::fill(m_told.begin(), m_told.end(), 0); // who takes no turn tells nobody anything
-      for_each_part(is_worth_help, [this, &spreading, halfedges](unsigned worker, Index i) {
-        this->give_up(i, worker);
-        if (halfedges > 0) this->take_halfedges(i, worker);
-        else this->spread(i, spreading);
-        this->m_told[i] = this->m_part[i].sender.take_told();
-      });
-      find_receivers();
-      for_each_part(is_worth_help, [this](unsigned worker, Index i) { this->receive(i, worker); });
-      m_state.field.lists.look_for_peak();
-      if ((++m_rounds & 15u) == 0) m_state.field.lists.balance_arenas();
+      // distances of vertices must not be left for a round in which rays start from vertices, where others read them
+      const bool is_told = m_told != 0 && (m_tells_vertices || first_told() <= m_state.current());
+      if (const std::size_t halfedges = find_turns(&Waiting::halfedges); halfedges > 0 || is_told)
+      {
+        round(halfedges >= 8, [this](unsigned worker, Index i) { this->take_halfedges(i, worker); });
+        m_tells_vertices = false;
+      }
+      else if (const std::size_t vertices = find_turns(&Waiting::vertices); vertices > 0)
+      {
+        round(vertices >= 16, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
+        m_tells_vertices = true;
+      }
+      else
+        return;
     }
   }
 
@@ -98,104 +128,143 @@ private:
   // What a part has for itself, beside its share of the state.
   struct alignas(64) Part
   {
-    explicit Part(const Wavefront_state<FT>& state) : sender(state) {}
+    Part(Wavefront_state<FT>& state, Index part) : sender(state, part) {}
 
     Front_sender<FT> sender;
     Passed_faces passed;
     std::vector<Index> given_up; // faces
   };
 
-  // How many things wait in all parts. Those parts take turns in which something waits, or which have faces to give up. The
-  // team begins with the last parts in the order, those with the most work, so that all threads end at about the same time.
-  template <class Number>
-  std::size_t count(const Number& number)
+  // How a part is after its last turn.
+  struct alignas(64) Waiting
   {
+    std::size_t first = Bucket_queue::none; // bucket
+    bool has_events = false;
+    std::size_t halfedges = 0, vertices = 0; // in this bucket
+    Parts told = 0;                          // parts that were told something
+    FT nearest_told = Number_policy<FT>::infinity();
+    bool tells_all = false;
+  };
+
+  struct Turn
+  {
+    Index part;
+    std::size_t work;
+  };
+
+  static Parts bit(Index i) { return Parts(1) << i; }
+  static bool has_bit(Parts parts, Index i) { return parts >> i & 1u; }
+
+  // The bucket of the nearest of what was told.
+  std::size_t first_told() const { return m_state.part(0).queue.bucket_of(m_nearest_told); }
+
+  // Those parts take turns in which something waits, or which were told something. Returns how much waits.
+  std::size_t find_turns(std::size_t Waiting::*number)
+  {
+    m_turns.clear();
     std::size_t sum = 0;
-    m_order.clear();
     for (Index i = 0; i < m_part.size(); ++i)
     {
-      const std::size_t n = number(m_state.part(i).queue);
+      const std::size_t n = m_waiting[i].*number;
       sum += n;
-      if (n > 0 || !m_part[i].given_up.empty()) m_order.emplace_back(n, i);
+      if (n > 0 || has_bit(m_told, i)) m_turns.push_back({i, n + 1});
     }
-    std::sort(m_order.begin(), m_order.end());
     return sum;
   }
 
-  // Now those take turns that were told something.
-  void find_receivers()
+  // What a part does first in its turn, and what is noted after it.
+  template <class Function>
+  void take_turn(Index i, unsigned worker, const Function& f)
   {
-    Index told = 0;
-    for (Index t : m_told) told |= t;
-    m_order.clear();
-    for (Index i = 0; i < m_part.size(); ++i)
-      if (told >> i & 1u) m_order.emplace_back(0, i);
+    Part& part = m_part[i];
+    m_state.awake_part(i);
+    part.sender.begin(m_round);
+    give_up(part, worker);
+    receive(i, worker);
+    f(worker, i);
+    look_at(i);
+    Waiting& w = m_waiting[i];
+    w.told = part.sender.told();
+    w.nearest_told = part.sender.nearest();
+    w.tells_all = !part.sender.shared_arrivals().empty();
   }
 
   template <class Function>
-  void for_each_part(bool is_worth_help, const Function& f)
+  void round(bool is_worth_help, const Function& f)
   {
-    m_team.for_each(Index(m_order.size()), is_worth_help, [this, &f](unsigned worker, Index first, Index last) {
-      for (Index i = last; i > first; --i) f(worker, this->m_order[i - 1].second);
-    });
+    ++m_round;
+    m_team.for_each(
+      Index(m_turns.size()), [this](Index k) { return this->m_turns[k].work; }, is_worth_help && m_turns.size() > 1,
+      [this, &f](unsigned worker, Index k) { this->take_turn(this->m_turns[k].part, worker, f); });
+    deliver();
+    m_state.field.lists.look_for_peak();
+    if ((m_round & 15u) == 0) m_state.field.lists.balance_arenas();
   }
 
-  // The first phase.
-  void give_up(Index part, unsigned worker)
+  // After a round: who will have to read what, and what is for all.
+  void deliver()
+  {
+    m_told = 0;
+    m_nearest_told = Number_policy<FT>::infinity();
+    std::fill(m_senders.begin(), m_senders.end(), Parts(0));
+    for (const Turn& t : m_turns)
+    {
+      const Waiting& w = m_waiting[t.part];
+      m_told |= w.told;
+      m_nearest_told = (std::min)(m_nearest_told, w.nearest_told);
+      for_each_bit(w.told, [this, &t](Index i) { this->m_senders[i] |= bit(t.part); });
+    }
+    Parts changed = 0;
+    for (const Turn& t : m_turns)
+    {
+      if (!m_waiting[t.part].tells_all) continue;
+      auto& arrivals = m_part[t.part].sender.shared_arrivals();
+      for (const auto& [vertex, arrival] : arrivals)
+      {
+        m_state.update_vertex(vertex, arrival);
+        changed |= bit(m_state.parts.of_vertex(vertex));
+      }
+      arrivals.clear();
+    }
+    for_each_bit(changed, [this](Index i) { this->look_at(i); });
+  }
+
+  void look_at(Index i)
+  {
+    const Bucket_queue& queue = m_state.awake_part(i).queue;
+    Waiting& w = m_waiting[i];
+    w.first = queue.first();
+    w.has_events = queue.has_events();
+    w.halfedges = queue.number_of_halfedges();
+    w.vertices = queue.number_of_vertices();
+  }
+
+  template <class Function>
+  static void for_each_bit(Parts parts, const Function& f)
+  {
+    for (Index i = 0; parts != 0; ++i, parts >>= 1)
+      if (parts & 1u) f(i);
+  }
+
+  void give_up(Part& part, unsigned worker)
   {
     Window_lists<FT>& lists = m_state.field.lists;
-    lists.release_faces(m_part[part].given_up, lists.arena(worker));
-    m_part[part].given_up.clear();
+    lists.release_faces(part.given_up, lists.arena(worker));
+    part.given_up.clear();
   }
 
-  void take_halfedges(Index part, unsigned worker)
-  {
-    Bucket_queue& queue = m_state.part(part).queue;
-    Index h;
-    while (m_state.pop_halfedge(queue, h))
-      take(h, m_part[part], m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker));
-  }
-
-  void take(Index h, Part& part, State_part& state_part, Halfedge_batch<Traits>& batch, Arena& arena)
-  {
-    Window_lists<FT>& lists = m_state.field.lists;
-    Window_list<FT>* const known = lists.find(h);
-    if (!known) return;
-    Window_list<FT>& list = *known;
-    if (list.bucket != state_part.queue.current() || !list.has_new()) return;
-    list.bucket = Window_list<FT>::not_queued;
-    if (const std::vector<Window>* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
-    list.taken = list.size;
-    const auto& propagated = batch.propagated();
-    state_part.counts.windows_propagated += propagated.number_of_windows();
-    part.sender.schedule(m_state.mesh.face(h));
-    for (const auto& a : propagated.arrivals())
-      part.sender.update_vertex(propagated.apex(), a);
-    part.sender.append(propagated.left(), arena);
-    part.sender.append(propagated.right(), arena);
-  }
-
-  void spread(Index part, const Ray_spreading<Traits>& spreading)
-  {
-    Bucket_queue& queue = m_state.part(part).queue;
-    Index v;
-    while (queue.pop_vertex(v)) spreading.spread_from_pseudo_source(v, m_part[part].sender);
-  }
-
-  // The second phase: what all parts have told this one.
+  // What other parts have told this one in the round before.
   void receive(Index part, unsigned worker)
   {
     Arena& arena = m_state.field.lists.arena(worker);
-    for (Index i = 0; i < m_part.size(); ++i)
-    {
-      if (!(m_told[i] >> part & 1u)) continue;
-      Front_box<FT>& box = m_part[i].sender.box_for(part);
-      for (Index f : box.faces) m_state.schedule(f);
-      for (const auto& [vertex, arrival] : box.arrivals) m_state.update_vertex(vertex, arrival);
-      for (const auto& w : box.windows) append(w, arena);
-      for (const auto& w : box.single_windows) append(w, arena);
+    for_each_bit(m_senders[part], [&](Index i) {
+      Front_box<FT>& box = this->m_part[i].sender.box_for(part, this->m_round - 1);
+      for (Index f : box.faces) this->m_state.schedule(f);
+      for (const auto& [vertex, arrival] : box.arrivals) this->m_state.update_vertex(vertex, arrival);
+      for (const auto& w : box.windows) this->append(w, arena);
+      for (const auto& w : box.single_windows) this->append(w, arena);
       box.clear();
-    }
+    });
   }
 
   void append(const typename Front_box<FT>::Windows& w, Arena& arena)
@@ -212,13 +281,53 @@ private:
     m_state.enqueue(w.halfedge, list, 1, minimum(w.window));
   }
 
+  void take_halfedges(Index part, unsigned worker)
+  {
+    Bucket_queue& queue = m_state.part(part).queue;
+    Index h;
+    while (m_state.pop_halfedge(queue, h))
+      take(h, m_part[part].sender, m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker));
+  }
+
+  void take(Index h, Front_sender<FT>& sender, State_part& part, Halfedge_batch<Traits>& batch, Arena& arena)
+  {
+    Window_lists<FT>& lists = m_state.field.lists;
+    Window_list<FT>* const known = lists.find(h);
+    if (!known) return;
+    Window_list<FT>& list = *known;
+    if (list.bucket != m_state.current() || !list.has_new()) return;
+    list.bucket = Window_list<FT>::not_queued;
+    if (const std::vector<Window>* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
+    list.taken = list.size;
+    m_state.schedule(m_state.mesh.face(h));
+    const auto& propagated = batch.propagated();
+    part.counts.windows_propagated += propagated.number_of_windows();
+    for (const auto& a : propagated.arrivals()) sender.update_apex(propagated.apex(), a);
+    sender.append(propagated.left(), arena);
+    sender.append(propagated.right(), arena);
+  }
+
+  void spread(Index part, const Ray_spreading<Traits>& spreading)
+  {
+    Bucket_queue& queue = m_state.part(part).queue;
+    Index v;
+    while (queue.pop_vertex(v)) spreading.spread_from_pseudo_source(v, m_part[part].sender);
+  }
+
   Wavefront_state<FT>& m_state;
   Worker_team m_team;
   std::vector<Part> m_part;
-  std::vector<std::pair<std::size_t, Index>> m_order; // the parts that take turns, behind how much work is in each, if known
-  std::vector<Index> m_told; // which parts each has told something, by bits
+  std::vector<Waiting> m_waiting; // of each part
+  std::vector<Turn> m_turns;      // of the round, in the order of the parts
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
-  unsigned m_rounds = 0;
+  unsigned m_round = 0;
+  // of the round before: the parts that were told something, by whom each, the smallest distance in there, and whether there
+  // are distances of vertices among it
+  Parts m_told = 0;
+  std::vector<Parts> m_senders = std::vector<Parts>(Front_partition::largest_number, 0);
+  FT m_nearest_told = Number_policy<FT>::infinity();
+  bool m_tells_vertices = false;
+  Parts m_gives_up = 0; // parts with faces to give up
 };
 
 } // namespace internal

@@ -24,7 +24,7 @@ namespace internal {
 class Unfinished_faces
 {
 public:
-  Unfinished_faces(std::size_t number_of_faces, Front_parts parts)
+  Unfinished_faces(std::size_t number_of_faces, const Front_parts& parts)
     : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
   {
   }
@@ -70,7 +70,7 @@ private:
     std::size_t first = 0;     // bucket of the first number
   };
 
-  Front_parts m_parts;
+  const Front_parts m_parts;
   std::vector<Index> m_reached_in; // per face
   std::vector<Counts> m_counts;
 };

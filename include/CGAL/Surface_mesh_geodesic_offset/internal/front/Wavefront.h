@@ -40,8 +40,8 @@ public:
   Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
             const FT& maximum_distance, bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
-    : m_mesh(mesh), m_keep(keep_lists),
-      m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, Taking::parts()),
+    : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
+      m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
       m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
       m_taking(m_state, initial.source_of, traits, tolerance)
   {
@@ -64,7 +64,8 @@ public:
     m_state.field.maximum = m_state.maximum;
     m_spreading.start(first_primitive);
     std::size_t settled = 1, asked = 1;
-    while (m_state.advance() || reveals_hidden_vertices())
+    m_taking.look_at_all_parts();
+    while (m_taking.advance() || reveals_hidden_vertices())
     {
       if (m_state.current() > asked)
       { // less one bucket, against rounding
@@ -77,11 +78,12 @@ public:
           break;
         }
       }
-      if (const std::size_t oldest = m_state.unfinished.oldest(m_state.current()); oldest > settled)
-      { // less one bucket, against rounding
-        consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
-        settled = oldest;
-      }
+      if constexpr (Consumer::reads_lists)
+        if (const std::size_t oldest = m_state.unfinished.oldest(m_state.current()); oldest > settled)
+        { // less one bucket, against rounding
+          consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
+          settled = oldest;
+        }
       m_taking.pass_faces(m_passing, m_passed);
       hand_over(consumer);
       reveal_vertices();
@@ -125,6 +127,7 @@ private:
     if (m_passed.hidden.empty()) return false;
     for (Index h : m_passed.hidden) m_state.reveal_vertex(h);
     m_passed.hidden.clear();
+    m_taking.look_at_all_parts();
     return true;
   }
 
@@ -153,6 +156,7 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   const bool m_keep;
+  const typename Taking::Partition m_partition;
   State m_state;
   const Face_passing<FT> m_passing;
   Ray_spreading<Traits> m_spreading;

@@ -49,7 +49,7 @@ public:
   typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8 };
-  enum Face_state : char { SCHEDULED = 1, FINISHED = 2, BOUNDED = 4 };
+  enum Face_state : char { SCHEDULED = 1, BOUNDED = 2 };
 
   // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
   struct alignas(64) Part
@@ -65,9 +65,10 @@ public:
   // The field says what is known already. `needs_envelopes`: whether the lists of a face that the front has passed must be
   // lower envelopes, and not just contain them.
   Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, bool needs_envelopes,
-                  Geodesic_field<FT>& field, Front_parts parts = Front_parts())
+                  Geodesic_field<FT>& field, const Front_parts& parts = Front_parts())
     : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
+      is_finished(mesh.number_of_faces(), 0),
       unfinished(mesh.number_of_faces(), parts),
       m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
   {
@@ -76,16 +77,15 @@ public:
 
   Part& part(Index i) { return m_part[i]; }
 
-  std::size_t current() const { return m_part.front().queue.current(); }
+  // The bucket that the front is at. Queues move on to it when something is to be done in their part.
+  std::size_t current() const { return m_current; }
+  void move_to(std::size_t bucket) { m_current = bucket; }
   double bucket_width() const { return m_part.front().queue.width(); }
 
-  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
-  bool advance()
+  Part& awake_part(Index i)
   {
-    if (!any_part([](const Part& p) { return p.queue.has_events(); })) return false;
-    while (!any_part([](const Part& p) { return !p.queue.is_at_empty_bucket(); }))
-      for (Part& p : m_part) p.queue.move_on();
-    return true;
+    m_part[i].queue.move_to(m_current);
+    return m_part[i];
   }
 
   Wavefront_counts counts() const
@@ -102,7 +102,7 @@ public:
   // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
   bool has_bent_paths() const
   {
-    return any_part([](const Part& p) { return p.has_bent_paths; });
+    return std::any_of(m_part.begin(), m_part.end(), [](const Part& p) { return p.has_bent_paths; });
   }
 
   // Takes a halfedge out of the queue. What will be needed of the next ones is asked for.
@@ -138,11 +138,17 @@ public:
     field.root[v] = a.root;
     vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN));
     if (a.is_bent) vertex_state[v] |= IS_BENT;
-    Part& p = m_part[parts.of_vertex(v)];
+    Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
     if (a.back.corner == no_index || !mesh.can_be_pseudo_source(v) || d > maximum) return; // a source spreads by itself
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
+  }
+
+  // Whether update_vertex() may do anything.
+  bool may_change(Index v, const Arrival& a) const
+  {
+    return a.distance < field.distance[v] || (!a.is_bent && (vertex_state[v] & IS_BENT));
   }
 
   // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given root.
@@ -174,7 +180,7 @@ public:
     vertex_state[v] &= char(~HAS_SPREAD);
     update_vertex(v, a);
     vertex_state[v] |= WAITS | WAS_HIDDEN;
-    Bucket_queue& queue = m_part[parts.of_vertex(v)].queue;
+    Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
     queue.push_vertex(queue.bucket_of(a.distance), v);
   }
 
@@ -216,7 +222,7 @@ public:
   }
 
   // A border or a face that the front has passed takes none.
-  bool takes_windows(Index g) const { return g != no_index && !(face_state[mesh.face(g)] & FINISHED); }
+  bool takes_windows(Index g) const { return g != no_index && !is_finished[mesh.face(g)]; }
 
   // Takes the next window, unless it is farther than the maximum.
   static BOOST_FORCEINLINE void keep(typename Output::Cursor& output, const FT& maximum)
@@ -226,13 +232,14 @@ public:
   }
 
   // Writes windows behind the list of their halfedge, and puts the halfedge into the queue.
-  void append(const Output& output)
+  void append(const Output& output) { append(output, field.lists.arena(0)); }
+  void append(const Output& output, Window_arena<Window>& arena)
   {
     const std::size_t n = output.size();
     if (n == 0) return;
     const Index h = output.halfedge();
-    auto& list = field.list(h);
-    field.lists.append(h, list, output.begin(), n);
+    auto& list = field.list(h, arena);
+    field.lists.append(h, list, output.begin(), n, arena);
     enqueue(h, list, n, output.nearest());
   }
 
@@ -254,20 +261,16 @@ public:
   const bool needs_envelopes;
   Geodesic_field<FT>& field;
   const Front_parts parts;
-  std::vector<char> vertex_state, face_state;
+  std::vector<char> vertex_state, face_state; // bits
+  std::vector<char> is_finished;              // whether the front has passed a face; all parts read it
   Unfinished_faces unfinished;
 
 private:
   // The width of a bucket, in mean edges. Where the front is divided it makes larger rounds, which wait less for their ends.
   static double bucket_edges(const Front_parts& parts) { return parts.number() > 1 ? 0.35 : 0.25; }
 
-  template <class Predicate>
-  bool any_part(const Predicate& predicate) const
-  {
-    return std::any_of(m_part.begin(), m_part.end(), predicate);
-  }
-
   std::vector<Part> m_part;
+  std::size_t m_current = 0;
 };
 
 } // namespace internal

@@ -56,7 +56,7 @@ public:
   typedef Window_arena<Window> Arena;
 
   Window_lists() = default;
-  explicit Window_lists(std::size_t number_of_halfedges, Front_parts parts = Front_parts())
+  explicit Window_lists(std::size_t number_of_halfedges, const Front_parts& parts = Front_parts())
     : m_parts(parts), m_place(number_of_halfedges, no_index), m_part(parts.number())
   {
   }

@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
+#include <CGAL/assertions.h>
+
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -21,7 +23,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <thread>
+#include <vector>
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
@@ -66,7 +70,7 @@ public:
   explicit Worker_team(unsigned size) : m_size(size)
   {
     if (size < 2) return;
-    m_shared = std::make_shared<Shared>();
+    m_shared = std::make_shared<Shared>(size);
 #ifdef CGAL_GEODESIC_OFFSET_THREAD_SANITIZER
     __tsan_release(m_shared.get());
     __tsan_ignore_thread_begin();
@@ -84,34 +88,48 @@ public:
   // Those that have come leave; those that have not will find nothing to do.
   ~Worker_team()
   {
-    if (m_shared) m_shared->work.store(no_more, std::memory_order_release);
+    if (!m_shared) return;
+    for (auto& share : m_shared->share) share.store(Shared::share_of(Shared::no_more, 0, 0));
   }
 
   unsigned size() const { return m_size; }
 
-  // Calls f(worker, first, last) for ranges [first, last) that make up [0, n), from several threads at once, where
-  // worker < size(). What was written before is seen by all of them, and what they write afterwards by the caller. An
-  // exception is thrown on once all have ended.
-  template <class Function>
-  void for_each(Index n, bool is_worth_help, const Function& f)
+  // Calls f(worker, i) for each i < n, from several threads at once, where worker < size(). Items next to each other, in
+  // shares of about the same weight, are for the same worker in each round, as long as none is idle. What was written before
+  // is seen by all of them, and what they write afterwards by the caller. An exception is thrown on once all have ended.
+  template <class Weight, class Function>
+  void for_each(Index n, const Weight& weight, bool is_worth_help, const Function& f)
   {
+    CGAL_assertion(n < (Index(1) << 16));
     if (!m_shared || !is_worth_help)
     {
-      f(0u, Index(0), n);
+      for (Index i = 0; i < n; ++i) f(0u, i);
       return;
     }
     Shared& s = *m_shared;
     s.done.store(0, std::memory_order_relaxed);
     s.function = &f;
-    s.call = [](const void* function, unsigned worker, Index first, Index last) {
-      (*static_cast<const Function*>(function))(worker, first, last);
+    s.call = [](const void* function, unsigned worker, Index i) {
+      (*static_cast<const Function*>(function))(worker, i);
     };
-    m_round = (m_round + 1) & 0x7fffffffu; // not that of no_more
-    std::uint64_t work = m_round << 32 | n;
-    s.work.store(work, std::memory_order_release);
-    while (s.take_part(0, m_size, work)) {}
+    if (++m_round == Shared::no_more) m_round = 1;
+    std::size_t sum = 0, before = 0;
+    for (Index i = 0; i < n; ++i) sum += weight(i);
+    s.order.resize(n);
+    std::iota(s.order.begin(), s.order.end(), Index(0));
+    Index first = 0;
+    for (unsigned worker = 0; worker < m_size; ++worker)
+    {
+      Index end = first;
+      for (; end < n && (worker + 1 == m_size || (before + weight(end) / 2) * m_size < sum * (worker + 1)); ++end)
+        before += weight(end);
+      std::sort(s.order.begin() + first, s.order.begin() + end, [&](Index i, Index j) { return weight(i) > weight(j); });
+      s.share[worker].store(Shared::share_of(m_round, first, end));
+      first = end;
+    }
+    const Index mine = s.work(0, m_size, m_round);
     Patience patience;
-    while (s.done.load(std::memory_order_acquire) != n) patience.wait();
+    while (s.done.load(std::memory_order_acquire) + mine != n) patience.wait();
     if (s.failed.load(std::memory_order_relaxed)) s.rethrow();
   }
 
@@ -128,8 +146,6 @@ private:
     if (!arena) arena = std::make_unique<tbb::task_arena>(int(size), 1);
     return *arena;
   }
-
-  static constexpr std::uint64_t no_more = ~std::uint64_t(0);
 
   // Waits a little: first on the core, for work that comes soon, then leaving it to others.
   class Patience
@@ -153,29 +169,65 @@ private:
 
   struct Shared
   {
-    // the number of the round, and below it how many items have not been taken: the first ones
-    alignas(64) std::atomic<std::uint64_t> work{0};
+    static constexpr std::uint32_t no_more = ~std::uint32_t(0); // rounds
+
+    // What is left of the items for a worker in a round: the number of this, and [first, end) of them.
+    struct alignas(64) Share
+    {
+      std::atomic<std::uint64_t> items{0};
+      void store(std::uint64_t i) { items.store(i, std::memory_order_release); }
+    };
+    static std::uint64_t share_of(std::uint32_t round, Index first, Index end)
+    {
+      return std::uint64_t(round) << 32 | first << 16 | end;
+    }
+    static std::uint32_t round_of(std::uint64_t share) { return std::uint32_t(share >> 32); }
+    static Index first_of(std::uint64_t share) { return Index(share >> 16) & 0xffffu; }
+    static Index end_of(std::uint64_t share) { return Index(share) & 0xffffu; }
+
+    explicit Shared(unsigned size) : share(size) {}
+
+    std::vector<Share> share;
+    std::vector<Index> order;
     const void* function = nullptr;
-    void (*call)(const void*, unsigned, Index, Index) = nullptr;
-    alignas(64) std::atomic<Index> done{0};
+    void (*call)(const void*, unsigned, Index) = nullptr;
+    alignas(64) std::atomic<Index> done{0}; // by helpers
     alignas(64) std::atomic<unsigned> helpers{0};
     std::atomic<bool> failed{false};
     std::mutex mutex;
     std::exception_ptr exception;
 
-    // Takes some of the items that are left, in the state `w` of the work; false if there are none.
-    bool take_part(unsigned worker, unsigned size, std::uint64_t& w)
+    // Takes the first item of the share of a worker, or the last one.
+    bool take(unsigned of, std::uint32_t round, bool is_first, Index& i)
     {
-      Index left, n;
+      std::uint64_t s = share[of].items.load(std::memory_order_relaxed), less;
+      Index place;
       do
       {
-        left = Index(w & 0xffffffffu);
-        if (left == 0 || w == no_more) return false;
-        n = (std::max)(Index(1), Index(left / (4 * size)));
-      } while (!work.compare_exchange_weak(w, w - n, std::memory_order_acquire, std::memory_order_acquire));
+        const Index first = first_of(s), end = end_of(s);
+        if (round_of(s) != round || first == end) return false;
+        place = is_first ? first : end - 1;
+        less = is_first ? share_of(round, first + 1, end) : share_of(round, first, end - 1);
+      } while (!share[of].items.compare_exchange_weak(s, less, std::memory_order_acquire, std::memory_order_relaxed));
+      i = order[place];
+      return true;
+    }
+
+    // Works on the share of a worker, then on what is left of others. Returns how many items that were.
+    Index work(unsigned worker, unsigned size, std::uint32_t round)
+    {
+      Index number = 0, i;
+      for (; take(worker, round, true, i); ++number) try_call(worker, i);
+      for (unsigned k = 1; k < size; ++k)
+        for (; take((worker + k) % size, round, false, i); ++number) try_call(worker, i);
+      return number;
+    }
+
+    void try_call(unsigned worker, Index i)
+    {
       try
       {
-        call(function, worker, left - n, left);
+        call(function, worker, i);
       }
       catch (...)
       {
@@ -183,9 +235,6 @@ private:
         exception = std::current_exception();
         failed.store(true, std::memory_order_relaxed);
       }
-      w -= n;
-      done.fetch_add(n, std::memory_order_release);
-      return true;
     }
 
     void rethrow()
@@ -206,21 +255,28 @@ private:
       __tsan_acquire(shared.get());
 #endif
       const unsigned worker = 1 + shared->helpers.fetch_add(1, std::memory_order_relaxed);
+      if (worker >= size) return;
       Patience patience;
-      std::uint64_t w = 0;
+      std::uint32_t last = 0;
       while (true)
       {
-        w = shared->work.load(std::memory_order_acquire);
-        if (w == no_more) break;
-        if (shared->take_part(worker, size, w)) patience.renew();
-        else patience.wait();
+        const std::uint32_t round = Shared::round_of(shared->share[worker].items.load(std::memory_order_acquire));
+        if (round == Shared::no_more) break;
+        if (round == last)
+        {
+          patience.wait();
+          continue;
+        }
+        last = round;
+        if (const Index n = shared->work(worker, size, round)) shared->done.fetch_add(n, std::memory_order_release);
+        patience.renew();
       }
     }
   };
 
   const unsigned m_size;
   std::shared_ptr<Shared> m_shared;
-  std::uint64_t m_round = 0;
+  std::uint32_t m_round = 0;
 };
 
 } // namespace internal
