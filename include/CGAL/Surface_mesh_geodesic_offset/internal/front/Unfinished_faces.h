@@ -24,6 +24,7 @@ namespace internal {
 class Unfinished_faces
 {
 public:
+  // No faces: nobody will ask.
   Unfinished_faces(std::size_t number_of_faces, const Front_parts& parts)
     : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
   {
@@ -32,6 +33,7 @@ public:
   // The front has reached face f in this bucket; buckets never decrease.
   void add(Index f, std::size_t bucket)
   {
+    if (m_reached_in.empty()) return;
     // beyond the range of an index: early is always right
     const Index b = Index((std::min)(bucket, std::size_t((std::numeric_limits<Index>::max)() - 1)));
     Counts& counts = m_counts[m_parts.of_face(f)];
@@ -43,6 +45,7 @@ public:
 
   void remove(Index f)
   {
+    if (m_reached_in.empty()) return;
     Counts& counts = m_counts[m_parts.of_face(f)];
     --counts.numbers[m_reached_in[f] - counts.first];
   }

@@ -69,7 +69,7 @@ public:
     : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
       is_finished(mesh.number_of_faces(), 0),
-      unfinished(mesh.number_of_faces(), parts),
+      unfinished(needs_envelopes ? mesh.number_of_faces() : 0, parts),
       m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
