@@ -3,7 +3,8 @@
 
 // One vertex source, all vertex distances: CGAL::Surface_mesh_shortest_path against
 // Surface_mesh_geodesic_offset in one run, each in a process of its own, as a Markdown table. Times
-// contain construction, build and all answers.
+// contain construction, build and all answers. Where TBB was found, once more with Parallel_tag:
+// "several threads"; the other columns are of one thread.
 //
 //   point_source_against_smsp [--vertex I] [--repeat N] MESH...        the medians of N runs each;
 //   default: 0, 1
@@ -26,6 +27,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -47,6 +49,21 @@ Measured_run median_run(std::size_t repetitions, const Computation& computation)
   std::sort(runs.begin(), runs.end(),
             [](const Measured_run& a, const Measured_run& b) { return a.seconds < b.seconds; });
   return runs[runs.size() / 2];
+}
+
+template <class Concurrency_tag>
+Measured_run our_run(const Mesh& mesh, Mesh::Vertex_index source, std::size_t repetitions)
+{
+  return median_run(repetitions,
+                    [&](std::vector<double>& distances, std::uint64_t& windows)
+                    {
+                      Geodesic geodesic(mesh);
+                      geodesic.add_source_point(source);
+                      geodesic.build<Concurrency_tag>();
+                      for (Mesh::Vertex_index v : vertices(mesh))
+                        distances.push_back(geodesic.distance_to_sources(v));
+                      windows = geodesic.statistics().windows_propagated;
+                    });
 }
 
 bool compare(const std::string& file, std::size_t source, std::size_t repetitions)
@@ -74,28 +91,27 @@ bool compare(const std::string& file, std::size_t source, std::size_t repetition
                    distances.push_back(d < 0 ? std::numeric_limits<double>::infinity() : d);
                  }
                });
-  const Measured_run ours = median_run(repetitions,
-                                       [&](std::vector<double>& distances, std::uint64_t& windows)
-                                       {
-                                         Geodesic geodesic(mesh);
-                                         geodesic.add_source_point(s);
-                                         geodesic.build();
-                                         for (Mesh::Vertex_index v : vertices(mesh))
-                                           distances.push_back(geodesic.distance_to_sources(v));
-                                         windows = geodesic.statistics().windows_propagated;
-                                       });
+  const Measured_run ours = our_run<CGAL::Sequential_tag>(mesh, s, repetitions);
+  const Measured_run parallel = our_run<CGAL::Parallel_if_available_tag>(mesh, s, repetitions);
 
   double worst = 0;
-  for (std::size_t i = 0; i < ours.distances.size(); ++i)
-    if (ours.distances[i] != theirs.distances[i])
-      worst =
-        (std::max)(worst, std::abs(ours.distances[i] - theirs.distances[i]) / theirs.distances[i]);
+  for (const Measured_run* run : {&ours, &parallel})
+    for (std::size_t i = 0; i < theirs.distances.size(); ++i)
+    {
+      const double d = run->distances[i], e = theirs.distances[i];
+      if (d != e) worst = (std::max)(worst, std::abs(d - e) / e);
+    }
   const auto megabytes = [](const Measured_run& run)
   { return static_cast<double>(run.peak_bytes) / 1e6; };
   std::cout << std::fixed << "| " << std::filesystem::path(file).stem().string() << " | "
             << num_vertices(mesh) << " | " << num_faces(mesh) << " | " << std::setprecision(3)
             << theirs.seconds << " | " << ours.seconds << " | " << std::setprecision(1)
-            << theirs.seconds / ours.seconds << " | " << megabytes(theirs) << " | "
+            << theirs.seconds / ours.seconds << " | ";
+  if (std::is_same<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value)
+    std::cout << std::setprecision(3) << parallel.seconds << " | " << std::setprecision(1)
+              << theirs.seconds / parallel.seconds << " | ";
+  else std::cout << "- | - | ";
+  std::cout << megabytes(theirs) << " | "
             << megabytes(ours) << " | " << megabytes(theirs) / megabytes(ours) << " | "
             << ours.windows << " | " << std::setprecision(2)
             << static_cast<double>(ours.windows) / static_cast<double>(num_vertices(mesh)) << " | "
@@ -121,10 +137,10 @@ int main(int argc, char* argv[])
     std::cerr << "usage: point_source_against_smsp [--vertex I] [--repeat N] MESH...\n";
     return 2;
   }
-  std::cout << "| mesh | vertices | faces | SMSP s | ours s | times faster | SMSP MB | ours MB | "
-               "times less | windows "
-               "propagated | a vertex | worst relative difference |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  std::cout << "| mesh | vertices | faces | SMSP s | ours s | times faster | several threads s | "
+               "times faster | SMSP MB | ours MB | times less | windows propagated | a vertex | "
+               "worst relative difference |\n"
+               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   bool ok = true;
   for (const std::string& file : files) try
     {
