@@ -42,7 +42,7 @@ had of `float`, too.
 
 Functions that propagate take a concurrency tag, as those of `Surface_mesh_geodesic_distance` do.
 
-The template parameters are those of `Surface_mesh_geodesic_sources`.
+The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_offset

@@ -54,7 +54,7 @@ that take offset curves are called by the calling thread alone. Offset curves ar
 The functors of the traits are called by several threads at once. This is done for `float`, `double` and `long double` only:
 with other number types, whose operations may share memory, `Parallel_tag` does what `Sequential_tag` does.
 
-The template parameters are those of `Surface_mesh_geodesic_sources`.
+The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_distance
