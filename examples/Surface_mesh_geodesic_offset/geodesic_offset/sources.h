@@ -9,7 +9,6 @@
 #include "common.h"
 #include "location.h"
 #include "mesh_input.h"
-#include "plane_section.h"
 #include "polyline_file.h"
 #include "source_options.h"
 #include "surface_path.h"
@@ -25,6 +24,8 @@
 #include <vector>
 
 namespace geodesic_offset {
+
+using Surface_polyline = CGAL::Geodesic_polyline<Face_location>;
 
 class Sources
 {
@@ -66,7 +67,7 @@ public:
     for(const Face_location& location : m_points)
       geodesic.add_source_point(location);
     for(const Surface_polyline& polyline : m_polylines)
-      geodesic.add_source_polyline(polyline.locations, polyline.closed);
+      geodesic.add_source_polyline(polyline.locations, polyline.is_closed);
     for(const std::vector<Edge>& edges : m_edges)
       geodesic.add_source_edges(edges);
   }
@@ -78,7 +79,7 @@ public:
   {
     for(std::size_t i = 0; i < m_polylines.size(); ++i)
     {
-      if(!m_polylines[i].closed)
+      if(!m_polylines[i].is_closed)
         throw Input_error(m_polyline_names[i] + ": an open polyline has no inside");
       Geodesic alone(m_mesh);
       alone.add_source_polyline(m_polylines[i].locations, true);
@@ -116,7 +117,7 @@ public:
       polylines.emplace_back();
       for(const Face_location& location : polyline.locations)
         polylines.back().push_back(point_of(m_mesh, location));
-      if(polyline.closed)
+      if(polyline.is_closed)
         polylines.back().push_back(polylines.back().front());
     }
     for(const std::vector<Edge>& edges : m_edges)
@@ -147,10 +148,10 @@ private:
     const std::string line = quoted(file) + ", line " + std::to_string(from.line);
     const std::size_t n = from.points.size();
     Surface_polyline polyline;
-    polyline.closed = (n > 3 && from.points.front() == from.points.back());
+    polyline.is_closed = (n > 3 && from.points.front() == from.points.back());
     for(std::size_t i = 0; i < n; ++i)
     {
-      const bool last_of_closed = polyline.closed && i + 1 == n;
+      const bool last_of_closed = polyline.is_closed && i + 1 == n;
       const Face_location location = last_of_closed ? polyline.locations.front() : m_geodesic.locate(from.points[i]);
       if(polyline.locations.empty())
       {
@@ -165,10 +166,10 @@ private:
                           name(i - 1) + " to " + name(i));
     }
     // closed means that the first location is not repeated
-    if(polyline.closed && polyline.locations.size() > 1)
+    if(polyline.is_closed && polyline.locations.size() > 1)
       polyline.locations.pop_back();
     if(polyline.locations.size() < 3)
-      polyline.closed = false;
+      polyline.is_closed = false;
     if(polyline.locations.size() == 1)
       m_points.push_back(polyline.locations.front());
     else
@@ -183,14 +184,14 @@ private:
 
   void add_plane(const std::array<double, 4>& plane, const std::string& mesh_file)
   {
-    Plane_section section = Plane_cutter(m_mesh, plane)();
+    auto section = m_geodesic.plane_section(Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]));
     const std::string name = "--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
                              short_number(plane[2]) + ',' + short_number(plane[3]);
     if(section.polylines.empty() && section.touched_vertices.empty())
-      throw Input_error(name + (section.faces_in_plane == 0 ? " misses " + quoted(mesh_file)
+      throw Input_error(name + (section.number_of_faces_in_plane == 0 ? " misses " + quoted(mesh_file)
                                                 : " contains all of " + quoted(mesh_file)));
-    if(section.faces_in_plane != 0)
-      m_remarks.push_back(counted(section.faces_in_plane, "face") +
+    if(section.number_of_faces_in_plane != 0)
+      m_remarks.push_back(counted(section.number_of_faces_in_plane, "face") +
                           " in the plane of a section: the border of this part of the surface is the source");
     for(Surface_polyline& polyline : section.polylines)
       add(std::move(polyline), name + " on " + quoted(mesh_file));

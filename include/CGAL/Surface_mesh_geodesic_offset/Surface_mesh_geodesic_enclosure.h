@@ -41,7 +41,8 @@ The computation takes up to twice the time of `Surface_mesh_geodesic_distance` f
 arithmetic with round to nearest, where every operation rounds to `double`: it does not compile with `-ffast-math`, nor for
 x87 registers.
 
-The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be `double`.
+The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be
+`double`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_enclosure

@@ -6,9 +6,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
 #include <CGAL/Default.h>
@@ -55,12 +57,16 @@ public:
   typedef typename Traits::Point_3 Point_3;
   typedef typename Traits::Vector_3 Vector_3;
   typedef typename Traits::Kernel::Ray_3 Ray_3;
+  typedef typename Traits::Kernel::Plane_3 Plane_3;
 
   /// as `Polygon_mesh_processing::Barycentric_coordinates`
   typedef std::array<FT, 3> Barycentric_coordinates;
   /// as `Polygon_mesh_processing::Face_location`: a face and coordinates with respect to the source of the face's
   /// halfedge, its target, and the third vertex
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
+
+  /// the answer of `plane_section()`
+  typedef Geodesic_plane_section<Face_location, vertex_descriptor> Plane_section;
 
   typedef typename Default::Get<VertexIndexMap, typename GetInitializedVertexIndexMap<Triangle_mesh>::const_type>::type
     Vertex_index_map;
@@ -169,6 +175,19 @@ public:
     return m_sources.add_edges(unfolded(), std::move(halfedges));
   }
 
+  /// adds the section of the mesh by a plane: each of its polylines, and each vertex that the plane only touches. Returns
+  /// the ids of these sources, in this order; none if the plane misses the mesh.
+  /// \throws std::invalid_argument as `plane_section()` does.
+  std::vector<std::size_t> add_source_plane_section(const Plane_3& plane)
+  {
+    const Plane_section section = plane_section(plane);
+    std::vector<std::size_t> ids;
+    for (const auto& polyline : section.polylines)
+      ids.push_back(add_source_polyline(polyline.locations, polyline.is_closed));
+    for (const vertex_descriptor v : section.touched_vertices) ids.push_back(add_source_point(v));
+    return ids;
+  }
+
   /// removes a source.
   /// \throws std::invalid_argument if there is no source with this id.
   void remove_source(std::size_t id) { m_sources.remove(id); }
@@ -196,6 +215,23 @@ public:
   /// \throws std::invalid_argument as above, and if the ray has no direction.
   Face_location locate(const Ray_3& r) const { return locate(r, m_locator->default_tolerance()); }
   Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_locator->locate(r, tolerance); }
+  /// @}
+
+  /// \name Sections
+  /// @{
+
+  /// the section of the mesh by a plane. The sides of the vertices are decided by the kernel: if its predicates are exact,
+  /// so is the way that the section takes, and only the places of its points on the edges are rounded. Takes time linear in
+  /// the size of the mesh.
+  /// \throws std::invalid_argument if the plane is degenerate, or a coefficient is not finite.
+  Plane_section plane_section(const Plane_3& plane) const
+  {
+    for (const FT& c : {plane.a(), plane.b(), plane.c(), plane.d()})
+      if (!Geodesic_offset::internal::Number_policy<FT>::is_finite(CGAL::abs(c)))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: a plane with a coefficient that is not finite");
+    if (plane.is_degenerate()) throw std::invalid_argument("Surface_mesh_geodesic_offset: a degenerate plane");
+    return Geodesic_offset::internal::Plane_cutting<Surface, Plane_3>(*m_surface, plane)();
+  }
   /// @}
 
 protected:

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The section of the mesh by a plane. On which side of it a vertex lies is asked for once, and of the kernel. So the section
+// runs from face to face without gaps wherever the plane is; only the places of its points on the edges are rounded.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Surface, class Plane_3>
+class Plane_cutting
+{
+  typedef typename Surface::FT FT;
+  typedef typename Surface::Number Number;
+  typedef typename Surface::Face_location Face_location;
+
+public:
+  typedef Geodesic_plane_section<Face_location, typename Surface::vertex_descriptor> Section;
+
+  Plane_cutting(const Surface& surface, const Plane_3& plane)
+    : m_surface(surface), m_mesh(surface.unfolded), m_plane(plane), m_side(m_mesh.number_of_vertices(), 0),
+      m_is_inside(m_mesh.number_of_vertices(), 0)
+  {
+  }
+
+  Section operator()()
+  {
+    for (Index v = 0; v < m_side.size(); ++v)
+      if (m_mesh.corner(v) != no_index)
+        m_side[v] = static_cast<signed char>(m_plane.oriented_side(m_surface.position(m_surface.vertex_of[v])));
+    Section section;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (m_mesh.source(3 * f) != no_index) section.number_of_faces_in_plane += cut(f);
+    for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (m_mesh.source(h) != no_index && h == edge(h)) take_edge_in_plane(h);
+    for (Index v = 0; v < m_side.size(); ++v)
+      if (m_mesh.corner(v) != no_index && m_side[v] == 0 && !m_is_inside[v] && m_node_of_vertex.count(v) == 0)
+        section.touched_vertices.push_back(m_surface.vertex_of[v]);
+    chain(section.polylines);
+    return section;
+  }
+
+private:
+  // A point of the section: a vertex in the plane, or where an edge goes through it.
+  struct Node
+  {
+    Face_location location;
+    std::vector<std::size_t> segments;
+  };
+
+  // One halfedge of each edge.
+  Index edge(Index h) const { return (std::min)(h, m_mesh.twin(h)); }
+
+  int side_of_source(Index h) const { return m_side[m_mesh.source(h)]; }
+  int side_of_target(Index h) const { return m_side[m_mesh.target(h)]; }
+
+  // The segment inside a face with vertices on both sides. Returns 1 for a face in the plane.
+  std::size_t cut(Index f)
+  {
+    std::vector<std::size_t> ends; // where the boundary of the face goes to the negative side, the segment starts
+    bool is_down = false;          // at the first end
+    int zeros = 0;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const int s = side_of_source(h), t = side_of_target(h);
+      zeros += s == 0;
+      if (s * t >= 0) continue;
+      if (ends.empty()) is_down = s > 0;
+      ends.push_back(node_on_edge(edge(h)));
+    }
+    if (zeros == 3)
+    {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_is_inside[m_mesh.source(h)] = 1;
+      return 1;
+    }
+    if (ends.size() == 1)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (side_of_source(h) == 0) ends.push_back(node_at_vertex(m_mesh.source(h)));
+    if (ends.size() == 2) add_segment(ends[is_down ? 0 : 1], ends[is_down ? 1 : 0]);
+    return 0;
+  }
+
+  // An edge in the plane belongs to the section unless it lies inside a part of the surface that is in the plane.
+  void take_edge_in_plane(Index h)
+  {
+    if (side_of_source(h) != 0 || side_of_target(h) != 0) return;
+    const Index g = m_mesh.twin(h);
+    const int left = m_side[m_mesh.apex(h)], right = g == no_index ? 0 : m_side[m_mesh.apex(g)];
+    if (left == 0 && right == 0 && g != no_index) return;
+    const Index from = m_mesh.source(h), to = m_mesh.target(h);
+    add_segment(node_at_vertex(left >= right ? from : to), node_at_vertex(left >= right ? to : from));
+  }
+
+  std::size_t node_at_vertex(Index v)
+  {
+    const auto [it, is_new] = m_node_of_vertex.emplace(v, m_nodes.size());
+    if (is_new) m_nodes.push_back({m_surface.location(Surface_point<Number>::at_vertex(v)), {}});
+    return it->second;
+  }
+
+  std::size_t node_on_edge(Index h)
+  {
+    const auto [it, is_new] = m_node_of_edge.emplace(h, m_nodes.size());
+    if (!is_new) return it->second;
+    Face_location l(m_surface.face_of[h / 3], {FT(0), FT(0), FT(0)});
+    const FT t = part_of(h);
+    l.second[h % 3] = FT(1) - t;
+    l.second[(h % 3 + 1) % 3] = t;
+    m_nodes.push_back({l, {}});
+    return it->second;
+  }
+
+  // Where a halfedge goes through the plane, as a part of its length. Rounding must not make a vertex of it: that would be
+  // another node.
+  FT part_of(Index h) const
+  {
+    typedef std::conditional_t<std::is_same<FT, double>::value || std::is_same<FT, float>::value, Exact_rational, FT> Exact;
+    const Exact a = height<Exact>(m_mesh.source(h)), b = height<Exact>(m_mesh.target(h));
+    if constexpr (!Number_policy<FT>::is_inexact) return a / (a - b);
+    else
+    {
+      const FT low = Number_policy<FT>::rounding(0.5), t = rounded(Exact(a / (a - b)));
+      return t > low ? (std::min)(t, FT(FT(1) - low)) : low; // if exact numbers say so, a and b differ
+    }
+  }
+
+  static FT rounded(const Exact_rational& x) { return FT(CGAL::to_double(x)); }
+  template <class Exact>
+  static std::enable_if_t<!std::is_same<Exact, Exact_rational>::value, FT> rounded(const Exact& x)
+  {
+    return x;
+  }
+
+  template <class Exact>
+  Exact height(Index v) const
+  {
+    const auto p = m_surface.position(m_surface.vertex_of[v]);
+    return Exact(m_plane.a()) * Exact(p.x()) + Exact(m_plane.b()) * Exact(p.y()) + Exact(m_plane.c()) * Exact(p.z()) +
+           Exact(m_plane.d());
+  }
+
+  void add_segment(std::size_t a, std::size_t b)
+  {
+    m_nodes[a].segments.push_back(m_segments.size());
+    m_nodes[b].segments.push_back(m_segments.size());
+    m_segments.push_back({a, b});
+  }
+
+  // Polylines from ends, or where several meet, to others; then the closed ones that remain.
+  void chain(std::vector<Geodesic_polyline<Face_location>>& polylines) const
+  {
+    std::vector<char> is_used(m_segments.size(), 0);
+    for (std::size_t n = 0; n < m_nodes.size(); ++n)
+      if (m_nodes[n].segments.size() != 2)
+        for (std::size_t s : m_nodes[n].segments)
+          if (!is_used[s]) polylines.push_back(walk(n, s, is_used));
+    for (std::size_t s = 0; s < m_segments.size(); ++s)
+      if (!is_used[s]) polylines.push_back(walk(m_segments[s][0], s, is_used));
+  }
+
+  Geodesic_polyline<Face_location> walk(std::size_t first, std::size_t segment, std::vector<char>& is_used) const
+  {
+    Geodesic_polyline<Face_location> polyline;
+    const bool is_backward = m_segments[segment][0] != first;
+    std::size_t node = first;
+    while (true)
+    {
+      polyline.locations.push_back(m_nodes[node].location);
+      is_used[segment] = 1;
+      node = m_segments[segment][m_segments[segment][0] == node ? 1 : 0];
+      const std::vector<std::size_t>& there = m_nodes[node].segments;
+      if (node == first || there.size() != 2) break;
+      segment = there[there[0] == segment ? 1 : 0];
+    }
+    polyline.is_closed = node == first;
+    if (!polyline.is_closed) polyline.locations.push_back(m_nodes[node].location);
+    if (is_backward) std::reverse(polyline.locations.begin(), polyline.locations.end());
+    return polyline;
+  }
+
+  const Surface& m_surface;
+  const Unfolded_mesh<Number>& m_mesh;
+  const Plane_3& m_plane;
+  std::vector<signed char> m_side; // of the vertices
+  std::vector<char> m_is_inside;   // whether a face of the vertex is in the plane
+  std::vector<Node> m_nodes;
+  std::vector<std::array<std::size_t, 2>> m_segments; // between nodes
+  std::unordered_map<Index, std::size_t> m_node_of_edge, m_node_of_vertex;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
