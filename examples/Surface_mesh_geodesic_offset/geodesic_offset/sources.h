@@ -7,13 +7,12 @@
 #define GEODESIC_OFFSET_SOURCES_H
 
 #include "common.h"
-#include "location.h"
 #include "mesh_input.h"
 #include "polyline_file.h"
 #include "source_options.h"
-#include "surface_path.h"
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 
 #include <array>
 #include <cmath>
@@ -32,7 +31,6 @@ class Sources
   const Mesh_input&       m_input;
   const Mesh&             m_mesh;
   const Geodesic_sources& m_geodesic; // locates points
-  Path_finder             m_find_path;
 
   std::vector<Vertex>           m_vertices;
   std::vector<Face_location>    m_points;
@@ -43,7 +41,7 @@ class Sources
 
 public:
   Sources(const Mesh_input& input, const Source_options& options, const Geodesic_sources& geodesic)
-    : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic), m_find_path(input.mesh())
+    : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic)
   {
     for(std::size_t i : options.source_vertices)
       add_vertex(i, options.mesh);
@@ -104,7 +102,7 @@ public:
     for(Vertex v : m_vertices)
       points.push_back(m_mesh.point(v));
     for(const Face_location& location : m_points)
-      points.push_back(point_of(m_mesh, location));
+      points.push_back(point_of(location));
     return points;
   }
 
@@ -116,7 +114,7 @@ public:
     {
       polylines.emplace_back();
       for(const Face_location& location : polyline.locations)
-        polylines.back().push_back(point_of(m_mesh, location));
+        polylines.back().push_back(point_of(location));
       if(polyline.is_closed)
         polylines.back().push_back(polylines.back().front());
     }
@@ -127,6 +125,11 @@ public:
   }
 
 private:
+  Point point_of(const Face_location& location) const
+  {
+    return CGAL::Polygon_mesh_processing::construct_point(location, m_mesh);
+  }
+
   void add_vertex(std::size_t i, const std::string& mesh_file)
   {
     const std::size_t n = m_input.soup().points.size();
@@ -158,12 +161,18 @@ private:
         polyline.locations.push_back(location);
         continue;
       }
-      if(point_of(m_mesh, location) == point_of(m_mesh, polyline.locations.back()))
+      if(point_of(location) == point_of(polyline.locations.back()))
         continue;
-      const Face_location previous = polyline.locations.back();
-      if(!m_find_path(previous, location, polyline.locations))
-        throw Input_error(line + ": there is no path on the surface from " +
-                          name(i - 1) + " to " + name(i));
+      try
+      {
+        const std::array<Face_location, 2> ends = {polyline.locations.back(), location};
+        const Surface_polyline path = m_geodesic.join_polyline(ends);
+        polyline.locations.insert(polyline.locations.end(), path.locations.begin() + 1, path.locations.end());
+      }
+      catch(const std::invalid_argument&)
+      {
+        throw Input_error(line + ": there is no path on the surface from " + name(i - 1) + " to " + name(i));
+      }
     }
     // closed means that the first location is not repeated
     if(polyline.is_closed && polyline.locations.size() > 1)

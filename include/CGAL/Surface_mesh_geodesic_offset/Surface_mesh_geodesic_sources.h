@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
@@ -19,6 +20,7 @@
 #include <array>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,6 +67,8 @@ public:
   /// halfedge, its target, and the third vertex
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
+  /// a polyline on the surface
+  typedef Geodesic_polyline<Face_location> Polyline;
   /// the answer of `plane_section()`
   typedef Geodesic_plane_section<Face_location, vertex_descriptor> Plane_section;
 
@@ -217,8 +221,56 @@ public:
   Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_locator->locate(r, tolerance); }
   /// @}
 
-  /// \name Sections
+  /// \name Polylines and Sections
   /// @{
+
+  /// the polyline through points in space: they are located, and those that follow each other without a face in common are
+  /// joined by the shortest path on the surface. Points that fall together are left out. The time for a path depends on the
+  /// faces that it may pass, and not on the size of the mesh.
+  /// \tparam PointRange a model of `ConstRange` with `Point_3` as value type
+  /// \param closed whether the last point is joined to the first one, which may be repeated
+  /// \throws std::invalid_argument if the range is empty, or if there is no path from a point to the next one; and as
+  ///         `locate()` does.
+  template <class PointRange>
+  Polyline locate_polyline(const PointRange& points, bool closed = false) const
+  {
+    std::vector<Face_location> locations;
+    for (const Point_3& p : points) locations.push_back(locate(p));
+    return join_polyline(locations, closed);
+  }
+
+  /// the same of points of the surface, which stay where they are.
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  template <class FaceLocationRange>
+  Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
+  {
+    const Geodesic_offset::internal::Polyline_joining<Surface> join(*m_surface, m_traits);
+    Polyline polyline;
+    std::size_t i = 0;
+    const auto add = [&](const Face_location& l) {
+      auto& path = polyline.locations;
+      if (!path.empty() && m_surface->point(path.back()) == m_surface->point(l)) return;
+      if (!path.empty() && !join(classified(path.back()), classified(l), path))
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
+                                    std::to_string(i) + " of a polyline from the one before");
+      path.push_back(l);
+    };
+    for (const Face_location& l : locations)
+    {
+      classified(l);
+      add(l);
+      ++i;
+    }
+    if (i == 0) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
+    if (closed)
+    {
+      i = 0;
+      add(Face_location(polyline.locations.front()));
+      if (polyline.locations.size() > 1) polyline.locations.pop_back();
+      polyline.is_closed = polyline.locations.size() > 2;
+    }
+    return polyline;
+  }
 
   /// the section of the mesh by a plane. The sides of the vertices are decided by the kernel: if its predicates are exact,
   /// so is the way that the section takes, and only the places of its points on the edges are rounded. Takes time linear in

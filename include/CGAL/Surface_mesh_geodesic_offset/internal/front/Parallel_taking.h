@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The front on several threads, in rounds. The mesh is divided into parts, always the same. In a round, any thread works on a
-// part: it takes in what other parts have told this one in the round before, and then takes all halfedges of the part that
-// wait in the bucket, as a front of one part would, or spreads rays from its vertices. Of what parts share, the distances at
-// vertices where they meet, it sees what was known at the beginning of the round. So the result depends neither on the number
-// of threads nor on which of them does what.
+// The front on several threads, in rounds. The mesh is divided into parts, always the same. In a round, any thread works on
+// a part: it takes in what other parts have told this one in the round before, and then takes all halfedges of the part
+// that wait in the bucket, as a front of one part would, or spreads rays from its vertices. Of what parts share, the
+// distances at vertices where they meet, it sees what was known at the beginning of the round. So the result depends
+// neither on the number of threads nor on which of them does what.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_TAKING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_TAKING_H

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joins points of the surface by the shortest paths between them. The points of a polyline are mostly close to each other,
+// so each path is looked for on a mesh of its own, of the faces that it may pass: small, whatever the size of the mesh.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class Surface>
+class Polyline_joining
+{
+  typedef typename Surface::Computing_traits Traits;
+  typedef typename Surface::Number Number;
+  typedef typename Surface::Face_location Face_location;
+  typedef CGAL::Geodesic_offset::internal::Surface_point<Number> Surface_point;
+  typedef CGAL::Geodesic_offset::internal::Located_point<Number> Located_point;
+  typedef CGAL::Simple_cartesian<double> Plain_kernel; // for bounds
+  typedef Plain_kernel::Point_3 Plain_point;
+
+public:
+  Polyline_joining(const Surface& surface, const Traits& traits)
+    : m_surface(surface), m_mesh(surface.unfolded), m_traits(traits)
+  {
+  }
+
+  // Appends the locations of the shortest path, without its ends. Returns false if there is no path.
+  bool operator()(const Located_point& from, const Located_point& to, std::vector<Face_location>& path) const
+  {
+    if (have_common_face(from, to)) return true;
+    const double bound = length_along_edges(from, to) * slack;
+    if (!(bound < std::numeric_limits<double>::infinity())) return false;
+    const Patch patch(*this, faces_within(from, to, bound));
+    patch.trace(from, to, bound, [&](const auto& p) { path.push_back(m_surface.location(p)); });
+    return true;
+  }
+
+private:
+  static constexpr double slack = 1 + 1e-9; // for rounding
+
+  // Some faces, as a mesh. The halfedges of a face are those of the whole mesh, in the same order.
+  class Patch
+  {
+  public:
+    Patch(const Polyline_joining& whole, std::vector<Index> faces) : m_whole(whole), m_faces(std::move(faces))
+    {
+      for (Index i = 0; i < m_faces.size(); ++i) m_number_of_face[m_faces[i]] = i;
+      std::vector<Face_links> links;
+      std::vector<Index> face_at;
+      std::vector<typename Traits::Point_3> points;
+      for (Index f : m_faces)
+      {
+        Face_links l;
+        for (Index k = 0; k < 3; ++k)
+        {
+          l.source[k] = number(whole.m_mesh.source(3 * f + k), points);
+          const Index twin = whole.m_mesh.twin(3 * f + k);
+          const auto beyond = twin == no_index ? m_number_of_face.end() : m_number_of_face.find(twin / 3);
+          l.beyond[k] = beyond == m_number_of_face.end() ? no_index : beyond->second;
+        }
+        face_at.push_back(Index(links.size()));
+        links.push_back(l);
+      }
+      m_mesh = Unfolded_mesh<Number>(Same_numbers(), links, face_at, points, whole.m_traits);
+    }
+
+    // Calls out(crossing or vertex) for what the path passes, of the whole mesh.
+    template <class Function>
+    void trace(const Located_point& from, const Located_point& to, double bound, const Function& out) const
+    {
+      Source_set<Number> sources;
+      sources.add(m_mesh, {here(to)}, Source_set<Number>::POINT);
+      Build_request<Number> request;
+      request.maximum = Number(bound);
+      request.keeps_windows = true;
+      const Located_point start = here(from);
+      request.targets.push_back(start);
+      Geodesic_build<Traits> build(m_mesh, sources, request);
+      build.propagate(m_whole.m_traits);
+      const Path_start<Number> way = Path_starts<Number>(m_mesh, build.initial, build.field)(start);
+      std::vector<Path_crossing<Number>> passed;
+      const auto collect = [&](const auto& p) { add(p, passed); };
+      Path_elements<Number, decltype(collect)> elements(collect);
+      Path_tracing<Number>(m_mesh, build.initial, build.field)(start, way, build.legs, elements);
+      for (const Path_crossing<Number>& c : passed)
+        if (c.halfedge != no_index) out(c);
+        else if (!is_at(c.source, from) && !is_at(c.source, to)) out(Surface_point::at_vertex(c.source));
+    }
+
+  private:
+    // Of vertices and faces of the patch, as Element_numbers tells them of a mesh.
+    struct Same_numbers
+    {
+      Index of_vertex(Index i) const { return i; }
+      Index of_face(Index i) const { return i; }
+    };
+
+    Index number(Index vertex, std::vector<typename Traits::Point_3>& points)
+    {
+      const auto [it, is_new] = m_number_of_vertex.emplace(vertex, Index(m_vertices.size()));
+      if (is_new)
+      {
+        const Surface& surface = m_whole.m_surface;
+        m_vertices.push_back(vertex);
+        points.push_back(
+          converted_point<typename Traits::Point_3, Number>(get(surface.vpm, surface.vertex_of[vertex])));
+      }
+      return it->second;
+    }
+
+    // The point in the patch, which has all faces round it.
+    Located_point here(Located_point p) const
+    {
+      if (p.kind == Surface_point::VERTEX) p.element = m_number_of_vertex.at(p.element);
+      else if (p.kind == Surface_point::FACE) p.element = m_number_of_face.at(p.element);
+      else p.element = 3 * m_number_of_face.at(p.element / 3) + p.element % 3;
+      return p;
+    }
+
+    // What is passed, in the whole mesh.
+    void add(const Path_crossing<Number>& c, std::vector<Path_crossing<Number>>& passed) const
+    {
+      const Index h = 3 * m_faces[c.halfedge / 3] + c.halfedge % 3;
+      passed.push_back({h, m_vertices[c.source], m_vertices[c.target], c.part});
+    }
+    void add(const Surface_point& p, std::vector<Path_crossing<Number>>& passed) const
+    {
+      if (p.kind == Surface_point::VERTEX)
+        passed.push_back({no_index, m_vertices[p.element], m_vertices[p.element], Number(0)});
+    }
+
+    static bool is_at(Index vertex, const Surface_point& p)
+    {
+      return p.kind == Surface_point::VERTEX && p.element == vertex;
+    }
+
+    const Polyline_joining& m_whole;
+    const std::vector<Index> m_faces; // in the whole mesh
+    std::vector<Index> m_vertices;
+    std::unordered_map<Index, Index> m_number_of_face, m_number_of_vertex;
+    Unfolded_mesh<Number> m_mesh;
+  };
+
+  bool have_common_face(const Surface_point& p, const Surface_point& q) const
+  {
+    Point_in_face<Number> unused;
+    unsigned edges;
+    const std::vector<Index> faces = faces_of(m_mesh, p);
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](Index f) { return position_in_face(m_mesh, q, f, unused, edges); });
+  }
+
+  // A bound of the distance: the length of a path along edges, and straight inside of the first and the last face.
+  double length_along_edges(const Located_point& from, const Located_point& to) const
+  {
+    const Plain_point p = plain_point(from), q = plain_point(to);
+    std::unordered_set<Index> goals;
+    for (Index f : faces_of(m_mesh, to))
+      for (Index k = 0; k < 3; ++k) goals.insert(m_mesh.source(3 * f + k));
+    typedef std::pair<double, Index> Entry; // a lower bound of the length of a path by way of the vertex
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::unordered_map<Index, double> length;
+    std::unordered_set<Index> is_done;
+    const auto reach = [&](Index v, double l) {
+      const auto [it, is_new] = length.emplace(v, l);
+      if (!is_new && it->second <= l) return;
+      it->second = l;
+      queue.emplace(l + distance(plain_point(v), q), v);
+    };
+    for (Index f : faces_of(m_mesh, from))
+      for (Index k = 0; k < 3; ++k) reach(m_mesh.source(3 * f + k), distance(p, plain_point(m_mesh.source(3 * f + k))));
+    while (!queue.empty())
+    {
+      const auto [total, v] = queue.top();
+      queue.pop();
+      if (goals.count(v) > 0) return total;
+      if (!is_done.insert(v).second) continue;
+      const double so_far = length[v];
+      for (Index f : faces_of(m_mesh, Surface_point::at_vertex(v)))
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+          if (m_mesh.source(h) == v) reach(m_mesh.target(h), so_far + CGAL::to_double(m_mesh[h].length));
+          else if (m_mesh.target(h) == v) reach(m_mesh.source(h), so_far + CGAL::to_double(m_mesh[h].length));
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+  // The faces that a path of this length can pass, which are connected: those that meet the ellipsoid round its ends.
+  std::vector<Index> faces_within(const Located_point& from, const Located_point& to, double bound) const
+  {
+    const Plain_point p = plain_point(from), q = plain_point(to);
+    const auto can_pass = [&](Index f) {
+      const Plain_kernel::Triangle_3 t(plain_point(m_mesh.source(3 * f)), plain_point(m_mesh.source(3 * f + 1)),
+                                       plain_point(m_mesh.source(3 * f + 2)));
+      return std::sqrt(CGAL::squared_distance(p, t)) + std::sqrt(CGAL::squared_distance(q, t)) <= bound * slack;
+    };
+    std::vector<Index> faces;
+    std::unordered_set<Index> seen;
+    for (const Located_point* end : {&from, &to})
+      for (Index f : faces_of(m_mesh, *end))
+        if (seen.insert(f).second) faces.push_back(f);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (Index k = 0; k < 3; ++k)
+      {
+        const Index around = m_mesh.source(3 * faces[i] + k); // a path may pass a vertex
+        for (Index f : faces_of(m_mesh, Surface_point::at_vertex(around)))
+          if (seen.insert(f).second && can_pass(f)) faces.push_back(f);
+      }
+    return faces;
+  }
+
+  Plain_point plain_point(Index v) const { return plain(m_surface.position(m_surface.vertex_of[v])); }
+  Plain_point plain_point(const Located_point& p) const
+  {
+    return p.kind == Surface_point::VERTEX ? plain_point(p.element) : plain(m_surface.point(m_surface.location(p)));
+  }
+
+  template <class Point>
+  static Plain_point plain(const Point& p)
+  {
+    return Plain_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  static double distance(const Plain_point& p, const Plain_point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+  const Surface& m_surface;
+  const Unfolded_mesh<Number>& m_mesh;
+  const Traits& m_traits;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
