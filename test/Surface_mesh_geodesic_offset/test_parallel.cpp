@@ -25,6 +25,8 @@ int main()
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
+#include <cfenv>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -274,6 +276,64 @@ void several_at_once(Query_case& c)
   for (unsigned i = 0; i < n; ++i) CHECK(together[i] == build(i, CGAL::Parallel_tag()));
 }
 
+// All threads round as the calling one does, also those that have rounded in another way before.
+void rounding_of_the_caller(const test::Surface_mesh& mesh)
+{
+  const auto build = [&](int threads, int mode)
+  {
+    std::vector<double> result;
+    with_threads(threads,
+                 [&]
+                 {
+                   const int before = std::fegetround();
+                   std::fesetround(mode);
+                   Geodesic geodesic(mesh);
+                   geodesic.add_source_point(*vertices(mesh).begin());
+                   geodesic.build<CGAL::Parallel_tag>();
+                   for (Vertex_index v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
+                   std::fesetround(before);
+                 });
+    return result;
+  };
+  const std::vector<double> nearest = build(2, FE_TONEAREST), upward = build(1, FE_UPWARD);
+  CHECK(nearest != upward);
+  for (int i = 0; i < 3; ++i) CHECK(build(2, FE_UPWARD) == upward);
+  CHECK(build(2, FE_TONEAREST) == nearest);
+}
+
+// The exception of the first item that has one, by any number of threads; and the team goes on afterwards.
+void exceptions_of_a_team()
+{
+  typedef CGAL::Geodesic_offset::internal::Index Index;
+  for (const unsigned size : {1u, 2u, 3u})
+  {
+    CGAL::Geodesic_offset::internal::Worker_team team(size);
+    for (int round = 0; round < 2000; ++round)
+    {
+      std::vector<std::atomic<int>> calls(40);
+      const bool throws = round % 3 > 0;
+      Index thrown = 40;
+      try
+      {
+        team.for_each(
+          40, [](Index i) { return i % 7; }, round % 2 == 0,
+          [&](unsigned worker, Index i)
+          {
+            if (worker >= size) throw std::logic_error("no such worker");
+            ++calls[i];
+            if (throws && (i == 11 || i == 23 || i == 38)) throw i;
+          });
+      }
+      catch (const Index& i)
+      {
+        thrown = i;
+      }
+      CHECK(thrown == (throws ? 11u : 40u));
+      for (std::size_t i = 0; i < 40; ++i) CHECK(calls[i] == 1 || (throws && i > 11 && calls[i] == 0));
+    }
+  }
+}
+
 #if !defined(__SANITIZE_THREAD__)
 // The same by tasks of TBB, which ThreadSanitizer does not understand.
 void within_tasks(Query_case& c)
@@ -308,6 +368,8 @@ int main(int argc, char* argv[])
   Query_case large("large torus", rotated(torus(is_small ? 60 : 260, is_small ? 40 : 150), 4));
   tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30); });
   tests.emplace_back("up to a maximum distance", [&] { up_to_maximum(large); });
+  tests.emplace_back("rounding of the caller", [&] { rounding_of_the_caller(large.mesh); });
+  tests.emplace_back("exceptions of a team", exceptions_of_a_team);
   tests.emplace_back("several at once", [&] { several_at_once(*cases.back()); });
 #if !defined(__SANITIZE_THREAD__)
   tests.emplace_back("within tasks", [&] { within_tasks(large); });

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_arena.h>
 
@@ -78,14 +79,14 @@ public:
 
   Front_sender(Wavefront_state<FT>& state, Index part) : m_state(&state), m_part(part)
   {
-    CGAL_assertion(state.parts.number() <= 64); // the bits of m_told
+    CGAL_assertion(state.parts.number() <= Front_partition::largest_number); // the bits of m_told
     for (auto& places : m_place) places.assign(state.parts.number(), none);
   }
 
-  // From now on it is told what is for the next round, of which the number is even or odd.
+  // What it is told from now on is told in this round, and read in the next one.
   void begin(unsigned round)
   {
-    m_round = round & 1u;
+    m_parity = round & 1u;
     m_told = 0;
     m_nearest = Number_policy<FT>::infinity();
   }
@@ -108,8 +109,8 @@ public:
     m_last[0] = {v, a.distance};
   }
 
-  // The same where all that is read of vertices that parts share is read, and not written, at the time: for those that the
-  // part has alone, and for the others if it may make a difference.
+  // The same in a round in which nobody but this part reads what is known of vertices that it has alone: that changes at
+  // once. The others are told only what may make a difference.
   void update_apex(Index v, const Vertex_arrival<FT>& a)
   {
     if (m_state->parts.has_alone(v)) m_state->update_vertex(v, a);
@@ -146,13 +147,13 @@ private:
   {
     m_told |= std::uint64_t(1) << part;
     m_nearest = (std::min)(m_nearest, nearest);
-    std::uint8_t& place = m_place[m_round][part];
+    std::uint8_t& place = m_place[m_parity][part];
     if (place == none)
     {
-      place = std::uint8_t(m_box[m_round].size());
-      m_box[m_round].emplace_back();
+      place = std::uint8_t(m_box[m_parity].size());
+      m_box[m_parity].emplace_back();
     }
-    return m_box[m_round][place];
+    return m_box[m_parity][place];
   }
 
   FT distance(Index v) const
@@ -171,7 +172,7 @@ private:
 
   Wavefront_state<FT>* m_state;
   Index m_part;
-  unsigned m_round = 0;
+  unsigned m_parity = 0; // of the round
   std::vector<Box> m_box[2];            // for those parts that were ever told anything
   std::vector<std::uint8_t> m_place[2]; // of the box for each part
   Arrivals m_shared_arrivals;

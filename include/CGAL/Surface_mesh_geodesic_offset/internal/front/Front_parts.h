@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts into which the front is divided: each element of the mesh belongs to one, and what is known of the front there
-// is written by none but the thread that works on this part. So threads need no locks.
+// The parts into which the front is divided: each element of the mesh belongs to one. In a round, what is known of the front
+// there is written by none but the thread that works on this part; vertices where parts meet wait for the end of the round.
+// So threads need no locks.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTS_H

@@ -78,7 +78,8 @@ public:
     for (Index i = 0; i < m_part.size(); ++i)
       if (m_waiting[i].first <= m_state.current() || has_bit(m_told | m_gives_up, i)) m_turns.push_back({i, 1});
     m_gives_up = 0;
-    round(m_turns.size() >= 4, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
+    round(m_turns.size() >= worthwhile_faces,
+          [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
     for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
   }
 
@@ -103,12 +104,12 @@ public:
       const bool is_told = m_told != 0 && (m_tells_vertices || first_told() <= m_state.current());
       if (const std::size_t halfedges = find_turns(&Waiting::halfedges); halfedges > 0 || is_told)
       {
-        round(halfedges >= 8, [this](unsigned worker, Index i) { this->take_halfedges(i, worker); });
+        round(halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->take_halfedges(i, worker); });
         m_tells_vertices = false;
       }
       else if (const std::size_t vertices = find_turns(&Waiting::vertices); vertices > 0)
       {
-        round(vertices >= 16, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
+        round(vertices >= worthwhile_vertices, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
         m_tells_vertices = true;
       }
       else
@@ -125,6 +126,10 @@ public:
   }
 
 private:
+  // Rounds of less work, in parts whose faces are looked at, halfedges, or vertices, take less time than other threads need
+  // to notice them.
+  static constexpr std::size_t worthwhile_faces = 4, worthwhile_halfedges = 8, worthwhile_vertices = 16;
+
   // What a part has for itself, beside its share of the state.
   struct alignas(64) Part
   {
@@ -143,7 +148,7 @@ private:
     std::size_t halfedges = 0, vertices = 0; // in this bucket
     Parts told = 0;                          // parts that were told something
     FT nearest_told = Number_policy<FT>::infinity();
-    bool tells_all = false;
+    bool has_shared_arrivals = false;
   };
 
   struct Turn
@@ -186,7 +191,7 @@ private:
     Waiting& w = m_waiting[i];
     w.told = part.sender.told();
     w.nearest_told = part.sender.nearest();
-    w.tells_all = !part.sender.shared_arrivals().empty();
+    w.has_shared_arrivals = !part.sender.shared_arrivals().empty();
   }
 
   template <class Function>
@@ -217,7 +222,7 @@ private:
     Parts changed = 0;
     for (const Turn& t : m_turns)
     {
-      if (!m_waiting[t.part].tells_all) continue;
+      if (!m_waiting[t.part].has_shared_arrivals) continue;
       auto& arrivals = m_part[t.part].sender.shared_arrivals();
       for (const auto& [vertex, arrival] : arrivals)
       {
@@ -321,12 +326,11 @@ private:
   std::vector<Turn> m_turns;      // of the round, in the order of the parts
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
   unsigned m_round = 0;
-  // of the round before: the parts that were told something, by whom each, the smallest distance in there, and whether there
-  // are distances of vertices among it
+  // of the round before: the parts that were told something, by whom each, and the smallest distance in there
   Parts m_told = 0;
   std::vector<Parts> m_senders = std::vector<Parts>(Front_partition::largest_number, 0);
   FT m_nearest_told = Number_policy<FT>::infinity();
-  bool m_tells_vertices = false;
+  bool m_tells_vertices = false; // there may be distances of vertices among it
   Parts m_gives_up = 0; // parts with faces to give up
 };
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the parts of the wavefront share: the field so far, the queue, and the ways to add to them.
+// The state of the wavefront: the field so far, the queues of its parts, and the ways to add to them.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_STATE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_STATE_H
@@ -184,7 +184,7 @@ public:
     queue.push_vertex(queue.bucket_of(a.distance), v);
   }
 
-  // A face that the front has reached is looked at again when the front may have passed it.
+  // A face that the front has reached is looked at again when the front may have passed it. Its part must be awake.
   void schedule(Index f)
   {
     if (face_state[f]) return;
@@ -244,7 +244,7 @@ public:
   }
 
   // Puts a halfedge that has n more windows into the bucket of the nearest one, or into the current one if that is later,
-  // unless it waits in an earlier one.
+  // unless it waits in an earlier one. Its part must be awake.
   void enqueue(Index h, Window_list<FT>& list, std::size_t n, const FT& nearest)
   {
     Part& p = m_part[parts.of_halfedge(h)];

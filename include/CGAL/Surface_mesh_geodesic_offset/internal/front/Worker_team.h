@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <cstdint>
 #include <exception>
@@ -25,6 +26,7 @@
 #include <mutex>
 #include <numeric>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #if defined(__SSE2__) || defined(_M_X64)
@@ -75,8 +77,16 @@ public:
     __tsan_release(m_shared.get());
     __tsan_ignore_thread_begin();
 #endif
-    tbb::task_arena& waiting = arena();
-    for (unsigned i = 1; i < size; ++i) waiting.enqueue(Helper{m_shared, size});
+    try
+    {
+      tbb::task_arena& waiting = arena();
+      for (unsigned i = 1; i < size; ++i) waiting.enqueue(Helper{m_shared, size});
+    }
+    catch (...)
+    {
+      dismiss();
+      throw;
+    }
 #ifdef CGAL_GEODESIC_OFFSET_THREAD_SANITIZER
     __tsan_ignore_thread_end();
 #endif
@@ -85,18 +95,17 @@ public:
   Worker_team(const Worker_team&) = delete;
   Worker_team& operator=(const Worker_team&) = delete;
 
-  // Those that have come leave; those that have not will find nothing to do.
   ~Worker_team()
   {
-    if (!m_shared) return;
-    for (auto& share : m_shared->share) share.store(Shared::share_of(Shared::no_more, 0, 0));
+    if (m_shared) dismiss();
   }
 
   unsigned size() const { return m_size; }
 
   // Calls f(worker, i) for each i < n, from several threads at once, where worker < size(). Items next to each other, in
   // shares of about the same weight, are for the same worker in each round, as long as none is idle. What was written before
-  // is seen by all of them, and what they write afterwards by the caller. An exception is thrown on once all have ended.
+  // is seen by all of them, and what they write afterwards by the caller. If there are exceptions, that of the first item is
+  // thrown on; whether f is called for items behind it is not said.
   template <class Weight, class Function>
   void for_each(Index n, const Weight& weight, bool is_worth_help, const Function& f)
   {
@@ -130,10 +139,16 @@ public:
     const Index mine = s.work(0, m_size, m_round);
     Patience patience;
     while (s.done.load(std::memory_order_acquire) + mine != n) patience.wait();
-    if (s.failed.load(std::memory_order_relaxed)) s.rethrow();
+    s.rethrow();
   }
 
 private:
+  // Helpers that have come leave; those that have not will find nothing to do.
+  void dismiss()
+  {
+    for (auto& share : m_shared->share) share.store(Shared::share_of(Shared::no_more, 0, 0));
+  }
+
   // Where helpers wait for threads, those of all teams that are made where TBB may use as many. Short builds may be over
   // before a thread comes, and arenas of their own would heap up.
   static tbb::task_arena& arena()
@@ -185,7 +200,7 @@ private:
     static Index first_of(std::uint64_t share) { return Index(share >> 16) & 0xffffu; }
     static Index end_of(std::uint64_t share) { return Index(share) & 0xffffu; }
 
-    explicit Shared(unsigned size) : share(size) {}
+    explicit Shared(unsigned size) : share(size) { std::fegetenv(&environment); }
 
     std::vector<Share> share;
     std::vector<Index> order;
@@ -193,9 +208,10 @@ private:
     void (*call)(const void*, unsigned, Index) = nullptr;
     alignas(64) std::atomic<Index> done{0}; // by helpers
     alignas(64) std::atomic<unsigned> helpers{0};
-    std::atomic<bool> failed{false};
+    std::fenv_t environment; // of worker 0: helpers round as it does
     std::mutex mutex;
-    std::exception_ptr exception;
+    std::exception_ptr exception; // of the first item that has one
+    Index failed_item = no_index;
 
     // Takes the first item of the share of a worker, or the last one.
     bool take(unsigned of, std::uint32_t round, bool is_first, Index& i)
@@ -232,15 +248,18 @@ private:
       catch (...)
       {
         const std::lock_guard<std::mutex> lock(mutex);
+        if (i >= failed_item) return;
+        failed_item = i;
         exception = std::current_exception();
-        failed.store(true, std::memory_order_relaxed);
       }
     }
 
+    // Once all items are done; the exception is the caller's then.
     void rethrow()
     {
-      failed.store(false, std::memory_order_relaxed);
-      std::rethrow_exception(exception);
+      if (failed_item == no_index) return;
+      failed_item = no_index;
+      std::rethrow_exception(std::exchange(exception, nullptr));
     }
   };
 
@@ -256,6 +275,9 @@ private:
 #endif
       const unsigned worker = 1 + shared->helpers.fetch_add(1, std::memory_order_relaxed);
       if (worker >= size) return;
+      std::fenv_t own;
+      std::fegetenv(&own);
+      std::fesetenv(&shared->environment);
       Patience patience;
       std::uint32_t last = 0;
       while (true)
@@ -271,6 +293,7 @@ private:
         if (const Index n = shared->work(worker, size, round)) shared->done.fetch_add(n, std::memory_order_release);
         patience.renew();
       }
+      std::fesetenv(&own);
     }
   };
 
