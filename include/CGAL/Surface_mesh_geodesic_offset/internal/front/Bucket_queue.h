@@ -59,11 +59,7 @@ public:
   bool advance()
   {
     if (!has_events()) return false;
-    while (m_ring[m_begin].empty())
-    {
-      m_begin = (m_begin + 1) & (m_ring.size() - 1);
-      ++m_current;
-    }
+    move_to(first());
     return true;
   }
 
