@@ -14,6 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
 
 #include <array>
@@ -192,6 +193,33 @@ void points_in_space()
   }
 }
 
+// With few digits: along edges, where the bound of the length is the length.
+void short_numbers()
+{
+  typedef CGAL::Simple_cartesian<float> Short_kernel;
+  typedef CGAL::Surface_mesh<Short_kernel::Point_3> Mesh;
+  typedef CGAL::Surface_mesh_geodesic_distance<CGAL::Surface_mesh_geodesic_offset_traits<Short_kernel, Mesh>> Short_geodesic;
+  for (const float side : {0.1f, 0.3f, 1.7f})
+  {
+    Mesh mesh;
+    std::vector<Mesh::Vertex_index> v;
+    for (int i = 0; i <= 6; ++i)
+      for (int j = 0; j < 2; ++j) v.push_back(mesh.add_vertex(Short_kernel::Point_3(side * float(i), side * float(j), 0)));
+    for (std::size_t i = 0; i < 12; i += 2)
+    {
+      mesh.add_face(v[i], v[i + 2], v[i + 3]);
+      mesh.add_face(v[i], v[i + 3], v[i + 1]);
+    }
+    Short_geodesic geodesic(mesh);
+    const auto polyline = geodesic.locate_polyline(std::vector<Short_kernel::Point_3>{mesh.point(v[0]), mesh.point(v[12])});
+    CHECK(polyline.locations.size() == 7);
+    geodesic.add_source_polyline(polyline.locations);
+    geodesic.build();
+    for (std::size_t i = 0; i < v.size(); ++i)
+      CHECK(std::abs(geodesic.distance_to_sources(v[i]) - (i % 2 == 0 ? 0 : side)) <= 1e-6f * side);
+  }
+}
+
 // With exact numbers: over the edge of a cube whose sides are two triangles each.
 void exact_numbers()
 {
@@ -223,6 +251,7 @@ int main()
     {"generated, Polyhedron_3", generated<CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>},
     {"data meshes", data_meshes},
     {"points in space", points_in_space},
+    {"short numbers", short_numbers},
     {"exact numbers", exact_numbers}};
   return run_tests("test_joined_polylines", tests);
 }

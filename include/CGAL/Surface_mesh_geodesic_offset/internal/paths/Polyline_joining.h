@@ -59,7 +59,7 @@ public:
     const double bound = length_along_edges(from, to) * slack;
     if (!(bound < std::numeric_limits<double>::infinity())) return false;
     const Patch patch(*this, faces_within(from, to, bound));
-    patch.trace(from, to, bound, [&](const auto& p) { path.push_back(m_surface.location(p)); });
+    patch.trace(from, to, [&](const auto& p) { path.push_back(m_surface.location(p)); });
     return true;
   }
 
@@ -94,12 +94,11 @@ private:
 
     // Calls out(crossing or vertex) for what the path passes, of the whole mesh.
     template <class Function>
-    void trace(const Located_point& from, const Located_point& to, double bound, const Function& out) const
+    void trace(const Located_point& from, const Located_point& to, const Function& out) const
     {
       Source_set<Number> sources;
       sources.add(m_mesh, {here(to)}, Source_set<Number>::POINT);
       Build_request<Number> request;
-      request.maximum = Number(bound);
       request.keeps_windows = true;
       const Located_point start = here(from);
       request.targets.push_back(start);
