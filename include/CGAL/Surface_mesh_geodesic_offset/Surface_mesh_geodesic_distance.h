@@ -48,7 +48,7 @@ Functions that propagate take a concurrency tag as their first template paramete
 With `Parallel_tag` results are the same to the last bit for any number of threads, one included, and in each run. They
 differ from those with `Sequential_tag` by rounding alone: distances by no more than \f$10^{-13}\f$ of themselves in all
 tests. Where a build stops, at its targets or because the visitor cancels it, may differ, and so may the counts of the
-statistics; memory is the same but for buffers of about a megabyte. The visitor and the functions that take offset curves
+statistics; memory is larger by some percent. The visitor and the functions that take offset curves
 are called by the calling thread alone, which also cuts these; TBB's threads are kept until the build ends.
 
 The functors of the traits are called by several threads at once. This is done for `float`, `double` and `long double` only:

@@ -222,6 +222,9 @@ private:
     if (list.data) arena.release(list.data, list.size_class);
     part.free.push_back(m_place[h]);
     m_place[h] = no_index;
+    if (part.free.size() < part.lists.size()) return;
+    part.lists = std::vector<List>(); // the front has left the part
+    part.free = std::vector<Index>();
   }
 
   // Says that there are more windows, or less, in the part of a halfedge.
