@@ -161,8 +161,6 @@ private:
         polyline.locations.push_back(location);
         continue;
       }
-      if(point_of(location) == point_of(polyline.locations.back()))
-        continue;
       try
       {
         const std::array<Face_location, 2> ends = {polyline.locations.back(), location};

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -246,22 +247,24 @@ public:
   {
     const Geodesic_offset::internal::Polyline_joining<Surface> join(*m_surface, m_traits);
     Polyline polyline;
+    std::optional<Located_point> last;
     std::size_t i = 0;
     const auto add = [&](const Face_location& l) {
       auto& path = polyline.locations;
-      if (!path.empty() && m_surface->point(path.back()) == m_surface->point(l)) return;
-      if (!path.empty() && !join(classified(path.back()), classified(l), path))
+      const Located_point p = classified(l);
+      if (last && m_surface->point(path.back()) == m_surface->point(l)) return;
+      if (last && !join(*last, p, path))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
                                     std::to_string(i) + " of a polyline from the one before");
       path.push_back(l);
+      last = p;
     };
     for (const Face_location& l : locations)
     {
-      classified(l);
       add(l);
       ++i;
     }
-    if (i == 0) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
+    if (!last) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
     if (closed)
     {
       i = 0;

@@ -16,6 +16,8 @@
 
 #include <CGAL/tags.h>
 
+#include <boost/config.hpp>
+
 #include <type_traits>
 #include <vector>
 
@@ -34,6 +36,30 @@ struct Concurrency
   typedef std::conditional_t<is_parallel && std::is_floating_point<FT>::value, Parallel_tag, Sequential_tag> Tag;
 };
 
+// Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new. What comes of it
+// is told to `front`: the state itself, or something that keeps it for later.
+template <class Traits, class Arena, class Front>
+BOOST_FORCEINLINE void take_halfedge(Index h, Wavefront_state<typename Traits::FT>& state,
+                                     typename Wavefront_state<typename Traits::FT>::Part& part,
+                                     Halfedge_batch<Traits>& batch, Arena& arena, Front& front)
+{
+  typedef Window_list<typename Traits::FT> List;
+  auto& lists = state.field.lists;
+  List* const known = lists.find(h);
+  if (!known) return;
+  List& list = *known;
+  if (list.bucket != state.current() || !list.has_new()) return;
+  list.bucket = List::not_queued;
+  if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
+  list.taken = list.size;
+  state.schedule(state.mesh.face(h));
+  const auto& propagated = batch.propagated();
+  part.counts.windows_propagated += propagated.number_of_windows();
+  for (const auto& a : propagated.arrivals()) front.update_apex(propagated.apex(), a);
+  front.append(propagated.left(), arena);
+  front.append(propagated.right(), arena);
+}
+
 template <class Traits, class Concurrency_tag>
 class Halfedge_taking;
 
@@ -41,7 +67,6 @@ template <class Traits>
 class Halfedge_taking<Traits, Sequential_tag>
 {
   typedef typename Traits::FT FT;
-  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
 public:
   Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
@@ -84,7 +109,7 @@ public:
     Bucket_queue& queue = m_state.part(0).queue;
     for (Index i;;)
       if (m_state.pop_halfedge(queue, i))
-        take(i);
+        take_halfedge(i, m_state, m_state.part(0), m_batch, m_state.field.lists.arena(0), m_state);
       else if (queue.pop_vertex(i))
         spreading.spread_from_pseudo_source(i, m_state);
       else
@@ -95,25 +120,6 @@ public:
   Merging_counts merging_counts() const { return merging().counts(); }
 
 private:
-  // Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new.
-  void take(Index h)
-  {
-    Window_list<FT>* const known = m_state.field.lists.find(h);
-    if (!known) return;
-    Window_list<FT>& list = *known;
-    if (list.bucket != m_state.current() || !list.has_new()) return;
-    list.bucket = Window_list<FT>::not_queued;
-    if (const std::vector<Window>* const envelope = m_batch(h, list)) m_state.field.lists.assign(h, list, *envelope);
-    list.taken = list.size;
-    m_state.schedule(m_state.mesh.face(h));
-    const auto& propagated = m_batch.propagated();
-    m_state.part(0).counts.windows_propagated += propagated.number_of_windows();
-    for (const auto& a : propagated.arrivals())
-      m_state.update_vertex(propagated.apex(), a);
-    m_state.append(propagated.left());
-    m_state.append(propagated.right());
-  }
-
   Wavefront_state<FT>& m_state;
   Halfedge_batch<Traits> m_batch;
 };

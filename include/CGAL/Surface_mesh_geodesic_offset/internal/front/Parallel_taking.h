@@ -34,7 +34,6 @@ class Halfedge_taking<Traits, Parallel_tag>
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef Window_arena<Window> Arena;
-  typedef typename Wavefront_state<FT>::Part State_part;
   typedef std::uint64_t Parts; // a set of parts, by bits
 
 public:
@@ -291,25 +290,8 @@ private:
     Bucket_queue& queue = m_state.part(part).queue;
     Index h;
     while (m_state.pop_halfedge(queue, h))
-      take(h, m_part[part].sender, m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker));
-  }
-
-  void take(Index h, Front_sender<FT>& sender, State_part& part, Halfedge_batch<Traits>& batch, Arena& arena)
-  {
-    Window_lists<FT>& lists = m_state.field.lists;
-    Window_list<FT>* const known = lists.find(h);
-    if (!known) return;
-    Window_list<FT>& list = *known;
-    if (list.bucket != m_state.current() || !list.has_new()) return;
-    list.bucket = Window_list<FT>::not_queued;
-    if (const std::vector<Window>* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
-    list.taken = list.size;
-    m_state.schedule(m_state.mesh.face(h));
-    const auto& propagated = batch.propagated();
-    part.counts.windows_propagated += propagated.number_of_windows();
-    for (const auto& a : propagated.arrivals()) sender.update_apex(propagated.apex(), a);
-    sender.append(propagated.left(), arena);
-    sender.append(propagated.right(), arena);
+      take_halfedge(h, m_state, m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker),
+                    m_part[part].sender);
   }
 
   void spread(Index part, const Ray_spreading<Traits>& spreading)

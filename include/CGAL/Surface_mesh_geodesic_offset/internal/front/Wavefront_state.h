@@ -145,6 +145,9 @@ public:
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
 
+  // The same of the apex of a batch.
+  void update_apex(Index v, const Arrival& a) { update_vertex(v, a); }
+
   // Whether update_vertex() may do anything.
   bool may_change(Index v, const Arrival& a) const
   {

@@ -111,14 +111,9 @@ struct Geodesic_surface
   Face_location location(const Surface_point<Number>& p) const
   {
     if (p.kind == Surface_point<Number>::FACE) return location(p.element, {p.x, p.y});
-    Face_location l(boost::graph_traits<Triangle_mesh>::null_face(), Barycentric_coordinates{FT(0), FT(0), FT(0)});
     const Index h = p.kind == Surface_point<Number>::EDGE ? p.element : unfolded.corner(p.element);
-    if (h == no_index) return l;
-    const FT t = p.kind == Surface_point<Number>::EDGE ? exported(Number(p.x / unfolded[h].length)) : FT(0);
-    l.first = face_of[h / 3];
-    l.second[h % 3] = FT(1) - t;
-    l.second[(h % 3 + 1) % 3] = t;
-    return l;
+    if (h == no_index) return Face_location(Graph_traits::null_face(), Barycentric_coordinates{FT(0), FT(0), FT(0)});
+    return location_on(h, p.kind == Surface_point<Number>::EDGE ? exported(Number(p.x / unfolded[h].length)) : FT(0));
   }
 
   // As it was asked for.
@@ -130,10 +125,15 @@ struct Geodesic_surface
 
   Face_location location(const Path_crossing<Number>& p) const
   {
-    const FT part = exported(p.part);
-    Face_location l(face_of[p.halfedge / 3], Barycentric_coordinates{FT(0), FT(0), FT(0)});
-    l.second[p.halfedge % 3] = FT(1) - part;
-    l.second[(p.halfedge % 3 + 1) % 3] = part;
+    return location_on(p.halfedge, exported(p.part));
+  }
+
+  // At the part t of the way from the source of a halfedge to its target.
+  Face_location location_on(Index h, const FT& t) const
+  {
+    Face_location l(face_of[h / 3], Barycentric_coordinates{FT(0), FT(0), FT(0)});
+    l.second[h % 3] = FT(1) - t;
+    l.second[(h % 3 + 1) % 3] = t;
     return l;
   }
 

@@ -121,12 +121,7 @@ private:
   std::size_t node_on_edge(Index h)
   {
     const auto [it, is_new] = m_node_of_edge.emplace(h, m_nodes.size());
-    if (!is_new) return it->second;
-    Face_location l(m_surface.face_of[h / 3], {FT(0), FT(0), FT(0)});
-    const FT t = part_of(h);
-    l.second[h % 3] = FT(1) - t;
-    l.second[(h % 3 + 1) % 3] = t;
-    m_nodes.push_back({l, {}});
+    if (is_new) m_nodes.push_back({m_surface.location_on(h, part_of(h)), {}});
     return it->second;
   }
 
