@@ -171,7 +171,7 @@ public:
     if (b.kept)
     {
       const auto output = curve_output(b, wanted, selection, f);
-      b.cut(wanted, output);
+      b.template cut<ConcurrencyTag>(wanted, output);
       output.finish();
       return;
     }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Builds with Parallel_tag: distances, nearest sources, paths and offsets are those of Sequential_tag but for rounding, and
-// the same to the last bit for any number of threads and from run to run. Built with and without ThreadSanitizer.
+// the same to the last bit for any number of threads and from run to run; set-up and cutting of given windows do not depend on
+// the tag at all. Built with and without ThreadSanitizer.
 //
 //   test_parallel [--small]      --small: without the larger meshes
 
@@ -37,6 +38,8 @@ namespace {
 
 using namespace test;
 
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
+
 static_assert(std::is_same<CGAL::Geodesic_offset::internal::Concurrency<CGAL::Parallel_tag, CGAL::Interval_nt<>>::Tag,
                            CGAL::Sequential_tag>::value,
               "numbers that are not floating point numbers are computed with by one thread");
@@ -65,7 +68,7 @@ class Builds
 {
 public:
   Builds(Query_case& c, unsigned seed, bool checks_paths, Outcome& outcome)
-    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome), m_geodesic(c.mesh)
+    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome), m_geodesic(c.mesh, Traits(), Tag())
   {
   }
 
@@ -229,6 +232,103 @@ void compare_tags(Query_case& c, unsigned seed, std::size_t points)
   compare(c, seed, parallel.front(), sequential);
 }
 
+// One piece after the other, as numbers.
+std::vector<double> pieces_of(const Offset_curves& curves)
+{
+  std::vector<double> result;
+  const auto add_point = [&](const auto& p)
+  {
+    result.push_back(p.x());
+    result.push_back(p.y());
+  };
+  for (const Offset_curve& curve : curves)
+  {
+    result.push_back(curve.distance());
+    result.push_back(double(curve.is_closed()));
+    for (const auto& piece : curve.pieces())
+    {
+      result.push_back(double(piece.face()));
+      result.push_back(double(piece.source()));
+      result.push_back(piece.length());
+      add_point(piece.start_2());
+      add_point(piece.end_2());
+      if (piece.is_arc()) add_point(piece.center());
+    }
+  }
+  return result;
+}
+
+// What several threads cut from the same windows is what one cuts, piece by piece, at few levels and at many.
+void same_pieces(Query_case& c)
+{
+  Report::instance().set_context(c.name + ", pieces");
+  Random random(5);
+  Geodesic geodesic(c.mesh);
+  for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
+  geodesic.build<CGAL::Parallel_tag>(CGAL::parameters::keep_windows(true));
+  const double largest = largest_vertex_distance(geodesic, c.mesh);
+  for (const std::size_t n : {1, 3, 60})
+  {
+    const auto levels = CGAL::Offset_levels<double>::equally_spaced(largest / double(n + 1), n);
+    Offset_curves curves;
+    geodesic.offset_curves(levels, std::back_inserter(curves));
+    const std::vector<double> expected = pieces_of(curves);
+    CHECK(!expected.empty());
+    for (const int threads : {1, 2, 3})
+    {
+      Offset_curves parallel;
+      with_threads(threads,
+                   [&] { geodesic.offset_curves<CGAL::Parallel_tag>(levels, std::back_inserter(parallel)); });
+      CHECK_DETAIL(pieces_of(parallel) == expected, std::to_string(threads) + " threads, " + std::to_string(n) + " levels");
+    }
+  }
+}
+
+// A mesh that several threads have set up is that of one; and they complain of the same face.
+void same_set_up(Query_case& c)
+{
+  Report::instance().set_context(c.name + ", set-up");
+  Random random(6);
+  const Any_source source = c.random_source(random);
+  const auto distances = [&](Geodesic& geodesic)
+  {
+    source.add_to(geodesic);
+    geodesic.build();
+    std::vector<double> result;
+    for (Vertex_index v : vertices(c.mesh)) result.push_back(geodesic.distance_to_sources(v));
+    return result;
+  };
+  Geodesic alone(c.mesh);
+  const std::vector<double> expected = distances(alone);
+  for (const int threads : {1, 2, 3})
+  {
+    std::unique_ptr<Geodesic> geodesic;
+    with_threads(threads, [&] { geodesic = std::make_unique<Geodesic>(c.mesh, Traits(), CGAL::Parallel_tag()); });
+    CHECK_DETAIL(distances(*geodesic) == expected, std::to_string(threads) + " threads");
+    CHECK(geodesic->statistics().windows_propagated == alone.statistics().windows_propagated);
+  }
+
+  test::Surface_mesh bad = c.mesh; // with vertices without extent, or with a hole in space
+  const std::size_t n = bad.number_of_vertices();
+  for (const std::size_t i : {n / 7, n / 2, n - 2})
+    bad.point(Vertex_index(test::Surface_mesh::size_type(i))) = Point_3(0, 0, i == n / 2 ? infinity : 0);
+  const auto complaint = [&](auto tag) -> std::string
+  {
+    try
+    {
+      Geodesic geodesic(bad, Traits(), tag);
+    }
+    catch (const std::invalid_argument& e)
+    {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string one = complaint(CGAL::Sequential_tag());
+  CHECK(!one.empty());
+  with_threads(3, [&] { CHECK_DETAIL(complaint(CGAL::Parallel_tag()) == one, one); });
+}
+
 // Several threads go on no farther beyond the maximum distance than one does.
 void up_to_maximum(Query_case& c)
 {
@@ -367,6 +467,9 @@ int main(int argc, char* argv[])
       tests.emplace_back(c->name, [&c, seed] { compare_tags(*c, seed, 30); });
   Query_case large("large torus", rotated(torus(is_small ? 60 : 260, is_small ? 40 : 150), 4));
   tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30); });
+  tests.emplace_back("pieces", [&] { same_pieces(large); });
+  tests.emplace_back("pieces", [&] { same_pieces(*cases.front()); });
+  tests.emplace_back("set-up", [&] { same_set_up(large); });
   tests.emplace_back("up to a maximum distance", [&] { up_to_maximum(large); });
   tests.emplace_back("rounding of the caller", [&] { rounding_of_the_caller(large.mesh); });
   tests.emplace_back("exceptions of a team", exceptions_of_a_team);

@@ -45,14 +45,18 @@ Functions that propagate take a concurrency tag as their first template paramete
   `tbb::task_arena` say. \cgal must be linked with TBB (`CGAL_LINKED_WITH_TBB`), otherwise it does not compile.
 - `Parallel_if_available_tag`: the second one with TBB, the first one without.
 
+Constructors, which set the mesh up, take such a tag as their last argument, as in
+`geodesic(mesh, Traits(), CGAL::Parallel_tag())`; what they set up does not depend on it.
+
 With `Parallel_tag` results are the same to the last bit for any number of threads, one included, and in each run. They
 differ from those with `Sequential_tag` by rounding alone: distances by no more than \f$10^{-13}\f$ of themselves in all
 tests. Where a build stops, at its targets or because the visitor cancels it, may differ, and so may the counts of the
-statistics; memory is larger by some percent. The visitor and the functions that take offset curves
-are called by the calling thread alone, which also cuts these; TBB's threads are kept until the build ends.
+statistics; memory is larger by some percent. The visitor and the functions that take offset curves are called by the calling
+thread alone; TBB's threads are kept until the function returns.
 
-The functors of the traits are called by several threads at once. This is done for `float`, `double` and `long double` only:
-with other number types, whose operations may share memory, `Parallel_tag` does what `Sequential_tag` does.
+The functors of the traits are called by several threads at once, and so are the functions and maps that read the mesh, while
+it is set up. This is done for `float`, `double` and `long double` only: with other number types, whose operations may share
+memory, `Parallel_tag` does what `Sequential_tag` does.
 
 The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`.
 */

@@ -95,15 +95,20 @@ public:
   /// \name Construction
   /// Takes time linear in the size of the mesh, and some 250 bytes a vertex. If the indices of a large mesh scatter
   /// neighbours, vertices and faces are numbered anew inside, which takes little time and saves more later.
+  ///
+  /// The last argument is a concurrency tag: `Sequential_tag()`, or, for floating point numbers and with TBB, `Parallel_tag()` or
+  /// `Parallel_if_available_tag()`. Then several threads read the mesh and its maps at once.
   /// @{
 
   /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.
   /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite; and if the
   ///         longest edge is not between 1e-77 and 1e77 (1e-9 and 1e9 for `float`), where fourth powers of lengths get lost.
   /// \throws std::length_error if the mesh has more than 2^29 vertices, or 2^32 / 3 faces, counted by the largest index.
-  explicit Surface_mesh_geodesic_sources(const Triangle_mesh& tm, const Traits& traits = Traits())
+  template <class ConcurrencyTag = Sequential_tag>
+  explicit Surface_mesh_geodesic_sources(const Triangle_mesh& tm, const Traits& traits = Traits(),
+                                         const ConcurrencyTag& tag = ConcurrencyTag())
     : Surface_mesh_geodesic_sources(tm, get_initialized_vertex_index_map(tm), get_initialized_face_index_map(tm),
-                                    get(boost::vertex_point, tm), traits)
+                                    get(boost::vertex_point, tm), traits, tag)
   {
   }
 
@@ -111,19 +116,25 @@ public:
   /// \code
   /// CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, CGAL::Default, Moved_points> geodesic(mesh, moved_points);
   /// \endcode
-  Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits())
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                                const ConcurrencyTag& tag = ConcurrencyTag())
     : Surface_mesh_geodesic_sources(tm, get_initialized_vertex_index_map(tm), get_initialized_face_index_map(tm),
-                                    vertex_point_map, traits)
+                                    vertex_point_map, traits, tag)
   {
   }
 
   /// the same with index maps, too: of numbers from 0 on, each of which is that of one vertex, or face, at most.
+  template <class ConcurrencyTag = Sequential_tag>
   Surface_mesh_geodesic_sources(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
-                                Vertex_point_map vertex_point_map, const Traits& traits = Traits())
-    : m_traits(Geodesic_offset::internal::Computation<Traits>::computing_traits(traits)),
-      m_surface(std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map, traits)),
-      m_locator(std::make_shared<Geodesic_offset::internal::Surface_locator<Surface>>(m_surface))
+                                Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                                const ConcurrencyTag& = ConcurrencyTag())
+    : m_traits(Geodesic_offset::internal::Computation<Traits>::computing_traits(traits))
   {
+    static_assert(std::is_convertible<ConcurrencyTag, Sequential_tag>::value, "the last argument must be a concurrency tag");
+    auto&& team = Geodesic_offset::internal::Concurrency<ConcurrencyTag, Number>::Team::make();
+    m_surface = std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map, traits, team);
+    m_locator = std::make_shared<Geodesic_offset::internal::Surface_locator<Surface>>(m_surface);
   }
   /// @}
 

@@ -71,12 +71,15 @@ public:
   }
 
   // The same from kept windows.
-  template <class Function>
+  template <class Concurrency_tag, class Function>
   void cut(const Offset_levels<FT>& levels, const Function& out) const
   {
     Offset_extraction<FT> extraction(m_mesh, initial, field, levels, maximum);
+    auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
+    std::vector<Index> faces;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (m_mesh.source(3 * f) != no_index) extraction(f);
+      if (m_mesh.source(3 * f) != no_index) faces.push_back(f);
+    extraction.cut(faces, team);
     extraction.release_all(maximum, out);
   }
 
@@ -106,7 +109,10 @@ private:
   struct Nothing
   {
     static constexpr bool reads_lists = false;
-    void take(const std::vector<Index>&) {}
+    template <class Team>
+    void take(const std::vector<Index>&, Team&)
+    {
+    }
     void settle(const FT&) {}
   };
 
@@ -118,10 +124,11 @@ private:
     const Function& out;
     double seconds = 0, seconds_within_propagation = 0;
 
-    void take(const std::vector<Index>& faces)
+    template <class Team>
+    void take(const std::vector<Index>& faces, Team& team)
     {
       const Clock::time_point start = Clock::now();
-      for (Index f : faces) extraction(f);
+      extraction.cut(faces, team);
       const double time = seconds_since(start);
       seconds += time;
       seconds_within_propagation += time;

@@ -13,28 +13,15 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_batch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
-
-#include <CGAL/tags.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <boost/config.hpp>
 
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// The tag that counts for a number type: operations on others than floating point numbers may share memory.
-template <class Concurrency_tag, class FT>
-struct Concurrency
-{
-  static constexpr bool is_parallel = std::is_convertible<Concurrency_tag, Parallel_tag>::value;
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
-#endif
-  typedef std::conditional_t<is_parallel && std::is_floating_point<FT>::value, Parallel_tag, Sequential_tag> Tag;
-};
 
 // Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new. What comes of it
 // is told to `front`: the state itself, or something that keeps it for later.
@@ -115,6 +102,9 @@ public:
       else
         return;
   }
+
+  // Who works on it.
+  Single_worker team() const { return Single_worker(); }
 
   const Window_merging<FT>& merging() const { return m_batch.merging(); }
   Merging_counts merging_counts() const { return merging().counts(); }

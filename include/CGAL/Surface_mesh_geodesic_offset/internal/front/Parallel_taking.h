@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_mail.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_taking.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Worker_team.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Worker_team.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -115,6 +115,9 @@ public:
         return;
     }
   }
+
+  // Who works on it, and may do something else between rounds.
+  Worker_team& team() { return m_team; }
 
   const Window_merging<FT>& merging() const { return m_batches.front()->merging(); }
   Merging_counts merging_counts() const

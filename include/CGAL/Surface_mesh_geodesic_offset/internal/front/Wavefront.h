@@ -51,9 +51,9 @@ public:
   // Propagates what starts from the primitives from `first_primitive` on. What the field says already stays where nothing
   // improves it.
   //
-  // consumer.take(faces) is called with the faces that the front has passed, with each once, while the distances at their
-  // corners and, if it reads them, the lists of their halfedges are final and still there; consumer.settle(distance)
-  // whenever all faces with points nearer than the distance have been taken.
+  // consumer.take(faces, team) is called with the faces that the front has passed, with each once, while the distances at
+  // their corners and, if it reads them, the lists of their halfedges are final and still there, and with those who may work
+  // on them; consumer.settle(distance) whenever all faces with points nearer than the distance have been taken.
   //
   // goes_on(distance, faces) is asked ever so often, once all points up to the distance are final; `faces` is the number of
   // those that the front has passed. If it says no, the distance becomes the distance limit.
@@ -145,7 +145,8 @@ private:
   {
     const std::vector<Index>& faces = m_passed.faces;
     if (faces.empty()) return;
-    consumer.take(faces);
+    auto&& team = m_taking.team();
+    consumer.take(faces, team);
     if (m_keep)
       for (Index f : faces)
         m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());

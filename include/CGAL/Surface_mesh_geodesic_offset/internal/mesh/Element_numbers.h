@@ -35,24 +35,30 @@ public:
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim)
+  // vertices, faces: those of the mesh.
+  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                  const std::vector<vertex_descriptor>& vertices, const std::vector<face_descriptor>& faces)
     : m_tm(tm), m_vim(vim), m_fim(fim)
   {
-    for (const vertex_descriptor v : vertices(tm))
-      m_vertices_end = (std::max)(m_vertices_end, std::size_t(get(vim, v)) + 1);
-    for (const face_descriptor f : faces(tm)) m_faces_end = (std::max)(m_faces_end, std::size_t(get(fim, f)) + 1);
+    for (const vertex_descriptor v : vertices) m_vertices_end = (std::max)(m_vertices_end, std::size_t(get(vim, v)) + 1);
+    for (const face_descriptor f : faces) m_faces_end = (std::max)(m_faces_end, std::size_t(get(fim, f)) + 1);
     if (m_vertices_end >= (std::size_t(1) << 29) || 3 * m_faces_end >= std::size_t(no_index))
       throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices");
   }
 
   // By the indices of the faces.
-  std::vector<Face_links> face_links() const { return internal::face_links(m_tm, m_vim, m_fim, m_faces_end); }
+  template <class Team>
+  std::vector<Face_links> face_links(const std::vector<face_descriptor>& faces, Team& team) const
+  {
+    return internal::face_links(m_tm, faces, m_vim, m_fim, m_faces_end, team);
+  }
 
   // Until then the numbers are the indices.
   template <class VertexPointMap>
-  void renumber_if_scattered(const std::vector<Face_links>& links, const VertexPointMap& vpm)
+  void renumber_if_scattered(const std::vector<Face_links>& links, const std::vector<vertex_descriptor>& vertices,
+                             const VertexPointMap& vpm)
   {
-    if (is_scattered(links)) renumber(links, vpm);
+    if (is_scattered(links)) renumber(links, vertices, vpm);
   }
 
   // Above all numbers; not all below need be in use.
@@ -112,7 +118,8 @@ private:
   }
 
   template <class VertexPointMap>
-  void renumber(const std::vector<Face_links>& links, const VertexPointMap& vpm)
+  void renumber(const std::vector<Face_links>& links, const std::vector<vertex_descriptor>& vertices,
+                const VertexPointMap& vpm)
   {
     std::vector<Spatial_order::Point> points;
     std::vector<Index> indices;
@@ -122,7 +129,7 @@ private:
       const double d = CGAL::to_double(x);
       return std::isfinite(d) ? d : 0.; // it is complained of later
     };
-    for (const vertex_descriptor v : vertices(m_tm))
+    for (const vertex_descriptor v : vertices)
     {
       const auto& p = get(vpm, v);
       points.push_back({coordinate(p.x()), coordinate(p.y()), coordinate(p.z())});

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces of a mesh with what is around them, as plain numbers. The mesh is walked through once, in its own order, which
-// its memory has; all that is done in another order is done with these.
+// The faces of a mesh with what is around them, as plain numbers. The mesh is read once, in its own order, which its memory
+// has; all that is done in another order is done with these.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LINKS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LINKS_H
@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -36,30 +37,26 @@ struct Face_links
 };
 
 // By the indices of the faces, which are below `end`.
-template <class TriangleMesh, class VertexIndexMap, class FaceIndexMap>
-std::vector<Face_links> face_links(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                                   std::size_t end)
+template <class TriangleMesh, class Faces, class VertexIndexMap, class FaceIndexMap, class Team>
+std::vector<Face_links> face_links(const TriangleMesh& tm, const Faces& faces, const VertexIndexMap& vim,
+                                   const FaceIndexMap& fim, std::size_t end, Team& team)
 {
-  std::vector<Face_links> links;
-  links.reserve(end);
-  const Face_links none{{no_index, no_index, no_index}, {no_index, no_index, no_index}};
-  for (const auto f : faces(tm))
-  {
-    const std::size_t i = std::size_t(get(fim, f));
-    const auto h0 = halfedge(f, tm), h1 = next(h0, tm), h2 = next(h1, tm);
-    if (h1 == h0 || next(h2, tm) != h0)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(i) + " is not a triangle");
-    const auto end_of = [&](const auto& h) { return Index(get(vim, target(h, tm))); };
-    const auto beyond = [&](const auto& h) {
-      const auto o = opposite(h, tm);
-      return is_border(o, tm) ? no_index : Index(get(fim, face(o, tm)));
-    };
-    const Face_links l{{end_of(h2), end_of(h0), end_of(h1)}, {beyond(h0), beyond(h1), beyond(h2)}};
-    if (i >= links.size()) links.resize(i, none);
-    if (i == links.size()) links.push_back(l);
-    else links[i] = l;
-  }
-  links.resize(end, none);
+  std::vector<Face_links> links(end, Face_links{{no_index, no_index, no_index}, {no_index, no_index, no_index}});
+  Blocks(faces.size(), team.size()).for_each(team, [&](Index, std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k)
+    {
+      const std::size_t i = std::size_t(get(fim, faces[k]));
+      const auto h0 = halfedge(faces[k], tm), h1 = next(h0, tm), h2 = next(h1, tm);
+      if (h1 == h0 || next(h2, tm) != h0)
+        throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(i) + " is not a triangle");
+      const auto end_of = [&](const auto& h) { return Index(get(vim, target(h, tm))); };
+      const auto beyond = [&](const auto& h) {
+        const auto o = opposite(h, tm);
+        return is_border(o, tm) ? no_index : Index(get(fim, face(o, tm)));
+      };
+      links[i] = {{end_of(h2), end_of(h0), end_of(h1)}, {beyond(h0), beyond(h1), beyond(h2)}};
+    }
+  });
   return links;
 }
 

@@ -16,10 +16,12 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,37 +46,14 @@ struct Geodesic_surface
   typedef std::array<FT, 3> Barycentric_coordinates;
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
+  template <class Team>
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                   const VertexPointMap& vpm, const Traits& traits = Traits())
-    : tm(tm), vpm(vpm), numbers(tm, vim, fim)
+                   const VertexPointMap& vpm, const Traits& traits, Team& team)
+    : Geodesic_surface(tm, vim, fim, vpm,
+                       std::vector<vertex_descriptor>(vertices(tm).begin(), vertices(tm).end()),
+                       std::vector<face_descriptor>(faces(tm).begin(), faces(tm).end()), traits, team)
   {
-    const std::vector<Face_links> links = numbers.face_links();
-    numbers.renumber_if_scattered(links, vpm);
-    face_of.resize(numbers.faces_end());
-    std::vector<Index> face_at(numbers.faces_end(), no_index);
-    for (face_descriptor f : faces(tm))
-    {
-      const Index i = index_of(f);
-      face_of[i] = f;
-      face_at[i] = Index(numbers.index_in_mesh(f));
-    }
-    vertex_of.resize(numbers.vertices_end());
-    std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
-    for (vertex_descriptor v : vertices(tm))
-    {
-      const Index i = index_of(v);
-      vertex_of[i] = v;
-      // others may have coordinates that no number can be made of
-      if (halfedge(v, tm) != Graph_traits::null_halfedge())
-        points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
-    }
-    unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits));
-    if (!unfolded.has_usable_scale())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
-                                  "type: the mesh must be scaled");
-    if (!unfolded.is_laid_out()) complain();
   }
-
   // Numbers of the unfolded mesh, for the user, and the other way round.
   static decltype(auto) exported(const Number& x) { return converted_number<FT>(x); }
   static decltype(auto) imported(const FT& x) { return converted_number<Number>(x); }
@@ -203,6 +182,50 @@ struct Geodesic_surface
   std::vector<vertex_descriptor> vertex_of; // by number
 
 private:
+  typedef std::decay_t<decltype(get(std::declval<const VertexPointMap&>(), std::declval<vertex_descriptor>()).x())>
+    Coordinate;
+  static constexpr bool has_plain_points = std::is_arithmetic<Coordinate>::value;
+
+  // all_vertices, all_faces: in the order of the mesh
+  template <class Team>
+  Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& vpm,
+                   const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
+                   const Traits& traits, Team& team)
+    : tm(tm), vpm(vpm), numbers(tm, vim, fim, all_vertices, all_faces)
+  {
+    const std::vector<Face_links> links = numbers.face_links(all_faces, team);
+    numbers.renumber_if_scattered(links, all_vertices, vpm);
+    face_of.resize(numbers.faces_end());
+    std::vector<Index> face_at(numbers.faces_end(), no_index);
+    Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const Index i = index_of(all_faces[k]);
+        face_of[i] = all_faces[k];
+        face_at[i] = Index(numbers.index_in_mesh(all_faces[k]));
+      }
+    });
+    vertex_of.resize(numbers.vertices_end());
+    std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
+    // coordinates that are no floating point numbers may share memory
+    Blocks(all_vertices.size(), has_plain_points ? team.size() : 1).for_each(team, [&](Index, auto begin, auto end) {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const vertex_descriptor v = all_vertices[k];
+        const Index i = index_of(v);
+        vertex_of[i] = v;
+        // others may have coordinates that no number can be made of
+        if (halfedge(v, tm) != Graph_traits::null_halfedge())
+          points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
+      }
+    });
+    unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits), team);
+    if (!unfolded.has_usable_scale())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
+                                  "type: the mesh must be scaled");
+    if (!unfolded.is_laid_out()) complain();
+  }
+
   // Of the first face that can't be laid out.
   void complain() const
   {

@@ -14,11 +14,17 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/container/vector.hpp>
+
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -56,13 +62,28 @@ public:
 
   // numbers: Element_numbers; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
   // there is none; points: of the vertices, by number.
-  template <class Numbers, class Traits>
+  template <class Numbers, class Traits, class Team>
   Unfolded_mesh(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
-                const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+                const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team)
     : m_corner(points.size(), no_index), m_can_bend(points.size(), 0)
   {
-    lay_out_faces(numbers, links, face_at, points, traits);
-    if (m_is_laid_out) find_corners();
+    m_halfedges.resize(3 * face_at.size(), boost::container::default_init);
+    First_corners first(points.size());
+    for (auto& corner : first) corner.store(no_index, std::memory_order_relaxed);
+    const Blocks blocks(face_at.size(), team.size());
+    std::vector<Laid_out_faces> laid_out(blocks.number());
+    blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
+      laid_out[block] =
+        lay_out_faces<std::is_same<Team, Single_worker>::value>(begin, end, numbers, links, face_at, points, traits, first);
+    });
+    std::size_t number_of_faces = 0; // gaps are not counted
+    for (const Laid_out_faces& l : laid_out)
+    {
+      m_is_laid_out &= l.have_area;
+      m_longest_edge = (std::max)(m_longest_edge, l.longest_edge);
+      number_of_faces += l.number;
+    }
+    if (m_is_laid_out && find_corners(first, team) != 3 * number_of_faces) find_more_fans();
   }
 
   // Otherwise there are faces of which has_area() is false, and the object is of no further use.
@@ -169,21 +190,32 @@ private:
     return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
   }
 
-  template <class Numbers, class Traits>
-  void lay_out_faces(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
-                     const std::vector<typename Traits::Point_3>& points, const Traits& traits)
+  typedef std::vector<std::atomic<Index>> First_corners; // at each vertex the one with the lowest number
+
+  // What is known of a block of faces afterwards.
+  struct Laid_out_faces
+  {
+    bool have_area = true;
+    FT longest_edge = FT(0);
+    std::size_t number = 0;
+  };
+
+  template <bool is_alone, class Numbers, class Traits>
+  Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Numbers& numbers,
+                               const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+                               const std::vector<typename Traits::Point_3>& points, const Traits& traits,
+                               First_corners& first_corners)
   {
     constexpr std::size_t ahead = 32;
     const auto construct_apices = traits.construct_apices_2_object();
-    m_halfedges.reserve(3 * face_at.size());
-    for (std::size_t i = 0; i < face_at.size(); ++i)
+    Laid_out_faces result;
+    for (std::size_t i = begin; i < end; ++i)
     {
       const Index f = face_at[i], h = Index(3 * i);
-      if (i + ahead < face_at.size() && face_at[i + ahead] < links.size())
-        prefetch(&links[face_at[i + ahead]], sizeof(Face_links));
+      if (i + ahead < end && face_at[i + ahead] < links.size()) prefetch(&links[face_at[i + ahead]], sizeof(Face_links));
       if (f >= links.size())
       {
-        m_halfedges.resize(h + 3, {FT(0), FT(0), FT(0), no_index, no_index});
+        std::fill_n(m_halfedges.begin() + h, 3, Halfedge{FT(0), FT(0), FT(0), no_index, no_index});
         continue;
       }
       const Face_links& l = links[f];
@@ -192,9 +224,9 @@ private:
       construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
       for (int k = 0; k < 3; ++k)
       {
-        m_is_laid_out &= has_area(length[k], y[k]);
-        m_longest_edge = (std::max)(m_longest_edge, length[k]);
-        m_corner[v[k]] = (std::min)(m_corner[v[k]], h + k);
+        result.have_area &= has_area(length[k], y[k]);
+        result.longest_edge = (std::max)(result.longest_edge, length[k]);
+        lower<is_alone>(first_corners[v[k]], h + k);
         const Index b = l.beyond[k];
         Index twin = no_index;
         if (b != no_index)
@@ -204,10 +236,24 @@ private:
           if constexpr (!Number_policy<FT>::is_inexact)
             if (twin < h) length[k] = m_halfedges[twin].length;
         }
-        m_halfedges.push_back({length[k], x[k], y[k], twin, v[k]});
+        m_halfedges[h + k] = {length[k], x[k], y[k], twin, v[k]};
       }
-      ++m_number_of_faces;
+      ++result.number;
     }
+    return result;
+  }
+
+  // To i, if it is larger.
+  template <bool is_alone>
+  static void lower(std::atomic<Index>& number, Index i)
+  {
+    Index known = number.load(std::memory_order_relaxed);
+    if constexpr (is_alone)
+    {
+      if (i < known) number.store(i, std::memory_order_relaxed);
+    }
+    else
+      while (i < known && !number.compare_exchange_weak(known, i, std::memory_order_relaxed)) {}
   }
 
   // The corners around a vertex, from border to border or all around.
@@ -218,18 +264,26 @@ private:
     bool bends; // whether shortest paths can, at the vertex
   };
 
-  void find_corners()
+  // Returns how many there are, not counting further fans.
+  template <class Team>
+  std::size_t find_corners(const First_corners& first, Team& team)
   {
-    std::size_t corners = 0;
-    for (Index v = 0; v < m_corner.size(); ++v)
-    {
-      if (m_corner[v] == no_index) continue;
-      const Fan fan = fan_of(m_corner[v]);
-      m_corner[v] = fan.first;
-      m_can_bend[v] = fan.bends;
-      corners += fan.size;
-    }
-    if (corners != 3 * m_number_of_faces) find_more_fans();
+    const Blocks blocks(m_corner.size(), team.size());
+    std::vector<std::size_t> corners(blocks.number(), 0);
+    blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
+      std::size_t number = 0;
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        const Index corner = first[v].load(std::memory_order_relaxed);
+        if (corner == no_index) continue;
+        const Fan fan = fan_of(corner);
+        m_corner[v] = fan.first;
+        m_can_bend[v] = fan.bends;
+        number += fan.size;
+      }
+      corners[block] = number;
+    });
+    return std::accumulate(corners.begin(), corners.end(), std::size_t(0));
   }
 
   void find_more_fans()
@@ -307,8 +361,7 @@ private:
 
   static constexpr double small_size() { return std::is_same<FT, float>::value ? 0x1p-32 : 0x1p-256; }
 
-  std::vector<Halfedge> m_halfedges;
-  std::size_t m_number_of_faces = 0; // gaps are not counted
+  boost::container::vector<Halfedge> m_halfedges;
   bool m_is_laid_out = true;
   FT m_longest_edge = FT(0);
   std::vector<Index> m_corner;

@@ -41,18 +41,18 @@ public:
   bool is_complete() const { return m_waiting == 0; }
 
   // A chain of pieces between two gates; no_index for a loop.
-  void add_chain(Index start, Index end, const std::vector<Piece>& pieces)
+  void add_chain(Index start, Index end, const Piece* begin_of_pieces, const Piece* end_of_pieces)
   {
     const std::size_t first = m_pieces.size();
-    for (const Piece& p : pieces)
+    for (const Piece* p = begin_of_pieces; p != end_of_pieces; ++p)
     {
-      if (m_pieces.size() > first && continues(m_pieces.back(), p))
+      if (m_pieces.size() > first && continues(m_pieces.back(), *p))
       {
-        m_pieces.back().end = p.end;
-        m_pieces.back().end_edge = p.end_edge;
+        m_pieces.back().end = p->end;
+        m_pieces.back().end_edge = p->end_edge;
       }
       else
-        m_pieces.push_back(p);
+        m_pieces.push_back(*p);
     }
     if (start != no_index) m_link_at[start] = Index(m_links.size());
     m_links.push_back({start, end, Index(first), Index(m_pieces.size())});

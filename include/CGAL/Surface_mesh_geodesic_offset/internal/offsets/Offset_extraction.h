@@ -9,15 +9,14 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <memory>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -34,21 +33,30 @@ class Offset_extraction
                 "offset curves need numbers with the precision of double, at least");
 
 public:
-  typedef Level_piece<FT> Piece;
-
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels, const FT& maximum)
-    : m_mesh(mesh), m_field(field), m_levels(levels), m_end(levels.first_above(maximum)),
-      m_face(mesh, initial, field), m_crossings(mesh, initial, field),
-      m_is_cut(mesh.number_of_faces(), 0)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_levels(levels), m_maximum(maximum),
+      m_turn(mesh.number_of_faces(), no_turn)
   {
   }
 
-  // Cuts one finished face at all levels that pass through it.
-  void operator()(Index face)
+  // Cuts finished faces, each once, at all levels that pass through them. Curves are the same whoever is in the team.
+  template <class Team>
+  void cut(const std::vector<Index>& faces, Team& team)
   {
-    cut(face);
-    m_is_cut[face] = 1;
+    make_cuttings(team.size());
+    m_crossed.clear();
+    for (const Index f : faces)
+    {
+      m_turn[f] = m_next_turn++;
+      const Level_range levels = m_cuttings.front()->levels_of(f);
+      if (!levels.is_empty()) m_crossed.push_back({f, levels});
+    }
+    const std::size_t at_once = team.size() == 1 ? 1 : at_once_by_each * team.size();
+    while (m_cuts.size() < (std::min)(at_once, m_crossed.size()))
+      m_cuts.push_back(std::make_unique<Face_cut<FT>>(m_mesh, m_initial, m_field));
+    for (std::size_t i = 0; i < m_crossed.size(); i += at_once)
+      cut_at_once(m_crossed.data() + i, Index((std::min)(at_once, m_crossed.size() - i)), team);
   }
 
   // Gives out the levels that are finished if all faces with points nearer than `settled` have been cut: calls
@@ -72,23 +80,102 @@ public:
   }
 
   std::size_t number_of_pieces() const { return m_number_of_pieces; }
-  std::size_t number_of_forced_joints() const { return m_tracer.number_of_forced_joints(); }
+  std::size_t number_of_forced_joints() const
+  {
+    std::size_t n = 0;
+    for (const auto& c : m_cuttings) n += c->number_of_forced_joints();
+    return n;
+  }
 
 private:
   typedef std::map<std::size_t, Level_curves<FT>> Curves_of_levels;
+  typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the face that is first
 
-  struct Crossing
+  static constexpr Index no_turn = no_index;
+  static constexpr std::size_t at_once_by_each = 64;
+  static constexpr std::size_t worthwhile = 16; // levels in faces: less takes no longer than others need to notice it
+
+  struct Crossed_face
   {
-    std::size_t level;
-    FT position; // along the halfedge of the face that comes first
-    bool falling;
-    Index gate;
+    Index face;
+    Level_range levels;
   };
-  struct Face_gate
+
+  void make_cuttings(unsigned number)
   {
-    std::size_t level;
-    Level_gate<FT> gate;
-  };
+    while (m_cuttings.size() < number)
+      m_cuttings.push_back(std::make_unique<Face_cutting<FT>>(m_mesh, m_initial, m_field, m_levels, m_maximum));
+  }
+
+  template <class Team>
+  void cut_at_once(const Crossed_face* faces, Index number, Team& team)
+  {
+    std::size_t work = 0;
+    for (Index i = 0; i < number; ++i) work += faces[i].levels.size();
+    const auto weight = [faces](Index i) { return faces[i].levels.size(); };
+    team.for_each(number, weight, work >= worthwhile, [this, faces](unsigned worker, Index i) {
+      this->m_cuts[i]->levels = faces[i].levels;
+      this->m_cuttings[worker]->find_crossings(
+        faces[i].face, [this](Index h) { return this->is_first_at(h); }, *this->m_cuts[i]);
+    });
+    for (Index i = 0; i < number; ++i) number_gates(*m_cuts[i]);
+    team.for_each(number, weight, work >= worthwhile,
+                  [this](unsigned worker, Index i) { this->m_cuttings[worker]->find_chains(*this->m_cuts[i]); });
+    for (Index i = 0; i < number; ++i)
+      for (const auto& c : m_cuts[i]->chains)
+        m_curves[c.level].add_chain(c.start, c.end, m_cuts[i]->pieces.data() + c.first, m_cuts[i]->pieces.data() + c.last);
+  }
+
+  // Whether the face of a halfedge is cut before the one on the other side.
+  bool is_first_at(Index h) const
+  {
+    const Index g = m_mesh.twin(h);
+    return g == no_index || m_turn[m_mesh.face(h)] < m_turn[m_mesh.face(g)];
+  }
+
+  // The gates of a face, of crossings found now or when the face on the other side was cut: what was not found then is not
+  // there. Faces come in their turns.
+  void number_gates(Face_cut<FT>& cut)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * cut.field.face() + Index(k), g = m_mesh.twin(h);
+      if (is_first_at(h))
+      {
+        if (cut.crossings[k].empty()) continue;
+        for (Crossing<FT>& c : cut.crossings[k])
+        {
+          c.gate = m_curves[c.level].new_gate(g == no_index);
+          cut.add_gate(k, c, false);
+        }
+        if (g != no_index) keep_waiting(h, cut.crossings[k]);
+      }
+      else if (const auto stored = m_waiting.find(g); stored != m_waiting.end())
+      {
+        for (const Crossing<FT>& c : stored->second)
+        {
+          cut.add_gate(k, c, true);
+          m_curves[c.level].gate_found();
+        }
+        m_spare.push_back(m_waiting.extract(stored));
+      }
+    }
+  }
+
+  // Takes the crossings, and gives memory for others.
+  void keep_waiting(Index h, std::vector<Crossing<FT>>& crossings)
+  {
+    if (m_spare.empty())
+    {
+      m_waiting.emplace(h, crossings);
+      return;
+    }
+    auto node = std::move(m_spare.back());
+    m_spare.pop_back();
+    node.key() = h;
+    node.mapped().swap(crossings);
+    m_waiting.insert(std::move(node));
+  }
 
   template <class Function>
   void give_out(typename Curves_of_levels::iterator level, const Function& out)
@@ -98,117 +185,20 @@ private:
     m_curves.erase(level);
   }
 
-  void cut(Index face)
-  {
-    FT near, far;
-    range_of(face, near, far);
-    std::size_t first = m_levels.first_above(near), last = (std::min)(m_end, m_levels.first_above(far));
-    if (first >= last) return;
-    m_face.set_face(face);
-    const Face_field<FT>& field = m_face;
-    first = (std::max)(first, m_levels.first_above(FT(field.lower_bound() - slack(far))));
-    if (first >= last) return;
-    const bool loops = field.has_local_sources() || may_have_interior_maximum(field);
-    find_gates(field, first, last);
-    std::stable_sort(m_face_gates.begin(), m_face_gates.end(),
-                     [](const Face_gate& a, const Face_gate& b) { return a.level < b.level; });
-    auto next = m_face_gates.begin();
-    m_tracer.set_face(field, cut_level(first), cut_level(last - 1));
-    for (std::size_t i = first; i < last; ++i)
-    {
-      m_gates.clear();
-      for (; next != m_face_gates.end() && next->level <= i; ++next) m_gates.push_back(next->gate);
-      if (m_gates.empty() && !loops) continue;
-      m_tracer(cut_level(i), m_gates, loops, [&](Index start, Index end, const std::vector<Piece>& pieces) {
-        m_curves[i].add_chain(start, end, pieces);
-      });
-    }
-  }
-
-  // A point at exactly the level counts as farther. So a level is cut infinitesimally below; with rounded numbers, by a
-  // distance that is above rounding: then levels that go through vertices and along edges, as they often do on CAD
-  // meshes, are as good as any.
-  FT cut_level(std::size_t i) const
-  {
-    const FT level = m_levels[i];
-    return level - Number_policy<FT>::rounding(1024) * level;
-  }
-
-  void range_of(Index face, FT& near, FT& far) const
-  {
-    FT longest(0);
-    far = m_field.maximum;
-    near = FT(0);
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
-    longest *= FT(1) + Number_policy<FT>::rounding(16);
-    for (Index h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      const FT& d = m_field.distance[m_mesh.source(h)];
-      if (Number_policy<FT>::is_finite(d))
-        far = (std::min)(far, FT(d + (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length)));
-      const FT lowest = (std::min)(d, m_field.maximum); // what has no distance is farther than the maximum
-      if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(lowest - longest));
-    }
-    if (!Number_policy<FT>::is_finite(far))
-      far = FT(0);
-    else
-    {
-      near -= slack(far);
-      far += slack(far);
-    }
-  }
-
-  // The faces beside an edge must agree on the levels that may cross it, whatever rounding does to their bounds.
-  static FT slack(const FT& far) { return Number_policy<FT>::rounding(1 << 14) * far; }
-
-  // The gates of a face at the levels [first, last): found now, or when the face on the other side was cut.
-  void find_gates(const Face_field<FT>& field, std::size_t first, std::size_t last)
-  {
-    const Face_frame<FT>& frame = field.frame();
-    const Index face = field.face();
-    m_face_gates.clear();
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Index h = 3 * face + k, g = m_mesh.twin(h);
-      const auto add = [&](const Crossing& c, bool reversed) {
-        const FT t = reversed ? FT(m_mesh[h].length - c.position) : c.position;
-        m_face_gates.push_back({c.level, {frame.on_edge(int(k), t), (unsigned char)(k), c.falling == reversed, c.gate}});
-      };
-      if (g != no_index && m_is_cut[m_mesh.face(g)])
-      { // what was not found then is not there; the lists may be gone by now
-        const auto stored = m_waiting.find(g);
-        if (stored == m_waiting.end()) continue;
-        for (const Crossing& c : stored->second)
-        {
-          add(c, true);
-          m_curves[c.level].gate_found();
-        }
-        m_waiting.erase(stored);
-        continue;
-      }
-      std::vector<Crossing> found;
-      for (std::size_t i = first; i < last; ++i)
-        m_crossings(h, field, cut_level(i), [&](const FT& t, bool falling) {
-          found.push_back({i, t, falling, m_curves[i].new_gate(g == no_index)});
-        });
-      for (const Crossing& c : found) add(c, false);
-      if (g != no_index && !found.empty()) m_waiting.emplace(h, std::move(found));
-    }
-  }
-
   const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
   const Offset_levels<FT>& m_levels;
-  const std::size_t m_end; // of the levels up to the distance limit
-  Face_field<FT> m_face; // of the face being cut
-  Edge_crossings<FT> m_crossings;
-  Level_tracer<FT> m_tracer;
-  std::vector<Face_gate> m_face_gates;
-  std::vector<Level_gate<FT>> m_gates;
-  std::vector<char> m_is_cut; // per face
-  std::unordered_map<Index, std::vector<Crossing>> m_waiting; // by the halfedge of the face that came first
-  Curves_of_levels m_curves;                                  // of the levels that are not finished
-  std::size_t m_number_of_pieces = 0;                         // given out
+  const FT m_maximum;
+  std::vector<Index> m_turn; // of each face: in which order they are cut
+  Index m_next_turn = 0;
+  std::vector<Crossed_face> m_crossed;                       // of the faces being cut
+  std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // of each worker
+  std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // of each face at once
+  Waiting_crossings m_waiting;
+  std::vector<typename Waiting_crossings::node_type> m_spare;
+  Curves_of_levels m_curves;          // of the levels that are not finished
+  std::size_t m_number_of_pieces = 0; // given out
 };
 
 } // namespace internal

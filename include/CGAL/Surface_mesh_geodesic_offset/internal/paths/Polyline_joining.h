@@ -89,7 +89,8 @@ private:
         face_at.push_back(Index(links.size()));
         links.push_back(l);
       }
-      m_mesh = Unfolded_mesh<Number>(Same_numbers(), links, face_at, points, whole.m_traits);
+      Single_worker alone;
+      m_mesh = Unfolded_mesh<Number>(Same_numbers(), links, face_at, points, whole.m_traits, alone);
     }
 
     // Calls out(crossing or vertex) for what the path passes, of the whole mesh.

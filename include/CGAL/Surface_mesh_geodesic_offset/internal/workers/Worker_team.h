@@ -3,8 +3,8 @@
 //
 // Fork and join for many short rounds of work: TBB lends threads once, and these wait for the rounds in a loop.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WORKER_TEAM_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WORKER_TEAM_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_WORKER_TEAM_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_WORKER_TEAM_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

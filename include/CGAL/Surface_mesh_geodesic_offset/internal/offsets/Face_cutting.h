@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One face cut at all levels that pass through it, in two steps: where they cross its edges, and, once these gates have
+// their numbers, the chains of pieces between them. Several threads may do this for several faces, each with an object of
+// its own.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_FACE_CUTTING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_FACE_CUTTING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Levels, by their indices.
+struct Level_range
+{
+  std::size_t first, last; // the latter is not one of them
+  bool is_empty() const { return first >= last; }
+  std::size_t size() const { return is_empty() ? 0 : last - first; }
+};
+
+// Of a level and an edge.
+template <class FT>
+struct Crossing
+{
+  std::size_t level;
+  FT position; // along the halfedge of the face that is cut first
+  bool falling;
+  Index gate;
+};
+
+// A face while it is cut, and what comes of it.
+template <class FT>
+struct Face_cut
+{
+  typedef Level_piece<FT> Piece;
+
+  struct Gate
+  {
+    std::size_t level;
+    Level_gate<FT> gate;
+  };
+  struct Chain
+  {
+    std::size_t level;
+    Index start, end;        // gates; no_index for a loop
+    std::size_t first, last; // pieces
+  };
+
+  Face_cut(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& geodesic_field)
+    : field(mesh, initial, geodesic_field)
+  {
+  }
+
+  // A crossing with the halfedge k, on its own or on the other side.
+  void add_gate(int k, const Crossing<FT>& c, bool of_other_side)
+  {
+    const FT t = of_other_side ? FT(field.frame().edge_length(k) - c.position) : c.position;
+    gates.push_back(
+      {c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.falling == of_other_side, c.gate}});
+  }
+
+  Level_range levels{0, 0};
+  Face_field<FT> field;
+  std::array<std::vector<Crossing<FT>>, 3> crossings; // with the edges that no face before has looked at
+  std::vector<Gate> gates;
+  std::vector<Chain> chains; // by level
+  std::vector<Piece> pieces; // of the chains
+};
+
+template <class FT>
+class Face_cutting
+{
+public:
+  Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+               const Offset_levels<FT>& levels, const FT& maximum)
+    : m_mesh(mesh), m_field(field), m_levels(levels), m_end(levels.first_above(maximum)), m_crossings(mesh, initial, field)
+  {
+  }
+
+  // The levels that may pass through a face, by what its corners know.
+  Level_range levels_of(Index face) const
+  {
+    FT near, far;
+    range_of(face, near, far);
+    return {m_levels.first_above(near), (std::min)(m_end, m_levels.first_above(far))};
+  }
+
+  // Step 1: the crossings with those edges of the face for which looks_at(halfedge) says so. cut.levels: levels_of(face)
+  template <class Condition>
+  void find_crossings(Index face, const Condition& looks_at, Face_cut<FT>& cut)
+  {
+    Level_range& l = cut.levels;
+    cut.gates.clear();
+    cut.chains.clear();
+    cut.pieces.clear();
+    cut.field.set_face(face);
+    l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack(far_end_of(face)))));
+    for (Index k = 0; k < 3; ++k)
+    {
+      std::vector<Crossing<FT>>& found = cut.crossings[k];
+      found.clear();
+      const Index h = 3 * face + k;
+      if (l.is_empty() || !looks_at(h)) continue;
+      for (std::size_t i = l.first; i < l.last; ++i)
+        m_crossings(h, cut.field, cut_level(i),
+                    [&](const FT& t, bool falling) { found.push_back({i, t, falling, no_index}); });
+    }
+  }
+
+  // Step 2: the chains between all gates of the face, and loops inside.
+  void find_chains(Face_cut<FT>& cut)
+  {
+    if (cut.levels.is_empty()) return;
+    const bool loops = cut.field.has_local_sources() || may_have_interior_maximum(cut.field);
+    std::stable_sort(cut.gates.begin(), cut.gates.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
+    auto next = cut.gates.begin();
+    m_tracer.set_face(cut.field, cut_level(cut.levels.first), cut_level(cut.levels.last - 1));
+    for (std::size_t i = cut.levels.first; i < cut.levels.last; ++i)
+    {
+      m_gates.clear();
+      for (; next != cut.gates.end() && next->level <= i; ++next) m_gates.push_back(next->gate);
+      if (m_gates.empty() && !loops) continue;
+      m_tracer(cut_level(i), m_gates, loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
+        const std::size_t first = cut.pieces.size();
+        cut.pieces.insert(cut.pieces.end(), pieces.begin(), pieces.end());
+        cut.chains.push_back({i, start, end, first, cut.pieces.size()});
+      });
+    }
+  }
+
+  std::size_t number_of_forced_joints() const { return m_tracer.number_of_forced_joints(); }
+
+private:
+  // A point at exactly the level counts as farther. So a level is cut infinitesimally below; with rounded numbers, by a
+  // distance that is above rounding: then levels that go through vertices and along edges, as they often do on CAD
+  // meshes, are as good as any.
+  FT cut_level(std::size_t i) const
+  {
+    const FT level = m_levels[i];
+    return level - Number_policy<FT>::rounding(1024) * level;
+  }
+
+  FT far_end_of(Index face) const
+  {
+    FT far = m_field.maximum;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      const FT& d = m_field.distance[m_mesh.source(h)];
+      if (Number_policy<FT>::is_finite(d))
+        far = (std::min)(far, FT(d + (std::max)(m_mesh[h].length, m_mesh[m_mesh.previous(h)].length)));
+    }
+    return far;
+  }
+
+  void range_of(Index face, FT& near, FT& far) const
+  {
+    FT longest(0);
+    far = far_end_of(face);
+    near = FT(0);
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
+    longest *= FT(1) + Number_policy<FT>::rounding(16);
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    { // what has no distance is farther than the maximum
+      const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], m_field.maximum);
+      if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(lowest - longest));
+    }
+    if (!Number_policy<FT>::is_finite(far))
+      far = FT(0);
+    else
+    {
+      near -= slack(far);
+      far += slack(far);
+    }
+  }
+
+  // The faces beside an edge must agree on the levels that may cross it, whatever rounding does to their bounds.
+  static FT slack(const FT& far) { return Number_policy<FT>::rounding(1 << 14) * far; }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Geodesic_field<FT>& m_field;
+  const Offset_levels<FT>& m_levels;
+  const std::size_t m_end; // of the levels up to the distance limit
+  Edge_crossings<FT> m_crossings;
+  Level_tracer<FT> m_tracer;
+  std::vector<Level_gate<FT>> m_gates; // of one level
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

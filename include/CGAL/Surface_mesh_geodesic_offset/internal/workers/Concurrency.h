@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a concurrency tag means: who works, and how work is divided.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_CONCURRENCY_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_CONCURRENCY_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Worker_team.h>
+#endif
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The calling thread alone, as a team.
+struct Single_worker
+{
+  static constexpr unsigned size() { return 1; }
+
+  template <class Weight, class Function>
+  void for_each(Index n, const Weight&, bool, const Function& f) const
+  {
+    for (Index i = 0; i < n; ++i) f(0u, i);
+  }
+};
+
+template <class Concurrency_tag>
+struct Team_of
+{
+  typedef Single_worker Type;
+  static Type make() { return Type(); }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <>
+struct Team_of<Parallel_tag>
+{
+  typedef Worker_team Type;
+  static Type make() { return Type(Worker_team::possible_size()); }
+};
+#endif
+
+// The tag that counts for a number type: operations on others than floating point numbers may share memory.
+template <class Concurrency_tag, class FT>
+struct Concurrency
+{
+  static constexpr bool is_parallel = std::is_convertible<Concurrency_tag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  typedef std::conditional_t<is_parallel && std::is_floating_point<FT>::value, Parallel_tag, Sequential_tag> Tag;
+  typedef Team_of<Tag> Team;
+};
+
+// Items in a row, in blocks for a team.
+class Blocks
+{
+public:
+  Blocks(std::size_t items, unsigned team_size)
+    : m_items(items), m_number(Index(
+                        team_size == 1 ? 1 : (std::max)(std::size_t(1), (std::min)(items / fewest, by_each * team_size))))
+  {
+  }
+
+  Index number() const { return m_number; }
+
+  // Calls f(block, begin, end) for each, from several threads at once.
+  template <class Team, class Function>
+  void for_each(Team& team, const Function& f) const
+  {
+    team.for_each(
+      m_number, [](Index) { return 1; }, m_number > 1, [this, &f](unsigned, Index i) { f(i, begin(i), begin(i + 1)); });
+  }
+
+private:
+  static constexpr std::size_t fewest = 1 << 10, by_each = 8;
+
+  std::size_t begin(Index i) const { return m_items * i / m_number; }
+
+  std::size_t m_items;
+  Index m_number;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
