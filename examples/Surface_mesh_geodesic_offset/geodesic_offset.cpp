@@ -16,6 +16,7 @@
 #include "geodesic_offset/progress.h"
 #include "geodesic_offset/sources.h"
 #include "geodesic_offset/stats_output.h"
+#include "geodesic_offset/threads.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
@@ -54,6 +55,7 @@ void check_spacing(const Options& options, double diagonal)
                       " would give more than a million offsets of this mesh; --count limits their number");
 }
 
+template <class Concurrency_tag>
 std::vector<Offset_curve> cut(Geodesic& geodesic, const Options& options)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
@@ -64,14 +66,15 @@ std::vector<Offset_curve> cut(Geodesic& geodesic, const Options& options)
     const auto levels =
       options.count ? CGAL::Offset_levels<double>::equally_spaced(*options.spacing, *options.count)
                     : CGAL::Offset_levels<double>::equally_spaced(*options.spacing);
-    geodesic.build_with_offset_curves(levels, std::back_inserter(curves), options.selection, parameters);
+    geodesic.build_with_offset_curves<Concurrency_tag>(levels, std::back_inserter(curves), options.selection, parameters);
   }
   else if(!options.distances.empty())
   {
-    geodesic.build_with_offset_curves(options.distances, std::back_inserter(curves), options.selection, parameters);
+    geodesic.build_with_offset_curves<Concurrency_tag>(options.distances, std::back_inserter(curves), options.selection,
+                                                       parameters);
   }
   else
-    geodesic.build(parameters);
+    geodesic.build<Concurrency_tag>(parameters);
   std::stable_sort(curves.begin(), curves.end(),
                    [](const Offset_curve& a, const Offset_curve& b) { return a.distance() < b.distance(); });
   return curves;
@@ -105,11 +108,12 @@ void write_curves(Output_files& files, const std::string& file, const std::vecto
   });
 }
 
+template <class Concurrency_tag>
 std::vector<Offset_curve> solve(Geodesic& geodesic, const Sources& sources, const Options& options)
 {
   try
   {
-    return cut(geodesic, options);
+    return cut<Concurrency_tag>(geodesic, options);
   }
   catch(const std::invalid_argument&)
   {
@@ -154,7 +158,8 @@ Image picture_of(const Options& options, const Mesh& mesh, const Sources& source
   return picture.render();
 }
 
-void run(const Options& options)
+template <class Concurrency_tag>
+void run(const Options& options, Concurrency_tag tag)
 {
   const Progress progress(options.quiet);
   for(const std::string& file : named_outputs(options))
@@ -174,7 +179,7 @@ void run(const Options& options)
   check_spacing(options, input.bounding_box_diagonal());
 
   const Stopwatch setup_time;
-  Geodesic geodesic(mesh);
+  Geodesic geodesic(mesh, Traits(), tag);
   const Sources sources(input, options, geodesic);
   sources.add_to(geodesic);
   figures.setup_seconds = setup_time.seconds();
@@ -183,7 +188,7 @@ void run(const Options& options)
   progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
 
   const Stopwatch solve_time;
-  const std::vector<Offset_curve> curves = solve(geodesic, sources, options);
+  const std::vector<Offset_curve> curves = solve<Concurrency_tag>(geodesic, sources, options);
   const Geodesic::Statistics& statistics = geodesic.statistics();
   const File_distances field(input, geodesic, sources.has_polylines());
   std::size_t unreached = 0;
@@ -232,7 +237,7 @@ int main(int argc, char* argv[])
     if(options.help)
       print_help(std::cout);
     else
-      run(options);
+      with_threads(options.threads, [&](auto tag) { run(options, tag); });
     return 0;
   });
 }

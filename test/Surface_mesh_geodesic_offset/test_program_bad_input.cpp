@@ -128,6 +128,9 @@ private:
     for (const char* count : {"0", "-1", "1.5", "x"})
       expect(usage, std::string("count '") + count + "'",
              {good_, "--source-vertex", "0", "--spacing", "0.1", std::string("--count=") + count});
+    for (const char* number : {"0", "-1", "1.5", "many", ""})
+      expect(usage, std::string("threads ") + number,
+             {good_, "--source-vertex", "0", std::string("--threads=") + number});
     for (const char* index : {"-1", "x", "1.5", "nan", "", "99999999999999999999999"})
       expect(usage, std::string("source vertex '") + index + "'",
              {good_, std::string("--source-vertex=") + index, "--distance", "1"});

@@ -382,6 +382,17 @@ private:
          "--count", "2", "--output", path("counted.vtk"), "--quiet"});
     check_curves(read_vtk(scratch_ / "counted.vtk"), {1.5, 3}, 2, 2, distance);
 
+    Report::instance().set_context("threads");
+    for (const char* threads : {"1", "2"})
+    {
+      const Program_result result =
+        run_program(program_, {path("plane.off"), "--source-vertex", std::to_string(source), "--spacing", "1.5", "--count",
+                               "2", "--threads", threads, "--output", path("threads.vtk"), "--quiet"});
+      if (result.exit_code == 2 && std::string(threads) != "1")
+        CHECK_DETAIL(result.errors.find("without TBB") != std::string::npos, result.errors);
+      else check_curves(read_vtk(scratch_ / "threads.vtk"), {1.5, 3}, 2, 2, distance);
+    }
+
     Report::instance().set_context("maximum distance");
     run({path("plane.off"), "--source-vertex", std::to_string(source), "--maximum-distance", "4",
          "--field", path("near.ply"), "--quiet"});

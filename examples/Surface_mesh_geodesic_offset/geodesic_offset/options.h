@@ -10,6 +10,7 @@
 #include "common.h"
 #include "numbers.h"
 #include "source_options.h"
+#include "threads.h"
 
 #include <array>
 #include <cstddef>
@@ -28,6 +29,7 @@ struct Options : Source_options
   std::optional<std::size_t> count;
   std::optional<double>      maximum_distance;
   std::optional<double>      tolerance;
+  std::optional<std::size_t> threads;
   CGAL::Offset_selection     selection;
 
   std::vector<std::string>             outputs;
@@ -75,6 +77,7 @@ inline po::options_description options_description()
     ("up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")
     ("stats", word("FILE.json"), "sizes, times, windows, memory, curves")
     ("no-stitch", po::bool_switch(), "leave border edges of the mesh apart that lie at the same place")
+    ("threads", word("N"), "work with no more than N threads (default: as many as there are)")
     ("quiet", po::bool_switch(), "print nothing but errors")
     ("help", po::bool_switch(), "print this");
 
@@ -152,6 +155,17 @@ inline void check_outputs(const Options& options)
       throw Usage_error("the file " + quoted(file) + " is named twice");
 }
 
+inline std::optional<std::size_t> whole_number(const po::variables_map& map, const char* name)
+{
+  if(map.count(name) == 0)
+    return std::nullopt;
+  std::size_t number = 0;
+  if(!parse_index(map[name].as<std::string>(), number) || number == 0)
+    throw Usage_error("--" + std::string(name) + " must be a positive whole number, not " +
+                      quoted(map[name].as<std::string>()));
+  return number;
+}
+
 inline Options checked_options(const po::variables_map& map)
 {
   Options options;
@@ -162,17 +176,15 @@ inline Options checked_options(const po::variables_map& map)
     options.distances.push_back(positive_number("distance", w));
   if(map.count("spacing"))
     options.spacing = positive_number("spacing", map["spacing"].as<std::string>());
-  if(map.count("count"))
-  {
-    std::size_t count = 0;
-    if(!parse_index(map["count"].as<std::string>(), count) || count == 0)
-      throw Usage_error("--count must be a positive whole number, not " + quoted(map["count"].as<std::string>()));
-    options.count = count;
-  }
+  options.count = whole_number(map, "count");
   if(map.count("maximum-distance"))
     options.maximum_distance = positive_number("maximum-distance", map["maximum-distance"].as<std::string>());
   if(map.count("tolerance"))
     options.tolerance = positive_number("tolerance", map["tolerance"].as<std::string>());
+
+  options.threads = whole_number(map, "threads");
+  if(!has_threads && options.threads.value_or(1) > 1)
+    throw Usage_error("--threads " + std::to_string(*options.threads) + ": the program was built without TBB");
 
   options.selection = selection(word("side"), word("end"));
 

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How many threads work.
+
+#ifndef GEODESIC_OFFSET_THREADS_H
+#define GEODESIC_OFFSET_THREADS_H
+
+#include "common.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+namespace geodesic_offset {
+
+constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value;
+
+// Calls f(concurrency tag) for that many threads at most; as many as the machine has if no number is given.
+template <class Function>
+void with_threads(std::optional<std::size_t> number, const Function& f)
+{
+  if(number == 1)
+    return f(CGAL::Sequential_tag());
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> control;
+  if(number)
+    control.emplace(tbb::global_control::max_allowed_parallelism, *number);
+#endif
+  f(CGAL::Parallel_if_available_tag());
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_THREADS_H
