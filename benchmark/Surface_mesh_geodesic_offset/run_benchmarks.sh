@@ -74,7 +74,7 @@ if [ -d "$data" ]; then
 else
   run hard_meshes.tsv "$bin/hard_meshes"
 fi
-run parallel.md "$bin/parallel" --runs 5 ${meshes[@]+"${meshes[@]}"}
+run parallel.md "$bin/parallel" --runs 3 ${meshes[@]+"${meshes[@]}"}
 run size_ladder.tsv "$bin/size_ladder" --limit "$limit"
 
 export PYTHONDONTWRITEBYTECODE=1

@@ -7,11 +7,12 @@
 //
 //   parallel [--runs N] [mesh files]          default: 7
 //
-// Times are those of `build()`. The ways take turns, N times, and the fastest run of each counts: other work on the machine
-// can only slow a run down, and two threads more than one. Beside them, in the same turns, for two threads and more, as many
-// sequential builds at one time, each for itself: how many times more they do together than one alone is what the cores and
-// their memory give. The exit code is 1 if a distance differs by more than 1e-13 of itself from the sequential one, or at all
-// between numbers of threads, or if memory grows by half.
+// Times are those of `build()`; how many times faster the mesh is set up, and offset curves are cut at 20 levels, stands beside
+// them. The ways take turns, N times, and the fastest run of each counts: other work on the machine can only slow a run down,
+// and two threads more than one. In the same turns, for two threads and more, run as many sequential builds at one time, each for
+// itself: how many times more they do together than one alone is what the cores and their memory give. The exit code is 1 if a
+// distance differs by more than 1e-13 of itself from the sequential one, or at all between numbers of threads, or if memory
+// grows by half.
 
 #include "measured_run.h"
 #include "wavy_torus.h"
@@ -37,6 +38,7 @@
 #include <limits>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -45,30 +47,49 @@ namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
 typedef std::vector<Mesh::Vertex_index> Vertices;
 
-// `threads`: 0 for Sequential_tag. The last two figures are the time of the build and the largest number of windows.
+// The steps whose times are taken, and at how many levels offset curves are cut.
+enum Step { SETTING_UP, BUILD, CUTTING, number_of_steps };
+constexpr std::size_t number_of_levels = 20;
+
+template <class Tag>
+void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& figures, std::uint64_t& windows)
+{
+  auto seconds = [start = std::chrono::steady_clock::now()]() mutable
+  {
+    const auto last = std::exchange(start, std::chrono::steady_clock::now());
+    return std::chrono::duration<double>(start - last).count();
+  };
+  double step[number_of_steps];
+  Geodesic geodesic(mesh, Traits(), Tag());
+  step[SETTING_UP] = seconds();
+  for (Mesh::Vertex_index v : sources) geodesic.add_source_point(v);
+  seconds();
+  geodesic.build<Tag>();
+  step[BUILD] = seconds();
+  for (Mesh::Vertex_index v : mesh.vertices()) figures.push_back(geodesic.distance_to_sources(v));
+  windows = geodesic.statistics().windows_propagated;
+  const double spacing = *std::max_element(figures.begin(), figures.end()) / (number_of_levels + 1.);
+  geodesic.build_with_offset_curves_by_distance<Tag>(
+    CGAL::Offset_levels<double>::equally_spaced(spacing, number_of_levels), [](double, std::vector<Geodesic::Offset_curve>&&) {});
+  step[CUTTING] = geodesic.statistics().offset_seconds;
+  figures.insert(figures.end(), step, step + number_of_steps);
+}
+
+// `threads`: 0 for Sequential_tag. The last figures are the times of the steps.
 benchmark::Measured_run run(const Mesh& mesh, const Vertices& sources, int threads)
 {
   return benchmark::measured_run(
     [&](std::vector<double>& figures, std::uint64_t& windows)
     {
-      Geodesic geodesic(mesh);
-      for (Mesh::Vertex_index v : sources) geodesic.add_source_point(v);
-      const auto start = std::chrono::steady_clock::now();
-      if (threads == 0) geodesic.build();
-      else
-      {
-        const auto size = static_cast<std::size_t>(threads);
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, size);
-        tbb::task_arena arena(threads);
-        arena.execute([&] { geodesic.build<CGAL::Parallel_tag>(); });
-      }
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      for (Mesh::Vertex_index v : mesh.vertices()) figures.push_back(geodesic.distance_to_sources(v));
-      figures.push_back(seconds);
-      windows = geodesic.statistics().windows_propagated;
+      if (threads == 0) return run_steps<CGAL::Sequential_tag>(mesh, sources, figures, windows);
+      const auto size = static_cast<std::size_t>(threads);
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, size);
+      tbb::task_arena arena(threads);
+      arena.execute([&] { run_steps<CGAL::Parallel_tag>(mesh, sources, figures, windows); });
     });
 }
 
@@ -102,7 +123,7 @@ struct Way
   explicit Way(int threads) : threads(threads) {}
 
   int threads;
-  double seconds = std::numeric_limits<double>::infinity();
+  std::vector<double> seconds = std::vector<double>(number_of_steps, std::numeric_limits<double>::infinity());
   std::uint64_t windows = 0;
   double peak_bytes = 0;
   std::vector<double> distances;
@@ -110,8 +131,9 @@ struct Way
 
   void add(benchmark::Measured_run result)
   {
-    seconds = (std::min)(seconds, result.distances.back());
-    result.distances.pop_back();
+    const std::size_t number = result.distances.size() - number_of_steps;
+    for (std::size_t i = 0; i < number_of_steps; ++i) seconds[i] = (std::min)(seconds[i], result.distances[number + i]);
+    result.distances.resize(number);
     distances = std::move(result.distances);
     windows = result.windows;
     peak_bytes = static_cast<double>(result.peak_bytes);
@@ -145,10 +167,11 @@ bool compare(const std::string& name, const Mesh& mesh, const Vertices& sources,
     char side_by_side[32] = "";
     if (ways[i].threads > 1)
       std::snprintf(side_by_side, sizeof side_by_side, "%.2f",
-                    ways[i].threads * ways[0].seconds / ways[i].seconds_side_by_side);
-    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %s | %.4f | %.1f | %.1f | %.1e |\n", name.c_str(),
-                static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds, ways[i].threads,
-                ways[i].seconds, ways[0].seconds / ways[i].seconds, side_by_side,
+                    ways[i].threads * ways[0].seconds[BUILD] / ways[i].seconds_side_by_side);
+    const auto faster = [&](Step step) { return ways[0].seconds[step] / ways[i].seconds[step]; };
+    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %s | %.2f | %.2f | %.4f | %.1f | %.1f | %.1e |\n", name.c_str(),
+                static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds[BUILD], ways[i].threads,
+                ways[i].seconds[BUILD], faster(BUILD), side_by_side, faster(SETTING_UP), faster(CUTTING),
                 static_cast<double>(ways[i].windows) / static_cast<double>(ways[0].windows), ways[0].peak_bytes / 1e6,
                 ways[i].peak_bytes / 1e6, worst);
     std::fflush(stdout);
@@ -172,8 +195,8 @@ int main(int argc, char* argv[])
       if (std::string(argv[i]) == "--runs" && i + 1 < argc) runs = (std::max)(1, std::stoi(argv[++i]));
       else files.push_back(argv[i]);
     std::printf("| mesh | vertices | sources | sequential s | threads | s | times faster | builds side by side | "
-                "windows, ratio | sequential MB | MB | worst relative difference |\n"
-                "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+                "setting up | cutting | windows, ratio | sequential MB | MB | worst relative difference |\n"
+                "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     bool ok = true;
     for (const std::size_t n : {100000, 200000, 400000})
     {

@@ -36,8 +36,8 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>
   Shortest_path;
-typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>
-  Geodesic;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
 using benchmark::Measured_run;
 
 template <class Computation>
@@ -57,7 +57,7 @@ Measured_run our_run(const Mesh& mesh, Mesh::Vertex_index source, std::size_t re
   return median_run(repetitions,
                     [&](std::vector<double>& distances, std::uint64_t& windows)
                     {
-                      Geodesic geodesic(mesh);
+                      Geodesic geodesic(mesh, Traits(), Concurrency_tag());
                       geodesic.add_source_point(source);
                       geodesic.build<Concurrency_tag>();
                       for (Mesh::Vertex_index v : vertices(mesh))
