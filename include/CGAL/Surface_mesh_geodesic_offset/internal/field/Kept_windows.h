@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
 
 #include <boost/config.hpp>
+#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -43,29 +44,29 @@ public:
 
   bool is_empty() const { return m_begin.empty(); }
 
-  // Keeps the lists of the halfedges of a face; of those that have none, what was kept before stays. Windows of
-  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more.
-  void keep(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, std::size_t number_of_faces)
+  // Keeps the lists of the halfedges of faces; of those that have none, what was kept before stays. Windows of
+  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more. Each face has its
+  // place, whoever of the team puts it there.
+  template <class Team>
+  void keep(const std::vector<Index>& faces, const Window_lists<FT>& lists, const std::vector<FT>& distance,
+            std::size_t number_of_faces, Team& team)
   {
     if (m_begin.empty()) m_begin.assign(4 * number_of_faces, 0);
-    Index begin[4];
-    for (Index k = 0; k < 3; ++k)
+    const std::size_t at_once = (std::min)(at_once_by_each * team.size(), most_at_once);
+    std::vector<Place> places((std::min)(at_once, faces.size()));
+    for (std::size_t first = 0; first < faces.size(); first += at_once)
     {
-      begin[k] = Index(m_size);
-      const Index h = 3 * face + k;
-      if (lists.has(h))
-      {
-        const Window_list<FT>& list = lists.get(h);
-        for (Index i = 0; i < list.taken; ++i)
-          if (!is_outdated(list.data[i], distance)) push(pack(list.data[i]));
-      }
-      else
-        for (Index i = first(h), n = last(h); i < n; ++i) push(at(i));
+      const Index* const face = faces.data() + first;
+      const Index number = Index((std::min)(at_once, faces.size() - first));
+      const auto weight = [](Index) { return 1; };
+      team.for_each(number, weight, number >= worthwhile, [&](unsigned, Index i) {
+        places[i] = {};
+        this->for_each_kept(face[i], lists, distance, [&places, i](int k, const auto& w) { places[i].count(k, w); });
+      });
+      for (Index i = 0; i < number; ++i) make_room(face[i], places[i]);
+      team.for_each(number, weight, number >= worthwhile,
+                    [&](unsigned, Index i) { this->put(face[i], places[i], lists, distance); });
     }
-    begin[3] = Index(m_size);
-    m_live += (begin[3] - begin[0]);
-    m_live -= m_begin[4 * face + 3] - m_begin[4 * face];
-    std::copy(begin, begin + 4, m_begin.begin() + 4 * face);
   }
 
   // Calls f(window) for the windows of a halfedge, in order. `distance` and `root`, per vertex, are those of the field.
@@ -148,12 +149,14 @@ public:
     Kept_windows fresh;
     fresh.m_begin.assign(m_begin.size(), 0);
     fresh.m_sigma = m_sigma;
+    fresh.make_room(m_live);
+    Index place = 0;
     for (std::size_t f = 0; 4 * f < m_begin.size(); ++f)
       for (std::size_t k = 0; k < 4; ++k)
       {
-        fresh.m_begin[4 * f + k] = Index(fresh.m_size);
+        fresh.m_begin[4 * f + k] = place;
         if (k < 3)
-          for (Index i = m_begin[4 * f + k]; i < m_begin[4 * f + k + 1]; ++i) fresh.push(at(i));
+          for (Index i = m_begin[4 * f + k]; i < m_begin[4 * f + k + 1]; ++i) fresh.at(place++) = at(i);
       }
     fresh.m_live = fresh.m_size;
     *this = std::move(fresh);
@@ -171,14 +174,86 @@ private:
   struct Packed
   {
     FT x, y, b0, b1;
-    Root root;
+    Index root_value; // nothing is written when pages are made
     Index bits; // bit 0: parallel; bit 31: merged; the others: the place of sigma, or 1 + pseudo-source vertex, 0 if none
 
+    Root root() const
+    {
+      Root r;
+      r.value = root_value;
+      return r;
+    }
     bool is_merged() const { return bits & merged_flag; }
     Index value() const { return (bits & ~merged_flag) >> 1; }
   };
   enum { page_size = 4096 };
+  static constexpr std::size_t at_once_by_each = 64, most_at_once = 1 << 12, worthwhile = 8; // faces
   static constexpr Index merged_flag = 1u << 31; // sigma is followed by the bound of the error
+
+  // Where the windows of a face go: first how many there are.
+  struct Place
+  {
+    Index windows[4] = {0, 0, 0, 0}; // begin of those of each halfedge, and their end
+    Index sigma = 0;
+
+    void count(int k, const Packed&) { ++windows[k]; }
+    void count(int k, const Window& w)
+    {
+      ++windows[k];
+      sigma += Index(w.is_parallel() || w.is_merged()) + Index(w.is_merged());
+    }
+  };
+
+  // Calls f(halfedge of the face, window) for what is to be kept: those of the list, or packed ones.
+  template <class Function>
+  void for_each_kept(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, const Function& f) const
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * face + Index(k);
+      if (lists.has(h))
+      {
+        const Window_list<FT>& list = lists.get(h);
+        for (Index i = 0; i < list.taken; ++i)
+          if (!is_outdated(list.data[i], distance)) f(k, list.data[i]);
+      }
+      else
+        for (Index i = first(h), n = last(h); i < n; ++i) f(k, at(i));
+    }
+  }
+
+  void make_room(Index face, Place& p)
+  {
+    const std::size_t number = std::size_t(p.windows[0]) + p.windows[1] + p.windows[2];
+    Index place = Index(m_size), sigma = Index(m_sigma.size());
+    make_room(number);
+    if (m_sigma.size() + p.sigma >= std::size_t(no_index >> 2)) complain();
+    m_sigma.resize(m_sigma.size() + p.sigma);
+    std::swap(p.sigma, sigma);
+    for (Index& w : p.windows)
+    {
+      std::swap(w, place);
+      place += w;
+    }
+    m_live += number;
+    m_live -= m_begin[4 * face + 3] - m_begin[4 * face];
+  }
+
+  void make_room(std::size_t windows)
+  {
+    m_size += windows;
+    if (m_size >= std::size_t(no_index)) complain();
+    while (m_pages.size() * page_size < m_size) m_pages.emplace_back(page_size, boost::container::default_init);
+  }
+
+  static void complain() { throw std::length_error("Surface_mesh_geodesic_offset: too many windows to be kept"); }
+
+  void put(Index face, const Place& p, const Window_lists<FT>& lists, const std::vector<FT>& distance)
+  {
+    Index place = p.windows[0], sigma = p.sigma;
+    for_each_kept(face, lists, distance, [&](int, const auto& w) { at(place++) = packed(w, sigma); });
+    std::copy(p.windows, p.windows + 4, m_begin.begin() + 4 * face);
+  }
 
   template <class Function>
   void for_each_packed(Index h, const Function& f) const
@@ -215,18 +290,21 @@ private:
     return v != no_index && w.sigma > distance[v] + Number_policy<FT>::rounding(256) * distance[v];
   }
 
-  Packed pack(const Window& w)
+  static const Packed& packed(const Packed& p, Index&) { return p; }
+
+  // `sigma`: the next place for one
+  Packed packed(const Window& w, Index& sigma)
   {
-    Packed p{w.x, w.y, w.b0, w.b1, w.root, w.bits >> 2 << 1};
+    Packed p{w.x, w.y, w.b0, w.b1, w.root.value, w.bits >> 2 << 1};
     if (w.is_parallel() || w.is_merged())
     {
-      p.bits = Index(m_sigma.size()) << 1 | Index(w.is_parallel());
-      m_sigma.push_back(w.sigma);
+      p.bits = sigma << 1 | Index(w.is_parallel());
+      m_sigma[sigma++] = w.sigma;
     }
     if (w.is_merged())
     {
       p.bits |= merged_flag;
-      m_sigma.push_back(FT(Merged_origin::error(w.pseudo_source())));
+      m_sigma[sigma++] = FT(Merged_origin::error(w.pseudo_source()));
     }
     return p;
   }
@@ -241,7 +319,7 @@ private:
 
   Window unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
   {
-    Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root, 0};
+    Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root(), 0};
     const Index value = p.value();
     if (p.bits & 1u || p.is_merged())
     {
@@ -259,24 +337,12 @@ private:
 
   Index merged_origin(Index place) const { return Merged_origin::with_error(CGAL::to_double(m_sigma[place + 1])); }
 
-  void push(const Packed& p)
-  {
-    if (m_size >= std::size_t(no_index) || m_sigma.size() >= std::size_t(no_index >> 2))
-      throw std::length_error("Surface_mesh_geodesic_offset: too many windows to be kept");
-    if (m_size == m_pages.size() * page_size)
-    {
-      m_pages.emplace_back();
-      m_pages.back().reserve(page_size);
-    }
-    m_pages.back().push_back(p);
-    ++m_size;
-  }
-
+  Packed& at(Index i) { return m_pages[i / page_size][i % page_size]; }
   const Packed& at(Index i) const { return m_pages[i / page_size][i % page_size]; }
   Index first(Index h) const { return m_begin[4 * (h / 3) + h % 3]; }
   Index last(Index h) const { return m_begin[4 * (h / 3) + h % 3 + 1]; }
 
-  std::vector<std::vector<Packed>> m_pages;
+  std::vector<boost::container::vector<Packed>> m_pages;
   std::size_t m_size = 0, m_live = 0; // windows in the pages, and those of them that belong to a face
   std::vector<FT> m_sigma;            // of parallel-source windows
   std::vector<Index> m_begin;         // four for each face: where the windows of its halfedges begin, and where they end

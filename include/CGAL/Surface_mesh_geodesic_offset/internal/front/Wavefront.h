@@ -148,8 +148,7 @@ private:
     auto&& team = m_taking.team();
     consumer.take(faces, team);
     if (m_keep)
-      for (Index f : faces)
-        m_state.field.kept.keep(f, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces());
+      m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
     m_taking.release(faces);
     m_number_of_passed += faces.size();
     m_passed.faces.clear();
