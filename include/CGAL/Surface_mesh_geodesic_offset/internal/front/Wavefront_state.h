@@ -70,7 +70,7 @@ public:
       vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
       is_finished(mesh.number_of_faces(), 0),
       unfinished(needs_envelopes ? mesh.number_of_faces() : 0, parts),
-      m_part(parts.number(), Part(bucket_edges(parts) * CGAL::to_double(mesh.mean_edge_length())))
+      m_part(parts.number(), Part(bucket_edges(parts) * mesh.mean_edge_length()))
   {
     field.lists = Window_lists<FT>(mesh.number_of_halfedges(), parts);
   }

@@ -48,17 +48,17 @@ public:
 
   // By the indices of the faces.
   template <class Team>
-  std::vector<Face_links> face_links(const std::vector<face_descriptor>& faces, Team& team) const
+  All_face_links face_links(const std::vector<face_descriptor>& faces, Team& team) const
   {
     return internal::face_links(m_tm, faces, m_vim, m_fim, m_faces_end, team);
   }
 
   // Until then the numbers are the indices.
-  template <class VertexPointMap>
-  void renumber_if_scattered(const std::vector<Face_links>& links, const std::vector<vertex_descriptor>& vertices,
-                             const VertexPointMap& vpm)
+  template <class VertexPointMap, class Team>
+  void renumber_if_scattered(const All_face_links& links, const std::vector<vertex_descriptor>& vertices,
+                             const VertexPointMap& vpm, Team& team)
   {
-    if (is_scattered(links)) renumber(links, vertices, vpm);
+    if (is_scattered(links)) renumber(links, vertices, vpm, team);
   }
 
   // Above all numbers; not all below need be in use.
@@ -97,7 +97,7 @@ private:
   }
 
   // Whether the indices of neighbours are often far apart, judged by some of the faces.
-  static bool is_scattered(const std::vector<Face_links>& links)
+  static bool is_scattered(const All_face_links& links)
   {
     if (links.size() < worthwhile) return false;
     const auto are_far = [](std::size_t i, std::size_t j) { return (i < j ? j - i : i - j) >= near; };
@@ -117,28 +117,22 @@ private:
     return 4 * far > pairs;
   }
 
-  template <class VertexPointMap>
-  void renumber(const std::vector<Face_links>& links, const std::vector<vertex_descriptor>& vertices,
-                const VertexPointMap& vpm)
+  template <class VertexPointMap, class Team>
+  void renumber(const All_face_links& links, const std::vector<vertex_descriptor>& vertices, const VertexPointMap& vpm,
+                Team& team)
   {
-    std::vector<Spatial_order::Point> points;
-    std::vector<Index> indices;
-    points.reserve(m_vertices_end);
-    indices.reserve(m_vertices_end);
     const auto coordinate = [](const auto& x) {
       const double d = CGAL::to_double(x);
       return std::isfinite(d) ? d : 0.; // it is complained of later
     };
-    for (const vertex_descriptor v : vertices)
-    {
-      const auto& p = get(vpm, v);
-      points.push_back({coordinate(p.x()), coordinate(p.y()), coordinate(p.z())});
-      indices.push_back(Index(get(m_vim, v)));
-    }
+    const auto point = [&](std::size_t i) {
+      const auto& p = get(vpm, vertices[i]);
+      return Spatial_order::Point{coordinate(p.x()), coordinate(p.y()), coordinate(p.z())};
+    };
     m_vertex.assign(m_vertices_end, no_index);
-    const Spatial_order order(points);
-    for (std::size_t i = 0; i < points.size(); ++i) m_vertex[indices[order[i]]] = Index(i);
-    m_vertices_end = points.size();
+    const Spatial_order order(vertices.size(), point, team);
+    for (std::size_t i = 0; i < vertices.size(); ++i) m_vertex[get(m_vim, vertices[order[i]])] = Index(i);
+    m_vertices_end = vertices.size();
 
     // faces by the lowest number of their vertices
     std::vector<Index> first(m_vertices_end + 1, 0);

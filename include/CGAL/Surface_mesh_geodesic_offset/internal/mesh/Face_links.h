@@ -15,10 +15,13 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -36,12 +39,16 @@ struct Face_links
   Index halfedge_from(Index vertex) const { return Index(source[1] == vertex) + 2 * Index(source[2] == vertex); }
 };
 
-// By the indices of the faces, which are below `end`.
+typedef boost::container::vector<Face_links> All_face_links; // by the indices of the faces
+
+// The indices are below `end`.
 template <class TriangleMesh, class Faces, class VertexIndexMap, class FaceIndexMap, class Team>
-std::vector<Face_links> face_links(const TriangleMesh& tm, const Faces& faces, const VertexIndexMap& vim,
-                                   const FaceIndexMap& fim, std::size_t end, Team& team)
+All_face_links face_links(const TriangleMesh& tm, const Faces& faces, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                          std::size_t end, Team& team)
 {
-  std::vector<Face_links> links(end, Face_links{{no_index, no_index, no_index}, {no_index, no_index, no_index}});
+  All_face_links links(end, boost::container::default_init);
+  if (faces.size() < end) // not all indices are in use
+    std::fill(links.begin(), links.end(), Face_links{{no_index, no_index, no_index}, {no_index, no_index, no_index}});
   Blocks(faces.size(), team.size()).for_each(team, [&](Index, std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k)
     {

@@ -54,6 +54,7 @@ struct Geodesic_surface
                        std::vector<face_descriptor>(faces(tm).begin(), faces(tm).end()), traits, team)
   {
   }
+
   // Numbers of the unfolded mesh, for the user, and the other way round.
   static decltype(auto) exported(const Number& x) { return converted_number<FT>(x); }
   static decltype(auto) imported(const FT& x) { return converted_number<Number>(x); }
@@ -186,6 +187,13 @@ private:
     Coordinate;
   static constexpr bool has_plain_points = std::is_arithmetic<Coordinate>::value;
 
+  template <class Team>
+  static decltype(auto) team_or_alone(Team& team)
+  {
+    if constexpr (has_plain_points) return (team);
+    else return (void)team, Single_worker();
+  }
+
   // all_vertices, all_faces: in the order of the mesh
   template <class Team>
   Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& vpm,
@@ -193,8 +201,10 @@ private:
                    const Traits& traits, Team& team)
     : tm(tm), vpm(vpm), numbers(tm, vim, fim, all_vertices, all_faces)
   {
-    const std::vector<Face_links> links = numbers.face_links(all_faces, team);
-    numbers.renumber_if_scattered(links, all_vertices, vpm);
+    const All_face_links links = numbers.face_links(all_faces, team);
+    // coordinates that are no floating point numbers may share memory
+    auto&& readers_of_points = team_or_alone(team);
+    numbers.renumber_if_scattered(links, all_vertices, vpm, readers_of_points);
     face_of.resize(numbers.faces_end());
     std::vector<Index> face_at(numbers.faces_end(), no_index);
     Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
@@ -207,8 +217,7 @@ private:
     });
     vertex_of.resize(numbers.vertices_end());
     std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
-    // coordinates that are no floating point numbers may share memory
-    Blocks(all_vertices.size(), has_plain_points ? team.size() : 1).for_each(team, [&](Index, auto begin, auto end) {
+    Blocks(all_vertices.size(), readers_of_points.size()).for_each(readers_of_points, [&](Index, auto begin, auto end) {
       for (std::size_t k = begin; k < end; ++k)
       {
         const vertex_descriptor v = all_vertices[k];

@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -29,27 +31,36 @@ class Spatial_order
 public:
   typedef std::array<double, 3> Point;
 
-  // Finite coordinates.
-  explicit Spatial_order(const std::vector<Point>& points)
+  // Of n points; point(i) has finite coordinates.
+  template <class Function, class Team>
+  Spatial_order(std::size_t n, const Function& point, Team& team) : m_items(n)
   {
-    if (points.empty()) return;
-    Point low = points.front(), high = low;
-    for (const Point& p : points)
-      for (int k = 0; k < 3; ++k)
+    const Blocks blocks(n, team.size());
+    std::vector<Box> boxes(blocks.number());
+    blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
+      Box box;
+      for (std::size_t i = begin; i < end; ++i)
       {
-        low[k] = (std::min)(low[k], p[k]);
-        high[k] = (std::max)(high[k], p[k]);
+        const Point p = point(i);
+        box.add(p, p);
       }
-    const double extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+      boxes[block] = box;
+    });
+    Box all;
+    for (const Box& b : boxes) all.add(b.low, b.high);
+    const double extent = all.extent();
     const double scale = double(largest) / extent; // of one point, and of numbers too large to subtract: no order
-    m_items.reserve(points.size());
-    for (const Point& p : points)
-    {
-      std::uint64_t key = 0;
-      if (std::isfinite(scale) && std::isfinite(extent))
-        for (int k = 0; k < 3; ++k) key |= spread(std::uint64_t((p[k] - low[k]) * scale)) << k;
-      m_items.push_back({key, Index(m_items.size())});
-    }
+    const bool has_order = std::isfinite(scale) && std::isfinite(extent);
+    blocks.for_each(team, [&](Index, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Point p = point(i);
+        std::uint64_t key = 0;
+        if (has_order)
+          for (int k = 0; k < 3; ++k) key |= spread(std::uint64_t((p[k] - all.low[k]) * scale)) << k;
+        m_items[i] = {key, Index(i)};
+      }
+    });
     boost::sort::spreadsort::integer_sort(
       m_items.begin(), m_items.end(), [](const Item& i, unsigned shift) { return i.key >> shift; },
       [](const Item& i, const Item& j) { return i.key < j.key; });
@@ -60,6 +71,26 @@ public:
 
 private:
   static constexpr std::uint64_t largest = (std::uint64_t(1) << 21) - 1;
+
+  struct Box
+  {
+    Point low, high;
+
+    Box()
+    {
+      low.fill(std::numeric_limits<double>::infinity());
+      high.fill(-std::numeric_limits<double>::infinity());
+    }
+    void add(const Point& p, const Point& q)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        low[k] = (std::min)(low[k], p[k]);
+        high[k] = (std::max)(high[k], q[k]);
+      }
+    }
+    double extent() const { return (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
+  };
 
   struct Item
   {

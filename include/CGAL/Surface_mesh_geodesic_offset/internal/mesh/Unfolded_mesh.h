@@ -63,27 +63,20 @@ public:
   // numbers: Element_numbers; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
   // there is none; points: of the vertices, by number.
   template <class Numbers, class Traits, class Team>
-  Unfolded_mesh(const Numbers& numbers, const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+  Unfolded_mesh(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
                 const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team)
     : m_corner(points.size(), no_index), m_can_bend(points.size(), 0)
   {
-    m_halfedges.resize(3 * face_at.size(), boost::container::default_init);
-    First_corners first(points.size());
-    for (auto& corner : first) corner.store(no_index, std::memory_order_relaxed);
-    const Blocks blocks(face_at.size(), team.size());
-    std::vector<Laid_out_faces> laid_out(blocks.number());
-    blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
-      laid_out[block] =
-        lay_out_faces<std::is_same<Team, Single_worker>::value>(begin, end, numbers, links, face_at, points, traits, first);
-    });
-    std::size_t number_of_faces = 0; // gaps are not counted
-    for (const Laid_out_faces& l : laid_out)
+    if constexpr (Number_policy<FT>::is_inexact) m_halfedges.resize(3 * face_at.size(), boost::container::default_init);
+    else m_halfedges.resize(3 * face_at.size());
+    if constexpr (std::is_same<Team, Single_worker>::value)
+      set_up<Traits>(numbers, links, face_at, points, traits, team, m_corner);
+    else
     {
-      m_is_laid_out &= l.have_area;
-      m_longest_edge = (std::max)(m_longest_edge, l.longest_edge);
-      number_of_faces += l.number;
+      std::vector<std::atomic<Index>> first_corners(points.size());
+      for (auto& corner : first_corners) corner.store(no_index, std::memory_order_relaxed);
+      set_up<Traits>(numbers, links, face_at, points, traits, team, first_corners);
     }
-    if (m_is_laid_out && find_corners(first, team) != 3 * number_of_faces) find_more_fans();
   }
 
   // Otherwise there are faces of which has_area() is false, and the object is of no further use.
@@ -169,12 +162,7 @@ public:
 
   const FT& longest_edge() const { return m_longest_edge; }
 
-  FT mean_edge_length() const
-  {
-    FT sum(0);
-    for (const Halfedge& h : m_halfedges) sum += h.length;
-    return m_halfedges.empty() ? FT(1) : FT(sum / FT(double(m_halfedges.size())));
-  }
+  double mean_edge_length() const { return m_mean_edge_length; }
 
   // Cosine and sine of the corner at the source of h.
   void corner_direction(Index h, FT& c, FT& s) const
@@ -190,8 +178,6 @@ private:
     return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
   }
 
-  typedef std::vector<std::atomic<Index>> First_corners; // at each vertex the one with the lowest number
-
   // What is known of a block of faces afterwards.
   struct Laid_out_faces
   {
@@ -200,11 +186,35 @@ private:
     std::size_t number = 0;
   };
 
-  template <bool is_alone, class Numbers, class Traits>
+  // first_corners: at each vertex the corner with the lowest number; none yet
+  template <class Traits, class Numbers, class Team, class First_corners>
+  void set_up(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
+              const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team,
+              First_corners& first_corners)
+  {
+    const Blocks blocks(face_at.size(), team.size());
+    std::vector<Laid_out_faces> laid_out(blocks.number());
+    std::vector<double> lengths(face_at.size() / Blocks::step + 1, 0.); // their sums, in an order that depends on no blocks
+    blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
+      laid_out[block] = lay_out_faces(begin, end, numbers, links, face_at, points, traits, first_corners, lengths);
+    });
+    std::size_t number_of_faces = 0; // gaps are not counted
+    for (const Laid_out_faces& l : laid_out)
+    {
+      m_is_laid_out &= l.have_area;
+      m_longest_edge = (std::max)(m_longest_edge, l.longest_edge);
+      number_of_faces += l.number;
+    }
+    if (number_of_faces > 0)
+      m_mean_edge_length = std::accumulate(lengths.begin(), lengths.end(), 0.) / (3. * double(number_of_faces));
+    if (m_is_laid_out && find_corners(first_corners, team) != 3 * number_of_faces) find_more_fans();
+  }
+
+  template <class Numbers, class Traits, class First_corners>
   Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Numbers& numbers,
-                               const std::vector<Face_links>& links, const std::vector<Index>& face_at,
+                               const All_face_links& links, const std::vector<Index>& face_at,
                                const std::vector<typename Traits::Point_3>& points, const Traits& traits,
-                               First_corners& first_corners)
+                               First_corners& first_corners, std::vector<double>& lengths)
   {
     constexpr std::size_t ahead = 32;
     const auto construct_apices = traits.construct_apices_2_object();
@@ -226,7 +236,7 @@ private:
       {
         result.have_area &= has_area(length[k], y[k]);
         result.longest_edge = (std::max)(result.longest_edge, length[k]);
-        lower<is_alone>(first_corners[v[k]], h + k);
+        lower(first_corners[v[k]], h + k);
         const Index b = l.beyond[k];
         Index twin = no_index;
         if (b != no_index)
@@ -238,22 +248,18 @@ private:
         }
         m_halfedges[h + k] = {length[k], x[k], y[k], twin, v[k]};
       }
+      lengths[i / Blocks::step] += CGAL::to_double(length[0]) + CGAL::to_double(length[1]) + CGAL::to_double(length[2]);
       ++result.number;
     }
     return result;
   }
 
   // To i, if it is larger.
-  template <bool is_alone>
+  static void lower(Index& number, Index i) { number = (std::min)(number, i); }
   static void lower(std::atomic<Index>& number, Index i)
   {
     Index known = number.load(std::memory_order_relaxed);
-    if constexpr (is_alone)
-    {
-      if (i < known) number.store(i, std::memory_order_relaxed);
-    }
-    else
-      while (i < known && !number.compare_exchange_weak(known, i, std::memory_order_relaxed)) {}
+    while (i < known && !number.compare_exchange_weak(known, i, std::memory_order_relaxed)) {}
   }
 
   // The corners around a vertex, from border to border or all around.
@@ -265,7 +271,7 @@ private:
   };
 
   // Returns how many there are, not counting further fans.
-  template <class Team>
+  template <class First_corners, class Team>
   std::size_t find_corners(const First_corners& first, Team& team)
   {
     const Blocks blocks(m_corner.size(), team.size());
@@ -274,7 +280,7 @@ private:
       std::size_t number = 0;
       for (std::size_t v = begin; v < end; ++v)
       {
-        const Index corner = first[v].load(std::memory_order_relaxed);
+        const Index corner = first[v];
         if (corner == no_index) continue;
         const Fan fan = fan_of(corner);
         m_corner[v] = fan.first;
@@ -364,6 +370,7 @@ private:
   boost::container::vector<Halfedge> m_halfedges;
   bool m_is_laid_out = true;
   FT m_longest_edge = FT(0);
+  double m_mean_edge_length = 1;
   std::vector<Index> m_corner;
   std::vector<char> m_can_bend;
   std::vector<std::pair<Index, Index>> m_more_fans; // (vertex, first corner), sorted

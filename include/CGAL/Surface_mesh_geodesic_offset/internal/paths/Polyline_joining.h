@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
@@ -73,7 +74,7 @@ private:
     Patch(const Polyline_joining& whole, std::vector<Index> faces) : m_whole(whole), m_faces(std::move(faces))
     {
       for (Index i = 0; i < m_faces.size(); ++i) m_number_of_face[m_faces[i]] = i;
-      std::vector<Face_links> links;
+      All_face_links links;
       std::vector<Index> face_at;
       std::vector<typename Traits::Point_3> points;
       for (Index f : m_faces)

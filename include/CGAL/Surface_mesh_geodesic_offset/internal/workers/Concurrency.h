@@ -63,33 +63,32 @@ struct Concurrency
   typedef Team_of<Tag> Team;
 };
 
-// Items in a row, in blocks for a team.
+// Items in a row, in blocks for a team; one block for one worker.
 class Blocks
 {
 public:
+  static constexpr std::size_t step = 1 << 10; // blocks begin at multiples of it
+
   Blocks(std::size_t items, unsigned team_size)
-    : m_items(items), m_number(Index(
-                        team_size == 1 ? 1 : (std::max)(std::size_t(1), (std::min)(items / fewest, by_each * team_size))))
+    : m_items(items), m_size(team_size == 1 ? items : (items / (std::min)(by_each * team_size, most) / step + 1) * step)
   {
   }
 
-  Index number() const { return m_number; }
+  Index number() const { return m_items == 0 ? 0 : Index((m_items - 1) / m_size + 1); }
 
   // Calls f(block, begin, end) for each, from several threads at once.
   template <class Team, class Function>
   void for_each(Team& team, const Function& f) const
   {
     team.for_each(
-      m_number, [](Index) { return 1; }, m_number > 1, [this, &f](unsigned, Index i) { f(i, begin(i), begin(i + 1)); });
+      number(), [](Index) { return 1; }, number() > 1,
+      [this, &f](unsigned, Index i) { f(i, m_size * i, (std::min)(m_size * (i + 1), m_items)); });
   }
 
 private:
-  static constexpr std::size_t fewest = 1 << 10, by_each = 8;
+  static constexpr std::size_t by_each = 8, most = 1 << 12;
 
-  std::size_t begin(Index i) const { return m_items * i / m_number; }
-
-  std::size_t m_items;
-  Index m_number;
+  std::size_t m_items, m_size;
 };
 
 } // namespace internal
