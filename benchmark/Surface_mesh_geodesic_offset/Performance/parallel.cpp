@@ -72,9 +72,11 @@ void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& f
   step[BUILD] = seconds();
   for (Mesh::Vertex_index v : mesh.vertices()) figures.push_back(geodesic.distance_to_sources(v));
   windows = geodesic.statistics().windows_propagated;
-  const double spacing = *std::max_element(figures.begin(), figures.end()) / (number_of_levels + 1.);
+  double largest = 0;
+  for (const double d : figures)
+    if (std::isfinite(d)) largest = (std::max)(largest, d);
   geodesic.build_with_offset_curves_by_distance<Tag>(
-    CGAL::Offset_levels<double>::equally_spaced(spacing, number_of_levels), [](double, std::vector<Geodesic::Offset_curve>&&) {});
+    CGAL::Offset_levels<double>::equally_spaced(largest / (number_of_levels + 1.), number_of_levels), [](double, std::vector<Geodesic::Offset_curve>&&) {});
   step[CUTTING] = geodesic.statistics().offset_seconds;
   figures.insert(figures.end(), step, step + number_of_steps);
 }

@@ -13,15 +13,18 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -95,11 +98,12 @@ public:
   /// \name Construction
   /// Takes time linear in the size of the mesh, and some 250 bytes a vertex. If the indices of a large mesh scatter
   /// neighbours, vertices and faces are numbered anew inside, which takes little time and saves more later.
-  ///
-  /// The last argument is a concurrency tag: `Sequential_tag()`, or, for floating point numbers and with TBB, `Parallel_tag()` or
-  /// `Parallel_if_available_tag()`. Then several threads read the mesh and its maps at once.
   /// @{
 
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+  /// \param tm the mesh
+  /// \param traits the traits
+  /// \param tag whether several threads work, which read the mesh and its maps at once
   /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.
   /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite; and if the
   ///         longest edge is not between 1e-77 and 1e77 (1e-9 and 1e9 for `float`), where fourth powers of lengths get lost.
@@ -132,8 +136,10 @@ public:
     : m_traits(Geodesic_offset::internal::Computation<Traits>::computing_traits(traits))
   {
     static_assert(std::is_convertible<ConcurrencyTag, Sequential_tag>::value, "the last argument must be a concurrency tag");
-    auto&& team = Geodesic_offset::internal::Concurrency<ConcurrencyTag, Number>::Team::make();
-    m_surface = std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map, traits, team);
+    {
+      auto&& team = Geodesic_offset::internal::Concurrency<ConcurrencyTag, Number>::Team::make();
+      m_surface = std::make_shared<Surface>(tm, vertex_index_map, face_index_map, vertex_point_map, traits, team);
+    }
     m_locator = std::make_shared<Geodesic_offset::internal::Surface_locator<Surface>>(m_surface);
   }
   /// @}

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <chrono>
 #include <vector>
@@ -75,11 +76,7 @@ public:
   void cut(const Offset_levels<FT>& levels, const Function& out) const
   {
     Offset_extraction<FT> extraction(m_mesh, initial, field, levels, maximum);
-    auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
-    std::vector<Index> faces;
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (m_mesh.source(3 * f) != no_index) faces.push_back(f);
-    extraction.cut(faces, team);
+    cut_all_faces<Concurrency_tag>(extraction);
     extraction.release_all(maximum, out);
   }
 
@@ -140,6 +137,21 @@ private:
       seconds_within_propagation += seconds_since(start);
     }
   };
+
+  template <class Concurrency_tag>
+  void cut_all_faces(Offset_extraction<FT>& extraction) const
+  {
+    constexpr std::size_t at_once = 1 << 12;
+    auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
+    std::vector<Index> faces;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      if (m_mesh.source(3 * f) != no_index) faces.push_back(f);
+      if (faces.size() < at_once && f + 1 < m_mesh.number_of_faces()) continue;
+      extraction.cut(faces, team);
+      faces.clear();
+    }
+  }
 
   template <class Concurrency_tag, class Consumer>
   void run(const Traits& traits, Consumer& consumer)

@@ -45,18 +45,16 @@ public:
   void cut(const std::vector<Index>& faces, Team& team)
   {
     make_cuttings(team.size());
+    const std::size_t at_once = team.size() == 1 ? 1 : (std::min)(at_once_by_each * team.size(), most_at_once);
     m_crossed.clear();
     for (const Index f : faces)
     {
       m_turn[f] = m_next_turn++;
       const Level_range levels = m_cuttings.front()->levels_of(f);
       if (!levels.is_empty()) m_crossed.push_back({f, levels});
+      if (m_crossed.size() == at_once) cut_crossed(team);
     }
-    const std::size_t at_once = team.size() == 1 ? 1 : at_once_by_each * team.size();
-    while (m_cuts.size() < (std::min)(at_once, m_crossed.size()))
-      m_cuts.push_back(std::make_unique<Face_cut<FT>>(m_mesh, m_initial, m_field));
-    for (std::size_t i = 0; i < m_crossed.size(); i += at_once)
-      cut_at_once(m_crossed.data() + i, Index((std::min)(at_once, m_crossed.size() - i)), team);
+    cut_crossed(team);
   }
 
   // Gives out the levels that are finished if all faces with points nearer than `settled` have been cut: calls
@@ -92,7 +90,7 @@ private:
   typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the face that is first
 
   static constexpr Index no_turn = no_index;
-  static constexpr std::size_t at_once_by_each = 64;
+  static constexpr std::size_t at_once_by_each = 64, most_at_once = 1 << 12;
   static constexpr std::size_t worthwhile = 16; // levels in faces: less takes no longer than others need to notice it
 
   struct Crossed_face
@@ -108,15 +106,18 @@ private:
   }
 
   template <class Team>
-  void cut_at_once(const Crossed_face* faces, Index number, Team& team)
+  void cut_crossed(Team& team)
   {
+    const Index number = Index(m_crossed.size());
+    while (m_cuts.size() < number) m_cuts.push_back(std::make_unique<Face_cut<FT>>(m_mesh, m_initial, m_field));
     std::size_t work = 0;
-    for (Index i = 0; i < number; ++i) work += faces[i].levels.size();
-    const auto weight = [faces](Index i) { return faces[i].levels.size(); };
-    team.for_each(number, weight, work >= worthwhile, [this, faces](unsigned worker, Index i) {
-      this->m_cuts[i]->levels = faces[i].levels;
+    for (const Crossed_face& c : m_crossed) work += c.levels.size();
+    const auto weight = [this](Index i) { return this->m_crossed[i].levels.size(); };
+    team.for_each(number, weight, work >= worthwhile, [this](unsigned worker, Index i) {
+      const Crossed_face& c = this->m_crossed[i];
+      this->m_cuts[i]->levels = c.levels;
       this->m_cuttings[worker]->find_crossings(
-        faces[i].face, [this](Index h) { return this->is_first_at(h); }, *this->m_cuts[i]);
+        c.face, [this](Index h) { return this->is_first_at(h); }, *this->m_cuts[i]);
     });
     for (Index i = 0; i < number; ++i) number_gates(*m_cuts[i]);
     team.for_each(number, weight, work >= worthwhile,
@@ -124,6 +125,7 @@ private:
     for (Index i = 0; i < number; ++i)
       for (const auto& c : m_cuts[i]->chains)
         m_curves[c.level].add_chain(c.start, c.end, m_cuts[i]->pieces.data() + c.first, m_cuts[i]->pieces.data() + c.last);
+    m_crossed.clear();
   }
 
   // Whether the face of a halfedge is cut before the one on the other side.
@@ -167,7 +169,7 @@ private:
   {
     if (m_spare.empty())
     {
-      m_waiting.emplace(h, crossings);
+      m_waiting.emplace(h, std::move(crossings));
       return;
     }
     auto node = std::move(m_spare.back());
@@ -192,7 +194,7 @@ private:
   const FT m_maximum;
   std::vector<Index> m_turn; // of each face: in which order they are cut
   Index m_next_turn = 0;
-  std::vector<Crossed_face> m_crossed;                       // of the faces being cut
+  std::vector<Crossed_face> m_crossed;                       // the next ones to be cut
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // of each worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // of each face at once
   Waiting_crossings m_waiting;
