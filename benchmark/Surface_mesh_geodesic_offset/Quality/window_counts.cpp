@@ -54,7 +54,9 @@ Window seen_from_behind(const Window& window, double length)
 
 std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
 {
-  const Surface surface(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), get(boost::vertex_point, mesh));
+  internal::Single_worker alone;
+  const Surface surface(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), get(boost::vertex_point, mesh),
+                        Traits(), alone);
   const internal::Unfolded_mesh<double>& unfolded = surface.unfolded;
   internal::Source_set<double> sources;
   const Mesh::Vertex_index v(static_cast<Mesh::size_type>(source));
