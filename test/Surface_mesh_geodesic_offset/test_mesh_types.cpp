@@ -9,7 +9,9 @@
 #include "test_check.h"
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/property_map.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -104,10 +106,41 @@ void run(const std::string& name, const Soup& soup)
   std::cout << name << ": " << count << " distances compared" << std::endl;
 }
 
+// Indices that nobody has set: what all elements of a Polyhedron_3 with ids have at first.
+template <class Descriptor>
+struct Unset_index
+{
+  typedef Descriptor key_type;
+  typedef std::size_t value_type, reference;
+  typedef boost::readable_property_map_tag category;
+  friend std::size_t get(const Unset_index&, Descriptor) { return std::size_t(-1); }
+};
+
+void unset_indices()
+{
+  Report::instance().set_context("unset indices");
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
+  typedef Unset_index<test::Surface_mesh::Vertex_index> Unset_vertex_index;
+  typedef Unset_index<test::Surface_mesh::Face_index> Unset_face_index;
+  const test::Surface_mesh mesh = Generated_mesh<test::Surface_mesh>(icosphere(1)).mesh;
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto no_faces = [&] {
+    CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, Unset_face_index>(mesh, get(boost::vertex_index, mesh),
+                                                                              Unset_face_index(), points);
+  };
+  const auto no_vertices = [&] {
+    CGAL::Surface_mesh_geodesic_offset<Traits, Unset_vertex_index>(mesh, Unset_vertex_index(),
+                                                                   get(boost::face_index, mesh), points);
+  };
+  CHECK_THROWS(no_faces(), std::length_error);
+  CHECK_THROWS(no_vertices(), std::length_error);
+}
+
 } // namespace
 
 int main()
 {
+  unset_indices();
   run("genus 5", marching_genus_5(10));
   run("box", rotated(box_sides(1, 0.7, 0.45).triangulated(40, 4, 1), 1));
   run("saddle", Cone(8, 3 * CGAL_PI, 1).triangulated(30, 4, 2));
