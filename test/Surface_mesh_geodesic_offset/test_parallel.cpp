@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Builds with Parallel_tag: distances, nearest sources, paths and offsets are those of Sequential_tag but for rounding, and
-// the same to the last bit for any number of threads and from run to run; set-up and cutting of given windows do not depend on
-// the tag at all. Built with and without ThreadSanitizer.
+// the same to the last bit for any number of threads and from run to run; set-up and cutting of given windows do not depend
+// on the tag at all. Built with and without ThreadSanitizer.
 //
 //   test_parallel [--small]      --small: without the larger meshes
 

@@ -7,12 +7,12 @@
 //
 //   parallel [--runs N] [mesh files]          default: 7
 //
-// Times are those of `build()`; how many times faster the mesh is set up, and offset curves are cut at 20 levels, stands beside
-// them. The ways take turns, N times, and the fastest run of each counts: other work on the machine can only slow a run down,
-// and two threads more than one. In the same turns, for two threads and more, run as many sequential builds at one time, each for
-// itself: how many times more they do together than one alone is what the cores and their memory give. The exit code is 1 if a
-// distance differs by more than 1e-13 of itself from the sequential one, or at all between numbers of threads, or if memory
-// grows by half.
+// Times are those of `build()`; how many times faster the mesh is set up, and offset curves are cut at 20 levels, stands
+// beside them. The ways take turns, N times, and the fastest run of each counts: other work on the machine can only slow a
+// run down, and two threads more than one. In the same turns, for two threads and more, run as many sequential builds at one
+// time, each for itself: how many times more they do together than one alone is what the cores and their memory give. The
+// exit code is 1 if a distance differs by more than 1e-13 of itself from the sequential one, or at all between numbers of
+// threads, or if memory grows by half.
 
 #include "measured_run.h"
 #include "wavy_torus.h"
@@ -75,8 +75,8 @@ void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& f
   double largest = 0;
   for (const double d : figures)
     if (std::isfinite(d)) largest = (std::max)(largest, d);
-  geodesic.build_with_offset_curves_by_distance<Tag>(
-    CGAL::Offset_levels<double>::equally_spaced(largest / (number_of_levels + 1.), number_of_levels), [](double, std::vector<Geodesic::Offset_curve>&&) {});
+  const auto levels = CGAL::Offset_levels<double>::equally_spaced(largest / (number_of_levels + 1.), number_of_levels);
+  geodesic.build_with_offset_curves_by_distance<Tag>(levels, [](double, std::vector<Geodesic::Offset_curve>&&) {});
   step[CUTTING] = geodesic.statistics().offset_seconds;
   figures.insert(figures.end(), step, step + number_of_steps);
 }
@@ -171,9 +171,9 @@ bool compare(const std::string& name, const Mesh& mesh, const Vertices& sources,
       std::snprintf(side_by_side, sizeof side_by_side, "%.2f",
                     ways[i].threads * ways[0].seconds[BUILD] / ways[i].seconds_side_by_side);
     const auto faster = [&](Step step) { return ways[0].seconds[step] / ways[i].seconds[step]; };
-    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %s | %.2f | %.2f | %.4f | %.1f | %.1f | %.1e |\n", name.c_str(),
-                static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds[BUILD], ways[i].threads,
-                ways[i].seconds[BUILD], faster(BUILD), side_by_side, faster(SETTING_UP), faster(CUTTING),
+    std::printf("| %s | %zu | %zu | %.3f | %d | %.3f | %.2f | %s | %.2f | %.2f | %.4f | %.1f | %.1f | %.1e |\n",
+                name.c_str(), static_cast<std::size_t>(mesh.number_of_vertices()), sources.size(), ways[0].seconds[BUILD],
+                ways[i].threads, ways[i].seconds[BUILD], faster(BUILD), side_by_side, faster(SETTING_UP), faster(CUTTING),
                 static_cast<double>(ways[i].windows) / static_cast<double>(ways[0].windows), ways[0].peak_bytes / 1e6,
                 ways[i].peak_bytes / 1e6, worst);
     std::fflush(stdout);

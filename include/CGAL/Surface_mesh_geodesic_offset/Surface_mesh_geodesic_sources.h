@@ -107,7 +107,7 @@ public:
   /// \pre All faces of `tm` are triangles with three different vertices that are not collinear.
   /// \throws std::invalid_argument that names the face if that is not so, or if a coordinate is not finite; and if the
   ///         longest edge is not between 1e-77 and 1e77 (1e-9 and 1e9 for `float`), where fourth powers of lengths get lost.
-  /// \throws std::length_error if the mesh has more than 2^29 vertices, or 2^32 / 3 faces, counted by the largest index.
+  /// \throws std::length_error if the mesh has more than 2^29 vertices, or 2^30 faces, counted by the largest index.
   template <class ConcurrencyTag = Sequential_tag>
   explicit Surface_mesh_geodesic_sources(const Triangle_mesh& tm, const Traits& traits = Traits(),
                                          const ConcurrencyTag& tag = ConcurrencyTag())

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,8 @@ public:
   bool is_empty() const { return m_begin.empty(); }
 
   // Keeps the lists of the halfedges of faces; of those that have none, what was kept before stays. Windows of
-  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more. Each face has its
-  // place, whoever of the team puts it there.
+  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more. Each face has
+  // its place, whoever of the team puts it there.
   template <class Team>
   void keep(const std::vector<Index>& faces, const Window_lists<FT>& lists, const std::vector<FT>& distance,
             std::size_t number_of_faces, Team& team)
@@ -174,7 +175,7 @@ private:
   struct Packed
   {
     FT x, y, b0, b1;
-    Index root_value; // nothing is written when pages are made
+    Index root_value; // no Root: nothing is to be written when pages are made
     Index bits; // bit 0: parallel; bit 31: merged; the others: the place of sigma, or 1 + pseudo-source vertex, 0 if none
 
     Root root() const
@@ -243,7 +244,14 @@ private:
   {
     m_size += windows;
     if (m_size >= std::size_t(no_index)) complain();
-    while (m_pages.size() * page_size < m_size) m_pages.emplace_back(page_size, boost::container::default_init);
+    if constexpr (std::is_trivially_default_constructible<Packed>::value)
+      while (m_pages.size() * page_size < m_size) m_pages.emplace_back(page_size, boost::container::default_init);
+    else // no more numbers than are needed
+      for (std::size_t p = (m_size - windows) / page_size; p * page_size < m_size; ++p)
+      {
+        if (p == m_pages.size()) m_pages.emplace_back().reserve(page_size);
+        m_pages[p].resize((std::min)(m_size - p * page_size, std::size_t(page_size)));
+      }
   }
 
   static void complain() { throw std::length_error("Surface_mesh_geodesic_offset: too many windows to be kept"); }

@@ -43,8 +43,9 @@ public:
     std::size_t largest_vertex = 0, largest_face = 0;
     for (const vertex_descriptor v : vertices) largest_vertex = (std::max)(largest_vertex, std::size_t(get(vim, v)));
     for (const face_descriptor f : faces) largest_face = (std::max)(largest_face, std::size_t(get(fim, f)));
-    if (largest_vertex >= (std::size_t(1) << 29) - 1 || largest_face >= std::size_t(no_index) / 3 - 1)
-      throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices");
+    if (largest_vertex >= (std::size_t(1) << 29) - 1 || largest_face >= (std::size_t(1) << 30) - 1)
+      throw std::length_error("Surface_mesh_geodesic_offset: the mesh has too many elements for 32-bit indices, or indices "
+                              "that are not set");
     if (!vertices.empty()) m_vertices_end = largest_vertex + 1;
     if (!faces.empty()) m_faces_end = largest_face + 1;
   }

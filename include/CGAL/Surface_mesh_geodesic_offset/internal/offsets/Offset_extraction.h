@@ -87,7 +87,7 @@ public:
 
 private:
   typedef std::map<std::size_t, Level_curves<FT>> Curves_of_levels;
-  typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the face that is first
+  typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the first face
 
   static constexpr Index no_turn = no_index;
   static constexpr std::size_t at_once_by_each = 64, most_at_once = 1 << 12;
