@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Chord_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <boost/config.hpp>
 #include <boost/container/vector.hpp>
@@ -53,7 +54,7 @@ public:
             std::size_t number_of_faces, Team& team)
   {
     if (m_begin.empty()) m_begin.assign(4 * number_of_faces, 0);
-    const std::size_t at_once = (std::min)(at_once_by_each * team.size(), most_at_once);
+    const std::size_t at_once = items_at_once(team.size());
     std::vector<Place> places((std::min)(at_once, faces.size()));
     for (std::size_t first = 0; first < faces.size(); first += at_once)
     {
@@ -188,7 +189,7 @@ private:
     Index value() const { return (bits & ~merged_flag) >> 1; }
   };
   enum { page_size = 4096 };
-  static constexpr std::size_t at_once_by_each = 64, most_at_once = 1 << 12, worthwhile = 8; // faces
+  static constexpr std::size_t worthwhile = 8; // faces: fewer take no longer than others need to notice them
   static constexpr Index merged_flag = 1u << 31; // sigma is followed by the bound of the error
 
   // Where the windows of a face go: first how many there are.

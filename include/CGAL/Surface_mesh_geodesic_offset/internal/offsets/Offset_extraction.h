@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,8 +46,7 @@ public:
   void cut(const std::vector<Index>& faces, Team& team)
   {
     make_cuttings(team.size());
-    const std::size_t at_once = team.size() == 1 ? 1 : (std::min)(at_once_by_each * team.size(), most_at_once);
-    m_crossed.clear();
+    const std::size_t at_once = items_at_once(team.size());
     for (const Index f : faces)
     {
       m_turn[f] = m_next_turn++;
@@ -90,7 +90,6 @@ private:
   typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the first face
 
   static constexpr Index no_turn = no_index;
-  static constexpr std::size_t at_once_by_each = 64, most_at_once = 1 << 12;
   static constexpr std::size_t worthwhile = 16; // levels in faces: less takes no longer than others need to notice it
 
   struct Crossed_face

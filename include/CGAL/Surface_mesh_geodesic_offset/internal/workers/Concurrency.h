@@ -63,6 +63,13 @@ struct Concurrency
   typedef Team_of<Tag> Team;
 };
 
+// How many items are given to a team at once, where each leaves something that is put together afterwards.
+inline std::size_t items_at_once(unsigned team_size)
+{
+  constexpr std::size_t by_each = 64, most = 1 << 12;
+  return team_size == 1 ? 1 : (std::min)(by_each * team_size, most);
+}
+
 // Items in a row, in blocks for a team; one block for one worker.
 class Blocks
 {
