@@ -88,11 +88,13 @@ public:
   {
     m_parity = round & 1u;
     m_told = 0;
+    m_due = 0;
     m_nearest = Number_policy<FT>::infinity();
   }
 
-  // The parts that were told something, by bits, and the smallest distance in there.
+  // The parts that were told something, by bits; how many halfedges they have to take in this bucket; the smallest distance.
   std::uint64_t told() const { return m_told; }
+  std::size_t due() const { return m_due; }
   const FT& nearest() const { return m_nearest; }
 
   // What was told another part in the round before.
@@ -128,7 +130,7 @@ public:
   void add(Index g, Window& w)
   {
     if (m_state->admits(g, distance(m_state->mesh.source(g)), distance(m_state->mesh.target(g)), w))
-      box(m_state->parts.of_halfedge(g), minimum(w)).single_windows.push_back({g, w});
+      box_for_windows(m_state->parts.of_halfedge(g), minimum(w)).single_windows.push_back({g, w});
   }
 
   // Windows for other parts go into a block of the arena.
@@ -137,7 +139,7 @@ public:
     if (output.size() == 0) return;
     const Index part = m_state->parts.of_halfedge(output.halfedge());
     if (part == m_part) m_state->append(output, arena);
-    else box(part, output.nearest()).windows.emplace_back(arena, output);
+    else box_for_windows(part, output.nearest()).windows.emplace_back(arena, output);
   }
 
 private:
@@ -154,6 +156,12 @@ private:
       m_box[m_parity].emplace_back();
     }
     return m_box[m_parity][place];
+  }
+
+  Box& box_for_windows(Index part, const FT& nearest)
+  {
+    if (m_state->part(m_part).queue.bucket_of(nearest) <= m_state->current()) ++m_due;
+    return box(part, nearest);
   }
 
   FT distance(Index v) const
@@ -177,6 +185,7 @@ private:
   std::vector<std::uint8_t> m_place[2]; // of the box for each part
   Arrivals m_shared_arrivals;
   std::uint64_t m_told = 0;
+  std::size_t m_due = 0;
   FT m_nearest = Number_policy<FT>::infinity();
   Update m_last[2];
 };

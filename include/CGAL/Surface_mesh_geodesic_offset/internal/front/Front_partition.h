@@ -12,14 +12,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_parts.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
-
-// A part, but for the last one, has two to this power faces at least: smaller ones have too many windows on their borders.
-// Tests want many parts of small meshes.
-#ifndef CGAL_GEODESIC_OFFSET_BITS_OF_A_PART
-#define CGAL_GEODESIC_OFFSET_BITS_OF_A_PART 11
-#endif
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -35,22 +31,23 @@ public:
   Front_partition(const Unfolded_mesh<FT>& mesh, bool shares_all) : m_vertex(mesh.number_of_vertices(), no_part)
   {
     const Index faces = Index(mesh.number_of_faces());
-    if (faces > 0)
-    {
-      while ((faces - 1) >> m_bits >= largest_number) ++m_bits;
-      m_number = ((faces - 1) >> m_bits) + 1;
-    }
+    m_bits = bits_of_a_part(faces);
+    if (faces > 0) m_number = ((faces - 1) >> m_bits) + 1;
+    std::vector<std::uint8_t> last(m_vertex.size(), no_part); // parts round each vertex; `m_vertex`: the first ones
     for (Index f = 0; f < faces; ++f)
     {
       if (mesh.source(3 * f) == no_index) continue; // no face
       const std::uint8_t part = std::uint8_t(f >> m_bits);
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (std::uint8_t& v = m_vertex[mesh.source(h)]; v == no_part) v = part;
-        else if (v != part) v |= Front_parts::is_shared;
+      { // without branches
+        const Index v = mesh.source(h);
+        m_vertex[v] = (std::min)(m_vertex[v], part);
+        last[v] = part;
+      }
     }
-    for (std::uint8_t& v : m_vertex)
-      if (v == no_part) v = 0; // isolated
-      else if (shares_all) v |= Front_parts::is_shared;
+    for (std::size_t v = 0; v < m_vertex.size(); ++v)
+      if (m_vertex[v] == no_part) m_vertex[v] = 0; // isolated
+      else if (shares_all || m_vertex[v] != last[v]) m_vertex[v] |= Front_parts::is_shared;
   }
 
   Front_parts parts() const { return Front_parts(m_number, m_bits, m_vertex.data()); }
@@ -58,8 +55,23 @@ public:
 private:
   static constexpr std::uint8_t no_part = 0xff;
 
+  // A front is as long as the square root of the number of faces, and so are what it does in a round, and the parts that
+  // make the rounds even. Smaller ones have too many windows on their borders, and take too many turns.
+  static int bits_of_a_part(Index faces)
+  {
+#ifdef CGAL_GEODESIC_OFFSET_BITS_OF_A_PART // for tests, which want many parts of small meshes
+    int bits = CGAL_GEODESIC_OFFSET_BITS_OF_A_PART;
+#else
+    constexpr double least = 12; // square roots
+    int bits = 11;
+    while (double(Index(1) << bits) < least * std::sqrt(double(faces))) ++bits;
+#endif
+    while (faces > 0 && (faces - 1) >> bits >= largest_number) ++bits;
+    return bits;
+  }
+
   Index m_number = 1;
-  int m_bits = CGAL_GEODESIC_OFFSET_BITS_OF_A_PART;
+  int m_bits;
   std::vector<std::uint8_t> m_vertex; // parts, and bits
 };
 

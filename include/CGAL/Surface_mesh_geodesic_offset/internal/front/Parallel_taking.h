@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Worker_team.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -67,7 +68,12 @@ public:
   // Says that others have changed the state.
   void look_at_all_parts()
   {
-    for (Index i = 0; i < m_part.size(); ++i) look_at(i);
+    m_windows = 0;
+    for (Index i = 0; i < m_part.size(); ++i)
+    {
+      look_at(i);
+      m_windows += m_waiting[i].windows;
+    }
   }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
@@ -101,12 +107,12 @@ public:
     {
       // distances of vertices must not be left for a round in which rays start from vertices, where others read them
       const bool is_told = m_told != 0 && (m_tells_vertices || first_told() <= m_state.current());
-      if (const std::size_t halfedges = find_turns(&Waiting::halfedges); halfedges > 0 || is_told)
+      if (const std::size_t halfedges = find_turns(&Waiting::halfedges, m_due); halfedges > 0 || is_told)
       {
         round(halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->take_halfedges(i, worker); });
         m_tells_vertices = false;
       }
-      else if (const std::size_t vertices = find_turns(&Waiting::vertices); vertices > 0)
+      else if (const std::size_t vertices = find_turns(&Waiting::vertices, 0); vertices > 0)
       {
         round(vertices >= worthwhile_vertices, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
         m_tells_vertices = true;
@@ -145,12 +151,14 @@ private:
   // How a part is after its last turn.
   struct alignas(64) Waiting
   {
-    std::size_t first = Bucket_queue::none; // bucket
+    std::size_t first = Bucket_queue::none;       // bucket
+    std::ptrdiff_t windows = 0, more_windows = 0; // in the lists of the part, and what its turn has added
+    Index halfedges = 0, vertices = 0;            // in this bucket
     bool has_events = false;
-    std::size_t halfedges = 0, vertices = 0; // in this bucket
-    Parts told = 0;                          // parts that were told something
-    FT nearest_told = Number_policy<FT>::infinity();
     bool has_shared_arrivals = false;
+    Parts told = 0; // parts that were told something; how many halfedges they have to take in this bucket
+    Index due = 0;
+    FT nearest_told = Number_policy<FT>::infinity();
   };
 
   struct Turn
@@ -165,16 +173,20 @@ private:
   // The bucket of the nearest of what was told.
   std::size_t first_told() const { return m_state.part(0).queue.bucket_of(m_nearest_told); }
 
-  // Those parts take turns in which something waits, or which were told something. Returns how much waits.
-  std::size_t find_turns(std::size_t Waiting::*number)
+  // Those parts take turns in which something waits, or which were told something, `due` more in all. Returns how much
+  // there is to do.
+  std::size_t find_turns(Index Waiting::*number, std::size_t due)
   {
     m_turns.clear();
-    std::size_t sum = 0;
+    std::size_t sum = due;
+    const std::size_t told = std::bitset<Front_partition::largest_number>(m_told).count();
+    const std::size_t due_for_each = told > 0 ? due / told : 0;
     for (Index i = 0; i < m_part.size(); ++i)
     {
       const std::size_t n = m_waiting[i].*number;
       sum += n;
-      if (n > 0 || has_bit(m_told, i)) m_turns.push_back({i, n + 1});
+      if (has_bit(m_told, i)) m_turns.push_back({i, n + 1 + due_for_each});
+      else if (n > 0) m_turns.push_back({i, n + 1});
     }
     return sum;
   }
@@ -192,6 +204,7 @@ private:
     look_at(i);
     Waiting& w = m_waiting[i];
     w.told = part.sender.told();
+    w.due = Index(part.sender.due());
     w.nearest_told = part.sender.nearest();
     w.has_shared_arrivals = !part.sender.shared_arrivals().empty();
   }
@@ -204,7 +217,7 @@ private:
       Index(m_turns.size()), [this](Index k) { return this->m_turns[k].work; }, is_worth_help && m_turns.size() > 1,
       [this, &f](unsigned worker, Index k) { this->take_turn(this->m_turns[k].part, worker, f); });
     deliver();
-    m_state.field.lists.look_for_peak();
+    m_state.field.lists.note_number(std::size_t(m_windows));
     if ((m_round & 15u) == 0) m_state.field.lists.balance_arenas();
   }
 
@@ -212,12 +225,15 @@ private:
   void deliver()
   {
     m_told = 0;
+    m_due = 0;
     m_nearest_told = Number_policy<FT>::infinity();
     std::fill(m_senders.begin(), m_senders.end(), Parts(0));
     for (const Turn& t : m_turns)
     {
       const Waiting& w = m_waiting[t.part];
       m_told |= w.told;
+      m_due += w.due;
+      m_windows += w.more_windows;
       m_nearest_told = (std::min)(m_nearest_told, w.nearest_told);
       for_each_bit(w.told, [this, &t](Index i) { this->m_senders[i] |= bit(t.part); });
     }
@@ -242,8 +258,11 @@ private:
     Waiting& w = m_waiting[i];
     w.first = queue.first();
     w.has_events = queue.has_events();
-    w.halfedges = queue.number_of_halfedges();
-    w.vertices = queue.number_of_vertices();
+    w.halfedges = Index(queue.number_of_halfedges());
+    w.vertices = Index(queue.number_of_vertices());
+    const std::ptrdiff_t windows = m_state.field.lists.number_of_windows(i);
+    w.more_windows = windows - w.windows;
+    w.windows = windows;
   }
 
   template <class Function>
@@ -311,9 +330,12 @@ private:
   std::vector<Turn> m_turns;      // of the round, in the order of the parts
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
   unsigned m_round = 0;
-  // of the round before: the parts that were told something, by whom each, and the smallest distance in there
+  std::ptrdiff_t m_windows = 0;   // in all lists
+  // of the round before: the parts that were told something, by whom each, the halfedges that they have to take in this
+  // bucket, and the smallest distance in there
   Parts m_told = 0;
   std::vector<Parts> m_senders = std::vector<Parts>(Front_partition::largest_number, 0);
+  std::size_t m_due = 0;
   FT m_nearest_told = Number_policy<FT>::infinity();
   bool m_tells_vertices = false; // there may be distances of vertices among it
   Parts m_gives_up = 0; // parts with faces to give up

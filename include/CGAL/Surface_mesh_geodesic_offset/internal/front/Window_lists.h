@@ -159,16 +159,11 @@ public:
     }
   }
 
-  std::size_t number_of_windows() const
-  {
-    std::ptrdiff_t n = 0;
-    for (const Part& p : m_part) n += p.live;
-    return std::size_t(n);
-  }
+  std::ptrdiff_t number_of_windows(Index part) const { return m_part[part].live; }
 
-  // The largest number so far; with several parts, of those at which it was asked to look.
+  // The largest number so far; with several parts, of those that were noted.
   std::size_t peak() const { return m_part.size() == 1 ? std::size_t(m_part.front().peak) : m_peak; }
-  void look_for_peak() { m_peak = (std::max)(m_peak, number_of_windows()); }
+  void note_number(std::size_t n) { m_peak = (std::max)(m_peak, n); }
 
   // Says that the next halfedges of a queue will be taken soon. prefetch_face(h) says it of the face of h.
   template <class Queue, class Prefetch_face>
