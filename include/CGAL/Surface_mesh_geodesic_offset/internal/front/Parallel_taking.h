@@ -68,12 +68,7 @@ public:
   // Says that others have changed the state.
   void look_at_all_parts()
   {
-    m_windows = 0;
-    for (Index i = 0; i < m_part.size(); ++i)
-    {
-      look_at(i);
-      m_windows += m_waiting[i].windows;
-    }
+    for (Index i = 0; i < m_part.size(); ++i) look_at(i);
   }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
@@ -151,9 +146,9 @@ private:
   // How a part is after its last turn.
   struct alignas(64) Waiting
   {
-    std::size_t first = Bucket_queue::none;       // bucket
-    std::ptrdiff_t windows = 0, more_windows = 0; // in the lists of the part, and what its turn has added
-    Index halfedges = 0, vertices = 0;            // in this bucket
+    std::size_t first = Bucket_queue::none; // bucket
+    std::ptrdiff_t windows = 0;             // in the lists of the part
+    Index halfedges = 0, vertices = 0;      // in this bucket
     bool has_events = false;
     bool has_shared_arrivals = false;
     Parts told = 0; // parts that were told something; how many halfedges they have to take in this bucket
@@ -217,7 +212,7 @@ private:
       Index(m_turns.size()), [this](Index k) { return this->m_turns[k].work; }, is_worth_help && m_turns.size() > 1,
       [this, &f](unsigned worker, Index k) { this->take_turn(this->m_turns[k].part, worker, f); });
     deliver();
-    m_state.field.lists.note_number(std::size_t(m_windows));
+    m_state.field.lists.note_number(number_of_windows());
     if ((m_round & 15u) == 0) m_state.field.lists.balance_arenas();
   }
 
@@ -233,7 +228,6 @@ private:
       const Waiting& w = m_waiting[t.part];
       m_told |= w.told;
       m_due += w.due;
-      m_windows += w.more_windows;
       m_nearest_told = (std::min)(m_nearest_told, w.nearest_told);
       for_each_bit(w.told, [this, &t](Index i) { this->m_senders[i] |= bit(t.part); });
     }
@@ -260,9 +254,14 @@ private:
     w.has_events = queue.has_events();
     w.halfedges = Index(queue.number_of_halfedges());
     w.vertices = Index(queue.number_of_vertices());
-    const std::ptrdiff_t windows = m_state.field.lists.number_of_windows(i);
-    w.more_windows = windows - w.windows;
-    w.windows = windows;
+    w.windows = m_state.field.lists.number_of_windows(i);
+  }
+
+  std::size_t number_of_windows() const
+  {
+    std::ptrdiff_t n = 0;
+    for (const Waiting& w : m_waiting) n += w.windows;
+    return std::size_t(n);
   }
 
   template <class Function>
@@ -330,7 +329,6 @@ private:
   std::vector<Turn> m_turns;      // of the round, in the order of the parts
   std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
   unsigned m_round = 0;
-  std::ptrdiff_t m_windows = 0;   // in all lists
   // of the round before: the parts that were told something, by whom each, the halfedges that they have to take in this
   // bucket, and the smallest distance in there
   Parts m_told = 0;
