@@ -278,6 +278,18 @@ public:
     }
   }
 
+  /// the largest distance of the vertices that have one. Points between them may be farther, see `largest_distance()`. Takes
+  /// linear time.
+  /// \throws std::logic_error if no vertex has a distance
+  FT largest_vertex_distance() const
+  {
+    const Number* largest = nullptr;
+    for (const Number& d : built().field.distance)
+      if (Policy::is_finite(d) && (largest == nullptr || *largest < d)) largest = &d;
+    if (largest == nullptr) throw std::logic_error("Surface_mesh_geodesic_offset: no vertex has a distance");
+    return Surface::exported(*largest);
+  }
+
   /// the largest distance of the surface, not counting points that have none, and a point at that distance. It may lie
   /// inside a face. Needs kept windows; takes time linear in the size of the mesh and little more, on most meshes.
   /// \throws std::logic_error if the windows were not kept, or no point has a distance, or `covered_distance()` is finite

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Normal_angle.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
@@ -16,10 +17,16 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -164,6 +171,19 @@ public:
     return m_sources.add(unfolded(), {classified(location)}, Source_set::POINT);
   }
 
+  /// adds each point of a range as a source of its own. Returns their ids, in the order of the range; none if it is empty.
+  /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type
+  /// \throws std::invalid_argument as `add_source_point()` does; no point has been added then.
+  template <class LocationRange>
+  std::vector<std::size_t> add_source_points(const LocationRange& locations)
+  {
+    std::vector<Surface_point> points;
+    for (const auto& l : locations) points.push_back(classified(l));
+    std::vector<std::size_t> ids;
+    for (const Surface_point& p : points) ids.push_back(m_sources.add(unfolded(), {p}, Source_set::POINT));
+    return ids;
+  }
+
   /// adds a polyline whose vertices lie anywhere on the surface, and whose segments are straight in a face, or along an
   /// edge. It may cross itself and other sources. Repeated points are allowed; a polyline of one point is a point.
   ///
@@ -195,6 +215,61 @@ public:
       halfedges.push_back(m_surface->index_of_halfedge(h));
     }
     return m_sources.add_edges(unfolded(), std::move(halfedges));
+  }
+
+  /// adds the boundary of the surface, each of its cycles as a source of its own: a set of edges. Returns their ids; none if
+  /// the surface is closed. Edges without a face are left out. Takes time linear in the size of the mesh.
+  std::vector<std::size_t> add_source_boundary()
+  {
+    std::vector<halfedge_descriptor> cycles;
+    Polygon_mesh_processing::extract_boundary_cycles(m_surface->tm, std::back_inserter(cycles));
+    std::vector<std::size_t> ids;
+    for (const halfedge_descriptor h : cycles)
+      if (const std::vector<edge_descriptor> cycle = edges_of_cycle(h); !cycle.empty()) ids.push_back(add_source_edges(cycle));
+    return ids;
+  }
+
+  /// adds the boundary cycle of a border halfedge: a set of edges. Edges without a face are left out.
+  /// \pre The halfedge is of the mesh.
+  /// \throws std::invalid_argument if it is not a border halfedge, or if no edge of the cycle has a face.
+  std::size_t add_source_boundary(halfedge_descriptor border)
+  {
+    if (!is_border(border, m_surface->tm))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the halfedge of a boundary cycle is not on the border");
+    return add_source_edges(edges_of_cycle(border));
+  }
+
+  /// adds the edges that `sharp_edges()` finds, as one source. Returns its id; nothing if no edge is as sharp as that.
+  /// \throws std::invalid_argument as `sharp_edges()` does.
+  std::optional<std::size_t> add_source_sharp_edges(double angle)
+  {
+    std::vector<edge_descriptor> edges;
+    sharp_edges(angle, std::back_inserter(edges));
+    if (edges.empty()) return std::nullopt;
+    return add_source_edges(edges);
+  }
+
+  /// the sharp edges: those between two faces whose normals differ by more than `angle` degrees. The difference is 0 where
+  /// the surface is flat, 90 at the edges of a cube, and 180 where it folds back onto itself. Border edges are not sharp.
+  /// Takes time linear in the size of the mesh.
+  /// \param angle in degrees, from 0 to less than 180. Angles are rounded to `double`: with 0, edges in a plane with
+  ///        rounded coordinates are sharp, too.
+  /// \param out an output iterator for `edge_descriptor`
+  /// \throws std::invalid_argument if the angle is negative, 180 or more, or not a number.
+  template <class OutputIterator>
+  OutputIterator sharp_edges(double angle, OutputIterator out) const
+  {
+    if (!(angle >= 0 && angle < 180))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: the angle of sharp edges is not a number of degrees from 0 "
+                                  "to less than 180");
+    const Triangle_mesh& tm = m_surface->tm;
+    for (const edge_descriptor e : edges(tm))
+    {
+      const halfedge_descriptor h = halfedge(e, tm);
+      if (is_border_edge(h, tm)) continue;
+      if (Geodesic_offset::internal::angle_of_normals(*m_surface, h) > angle) *out++ = e;
+    }
+    return out;
   }
 
   /// adds the section of the mesh by a plane: each of its polylines, and each vertex that the plane only touches. Returns
@@ -233,6 +308,18 @@ public:
   Face_location locate(const Point_3& p) const { return locate(p, m_locator->default_tolerance()); }
   Face_location locate(const Point_3& p, const FT& tolerance) const { return m_locator->locate(p, tolerance); }
 
+  /// the same together with the distance in space of the point from its location, in the units of the mesh's points. With a
+  /// tolerance it can be larger than the distance from the surface, by no more than the tolerance.
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const
+  {
+    return locate_with_distance(p, m_locator->default_tolerance());
+  }
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
+  {
+    const Face_location l = locate(p, tolerance);
+    return {l, Geodesic_offset::internal::square_root<FT>((p - m_surface->point(l)).squared_length())};
+  }
+
   /// the location where a ray meets the surface first; one whose face is the null face if it misses the surface.
   /// \throws std::invalid_argument as above, and if the ray has no direction.
   Face_location locate(const Ray_3& r) const { return locate(r, m_locator->default_tolerance()); }
@@ -252,9 +339,22 @@ public:
   template <class PointRange>
   Polyline locate_polyline(const PointRange& points, bool closed = false) const
   {
+    return locate_polyline_with_distance(points, closed).first;
+  }
+
+  /// the same together with the largest distance in space of one of the points from its location.
+  template <class PointRange>
+  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
+  {
     std::vector<Face_location> locations;
-    for (const Point_3& p : points) locations.push_back(locate(p));
-    return join_polyline(locations, closed);
+    FT largest(0);
+    for (const Point_3& p : points)
+    {
+      const std::pair<Face_location, FT> l = locate_with_distance(p);
+      locations.push_back(l.first);
+      largest = (std::max)(largest, l.second);
+    }
+    return {join_polyline(locations, closed), largest};
   }
 
   /// the same of points of the surface, which stay where they are.
@@ -329,6 +429,16 @@ protected:
   Source_set m_sources;
 
 private:
+  // Those that have a face on the other side of the border.
+  std::vector<edge_descriptor> edges_of_cycle(halfedge_descriptor border) const
+  {
+    const Triangle_mesh& tm = m_surface->tm;
+    std::vector<edge_descriptor> edges;
+    for (const halfedge_descriptor h : halfedges_around_face(border, tm))
+      if (!is_border(opposite(h, tm), tm)) edges.push_back(edge(h, tm));
+    return edges;
+  }
+
   std::shared_ptr<const Geodesic_offset::internal::Surface_locator<Surface>> m_locator;
 };
 

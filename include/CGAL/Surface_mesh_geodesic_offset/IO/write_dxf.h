@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/dxf_document.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
@@ -182,17 +183,19 @@ private:
 
 A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate). It may
 look up or down. Closed curves have the flag for it. All curves of one distance are on one layer, named `offset_` and
-the distance. The file has no unit; one unit of it is one of the mesh.
+the distance. One unit of the file is one of the mesh.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
 \param chord_tolerance the largest distance of a 3D polyline from the curve that it stands for; positive
+\param unit the unit of the mesh, for `$INSUNITS`; without one, the file is unitless
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
 */
 template <class OffsetCurveRange, class FT>
-bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance,
+                      Length_unit unit = Length_unit::NONE)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
   Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
@@ -214,7 +217,7 @@ bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT
   if (polylines.empty()) box = Bbox_3(0, 0, 0, 0, 0, 0);
 
   const internal::Full_precision precision(os);
-  internal::Dxf_document(os).write(layers, polylines, box);
+  internal::Dxf_document(os).write(layers, polylines, box, unit);
   return os.good();
 }
 
