@@ -24,6 +24,7 @@ struct Geodesic_offset_statistics
   double relative_error_bound = 0;    ///< with a tolerance: the same as a part of the distance that was computed
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
   std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
+  std::size_t faces_searched = 0;     ///< faces in which the largest distance was searched, if it was to be computed
   std::size_t sign_decisions = 0;     ///< with exact square roots: signs and comparisons of numbers that were asked for
   std::size_t exact_decisions = 0;    ///< those of them that intervals, of up to 256 bits, did not decide
   double propagation_seconds = 0;     ///< time of the propagation alone

@@ -122,7 +122,7 @@ public:
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `distance_limit(d)`, `keep_windows(b)`,
-  ///        `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
+  ///        `compute_largest_distance(b)`, `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
   /// \throws std::invalid_argument if the distance limit is negative or not a number, or a target is not a valid location,
   ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
   ///         number, or one of them is not 0 and the number type is exact.
@@ -138,9 +138,10 @@ public:
   }
 
   /// brings the last build up to date with the sources: only what the sources that were added since then improve is
-  /// propagated. The result is that of `build()` with the parameters `distance_limit` and `keep_windows` of the last
-  /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, or had a tolerance, all is
-  /// computed anew, with that tolerance. While it runs there are two fields in memory; kept windows of the last build are
+  /// propagated. The result is that of `build()` with the parameters `distance_limit`, `keep_windows` and
+  /// `compute_largest_distance` of the last build. If sources were removed since then, or if it was cancelled or stopped at
+  /// its targets, or had a tolerance, or computed the largest distance without kept windows, all is computed anew, with that
+  /// tolerance. While it runs there are two fields in memory; kept windows of the last build are
   /// copied, which takes time linear in their number. If the visitor cancels it, the last build is still there.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param np an optional named parameter, `visitor(f)`
@@ -154,7 +155,9 @@ public:
     r.maximum = b.request().maximum;
     r.keeps_windows = b.kept;
     r.tolerance = b.request().tolerance;
-    const bool grows = b.is_whole() && !b.is_approximate() && m_sources.extends(b.sources);
+    r.finds_farthest = b.request().finds_farthest;
+    const bool can_grow = b.is_whole() && !b.is_approximate() && (b.kept || !r.finds_farthest);
+    const bool grows = can_grow && m_sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
     fresh->template propagate<ConcurrencyTag>(m_traits);
     if (!fresh->is_cancelled) m_built = fresh;
@@ -291,24 +294,26 @@ public:
   }
 
   /// the largest distance of the surface, not counting points that have none, and a point at that distance. It may lie
-  /// inside a face. Needs kept windows; takes time linear in the size of the mesh and little more, on most meshes.
-  /// \throws std::logic_error if the windows were not kept, or no point has a distance, or `covered_distance()` is finite
+  /// inside a face. Needs `compute_largest_distance(true)` in the build, and takes constant time then; or kept windows, and
+  /// takes time linear in the size of the mesh and little more, on most meshes.
+  /// \throws std::logic_error if the build had none of these parameters, or no point has a distance, or
+  ///         `covered_distance()` is finite
   std::pair<Face_location, FT> farthest_point() const
   {
     built_exactly();
-    const Build& b = built_with_windows();
-    Index face;
-    std::array<Number, 3> weights;
-    Number distance;
-    if (Policy::is_finite(b.maximum) ||
-        !Geodesic_offset::internal::Farthest_point<Number>(unfolded(), b.initial, b.field)(face, weights, distance))
+    if (Policy::is_finite(built().maximum))
       throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
-                             "everywhere, or there is no source");
-    return {Face_location(m_surface->face_of[face], Surface::exported(weights)), Surface::exported(distance)};
+                             "everywhere");
+    const auto farthest = this->farthest();
+    return {Face_location(m_surface->face_of[farthest.face], Surface::exported(farthest.weights)),
+            Surface::exported(farthest.distance)};
   }
 
-  /// the same without the point.
-  FT largest_distance() const { return farthest_point().second; }
+  /// the same without the point. If points are farther away than `covered_distance()`, it is that distance. With a
+  /// tolerance it may be smaller than the exact one, as all distances.
+  /// \throws std::logic_error if the build had none of the parameters that `farthest_point()` needs, or no point has a
+  ///         distance
+  FT largest_distance() const { return Surface::exported(farthest().distance); }
   /// @}
 
   /// \name Shortest Paths
@@ -375,6 +380,23 @@ protected:
     if (!built().kept)
       throw std::logic_error("Surface_mesh_geodesic_offset: this query needs build(parameters::keep_windows(true))");
     return *m_built;
+  }
+
+  Geodesic_offset::internal::Farthest<Number> farthest() const
+  {
+    const Build& b = built();
+    std::optional<Geodesic_offset::internal::Farthest<Number>> result = b.farthest;
+    if (!b.request().finds_farthest)
+    {
+      if (!b.kept)
+        throw std::logic_error("Surface_mesh_geodesic_offset: this query needs "
+                               "build(parameters::compute_largest_distance(true))");
+      Geodesic_offset::internal::Farthest_point<Number> search(unfolded(), b.initial, b.field);
+      search.add_all();
+      result = search.result();
+    }
+    if (!result) throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: no point has a distance");
+    return *result;
   }
 
   const Build& built_for(const Surface_point& p) const

@@ -15,6 +15,7 @@ namespace internal_np {
 
 enum geodesic_distance_limit_t { geodesic_distance_limit };
 enum geodesic_keep_windows_t { geodesic_keep_windows };
+enum geodesic_compute_largest_distance_t { geodesic_compute_largest_distance };
 enum geodesic_targets_t { geodesic_targets };
 enum geodesic_relative_tolerance_t { geodesic_relative_tolerance };
 enum geodesic_merging_tolerance_t { geodesic_merging_tolerance };
@@ -45,6 +46,13 @@ struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
   /// whether the windows are kept after the propagation, which queries at points other than vertices need.
   /// %Default: `false`.
   auto keep_windows(bool keep) const { return and_also<internal_np::geodesic_keep_windows_t>(keep); }
+
+  /// whether the largest distance of the surface is computed while the front passes, for `largest_distance()` and
+  /// `farthest_point()`. Takes little time, and memory for one face. %Default: `false`; these functions need kept windows then.
+  auto compute_largest_distance(bool compute) const
+  {
+    return and_also<internal_np::geodesic_compute_largest_distance_t>(compute);
+  }
 
   /// points whose distances are wanted: the propagation stops once all of them are final.
   /// \tparam Range a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type; it is not copied, and
@@ -109,6 +117,13 @@ auto distance_limit(const FT& d)
 inline auto keep_windows(bool keep)
 {
   return Geodesic_parameters<bool, internal_np::geodesic_keep_windows_t>(keep);
+}
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
+/// see `Geodesic_parameters::compute_largest_distance()`.
+inline auto compute_largest_distance(bool compute)
+{
+  return Geodesic_parameters<bool, internal_np::geodesic_compute_largest_distance_t>(compute);
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
