@@ -92,6 +92,79 @@ void large(const Planar_mesh& plane)
   }
 }
 
+// Along the border, and within rounding of it, there is one side only: that is inside. A strip that is
+// wider is the smaller side.
+void along_border(const std::string& name, const Planar_mesh& plane)
+{
+  const auto square = [](double e) { return Line{{e, e}, {4 - e, e}, {4 - e, 4 - e}, {e, 4 - e}}; };
+  for (const bool clockwise : {false, true})
+  {
+    Report::instance().set_context(name + ", border" + (clockwise ? ", clockwise" : ""));
+    const auto add = [&](Geodesic& geodesic, double e)
+    { plane.add(geodesic, clockwise ? reversed(square(e)) : square(e), true); };
+    for (const double e : {0., 1e-6})
+    {
+      Geodesic geodesic(plane.data.mesh);
+      add(geodesic, e);
+      geodesic.build(CGAL::parameters::keep_windows(true));
+      check(geodesic, 0.25, Offset_side::INSIDE, 1, 4 * (4 - 2 * e) - 8 * 0.25);
+      CHECK(offsets(geodesic, 0.25, Offset_side::OUTSIDE).empty());
+    }
+    Geodesic geodesic(plane.data.mesh);
+    const double e = 0.03125;
+    add(geodesic, e);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    check(geodesic, e / 2, Offset_side::INSIDE, 1, 4 * (4 - 2 * e) + CGAL_PI * e);
+    check(geodesic, 0.25, Offset_side::OUTSIDE, 1, 4 * (4 - 2 * e) - 8 * 0.25);
+  }
+}
+
+// Round a hole of the surface, the one side that there is encloses nothing, but it is there.
+void round_hole()
+{
+  const Soup grid = planar_grid(8, 8, Diagonals::alternating, 0.5);
+  const std::size_t middle = 4 * 9 + 4; // a vertex that no face has any more
+  Soup soup;
+  soup.points = grid.points;
+  soup.points.erase(soup.points.begin() + middle);
+  for (std::size_t i = 0; i < grid.triangles.size(); ++i)
+  {
+    std::array<std::size_t, 3> corners = grid.triangles[i];
+    const Point_3 center = CGAL::centroid(grid.points[corners[0]], grid.points[corners[1]], grid.points[corners[2]]);
+    if (std::abs(center.x() - 2) < 0.5 && std::abs(center.y() - 2) < 0.5) continue;
+    for (std::size_t& v : corners) v -= v > middle ? 1 : 0;
+    soup.add_triangle(corners, 0, grid.uv[i]);
+  }
+  const Planar_mesh plane(soup);
+  const Line hole{{1.5, 1.5}, {2.5, 1.5}, {2.5, 2.5}, {1.5, 2.5}};
+  for (const Line& line : {hole, reversed(hole)})
+  {
+    Report::instance().set_context("round a hole");
+    Geodesic geodesic(plane.data.mesh);
+    plane.add(geodesic, line, true);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    check(geodesic, 0.25, Offset_side::INSIDE, 1, 4 + 2 * CGAL_PI * 0.25);
+    CHECK(offsets(geodesic, 0.25, Offset_side::OUTSIDE).empty());
+  }
+}
+
+// A square far smaller than its face has an inside, although no sample of areas may see it.
+void tiny()
+{
+  const Planar_mesh plane(random_rectangle(4, 4, 0, 0, 1)); // two triangles
+  const double e = 1. / 1024;
+  for (const Point_2& p : {Point_2(3, 0.5), Point_2(2.1, 1.3), Point_2(1, 2.5)})
+  {
+    Report::instance().set_context("a tiny square");
+    const Line square{p, p + Vector_2(e, 0), p + Vector_2(e, e), p + Vector_2(0, e)};
+    Geodesic geodesic(plane.data.mesh);
+    plane.add(geodesic, square, true);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    check(geodesic, e / 4, Offset_side::INSIDE, 1, 2 * e);
+    check(geodesic, e / 4, Offset_side::OUTSIDE, 1, 4 * e + CGAL_PI * e / 2);
+  }
+}
+
 // Points and edges are kept whatever is chosen.
 void with_points(const Planar_mesh& plane)
 {
@@ -301,6 +374,7 @@ int main()
       guarded([&] { squares("grid", plane); });
       if (side < 1) guarded([&] { hole(plane); });
       guarded([&] { large(plane); });
+      guarded([&] { along_border("grid", plane); });
       guarded([&] { with_points(plane); });
     }
   const Planar_mesh rectangle(random_rectangle(4, 4, 150, 5, 3)),
@@ -309,6 +383,10 @@ int main()
   guarded([&] { hole(rectangle); });
   guarded([&] { large(rectangle); });
   guarded([&] { squares("two triangles", two_triangles); });
+  guarded([&] { along_border("rectangle", rectangle); });
+  guarded([&] { along_border("two triangles", two_triangles); });
+  guarded(round_hole);
+  guarded(tiny);
   guarded(in_one_face);
   guarded(sections_of_boxes);
   guarded(no_inside);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which side of a closed polyline is its inside: the one with the smaller area. Found from the polyline's own field: where
-// it bounds, every shortest path to it stays on one side.
+// Which side of a closed polyline is its inside: the one with the smaller area, or the only one if the polyline runs along the
+// border. Found from the polyline's own field: where it bounds, every shortest path to it stays on one side.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INNER_SIDE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INNER_SIDE_H
@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Border_polyline.h>
 
 #include <algorithm>
 #include <map>
@@ -45,7 +46,9 @@ public:
 
   Source_side operator()() const
   {
-    return area(Source_side::RIGHT) < area(Source_side::LEFT) ? Source_side::RIGHT : Source_side::LEFT;
+    const bool right_is_smaller = area(Source_side::RIGHT) < area(Source_side::LEFT);
+    const bool has_one_side = Border_polyline<FT>(m_mesh, m_build.initial)();
+    return right_is_smaller != has_one_side ? Source_side::RIGHT : Source_side::LEFT;
   }
 
 private:
