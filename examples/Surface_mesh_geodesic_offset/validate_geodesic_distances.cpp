@@ -10,6 +10,7 @@
 #include "geodesic_offset/output_file.h"
 #include "geodesic_offset/program_main.h"
 #include "geodesic_offset/sources.h"
+#include "geodesic_offset/version.h"
 #include "validate_geodesic_distances/comparison.h"
 #include "validate_geodesic_distances/distance_table.h"
 #include "validate_geodesic_distances/file_vertices.h"
@@ -77,6 +78,8 @@ int validate(const Validation_options& options)
   Enclosure enclosure = enclosure_on(input, options.mesh);
   const Sources sources(input, options, enclosure);
   sources.add_to(enclosure);
+  if(const std::string far = sources.moved_points().warning(input.bounding_box_diagonal()); !far.empty())
+    print_warning("validate_geodesic_distances", far);
   enclosure.build();
   const std::vector<Comparison::Bounds> bounds = bounds_of(input, enclosure);
   const Comparison comparison(bounds, table.distances, options.tolerance);
@@ -96,6 +99,8 @@ int validate(const Validation_options& options)
     std::cout << "mesh: some border edges are at the same place; they are not joined\n";
   for(const std::string& remark : sources.remarks())
     std::cout << "sources: " << remark << '\n';
+  if(const std::string moved = sources.moved_points().remark(); !moved.empty())
+    std::cout << "sources: " << moved << '\n';
   std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n'
             << "distances: " << table.name << '\n';
   Report_writer(std::cout, comparison)(bounds, table.distances, options.tolerance);
@@ -117,6 +122,11 @@ int main(int argc, char* argv[])
     if(options.help)
     {
       print_validation_help(std::cout);
+      return 0;
+    }
+    if(options.version)
+    {
+      print_version(std::cout, "validate_geodesic_distances");
       return 0;
     }
     return validate(options);

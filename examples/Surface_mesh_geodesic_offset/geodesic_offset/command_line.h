@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,13 +31,14 @@ inline double positive_number(const std::string& option, const std::string& word
   return value;
 }
 
+// "0,0,1,0"
 template <std::size_t N>
 std::array<double, N> numbers(const std::string& option, const std::string& word)
 {
   std::array<double, N> values{};
   if(!parse_numbers(word, values))
     throw Usage_error("--" + option + " must be " + std::to_string(N) +
-                      " finite numbers separated by commas, not " + quoted(word));
+                      " finite numbers separated by commas without blanks, not " + quoted(word));
   return values;
 }
 
@@ -54,6 +56,24 @@ inline std::string option_word(const po::variables_map& map, const char* name)
   if(map[name].as<std::string>().empty())
     throw Usage_error("--" + std::string(name) + " is empty");
   return map[name].as<std::string>();
+}
+
+inline std::optional<double> optional_positive_number(const po::variables_map& map, const char* name)
+{
+  if(map.count(name) == 0)
+    return std::nullopt;
+  return positive_number(name, map[name].as<std::string>());
+}
+
+inline std::optional<std::size_t> optional_whole_number(const po::variables_map& map, const char* name)
+{
+  if(map.count(name) == 0)
+    return std::nullopt;
+  const std::string& word = map[name].as<std::string>();
+  std::size_t number = 0;
+  if(!parse_index(word, number) || number == 0)
+    throw Usage_error("--" + std::string(name) + " must be a positive whole number, not " + quoted(word));
+  return number;
 }
 
 // The options of the description, and words without an option as "mesh"

@@ -59,6 +59,16 @@ inline bool has_extension(const std::string& path, const std::string& extension)
          });
 }
 
+// Messages may hold parts of damaged files.
+inline std::string one_line(std::string text)
+{
+  for(char& c : text)
+    if(static_cast<unsigned char>(c) < 32 || c == 127)
+      c = ' ';
+  constexpr std::size_t longest = 500;
+  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
+
 inline std::string quoted(const std::string& s) { return "'" + s + "'"; }
 
 // "1 face", "2 faces"

@@ -39,6 +39,11 @@ struct File_distances
           signed_distances[i] = geodesic.signed_distance_to_sources(v);
       });
   }
+
+  std::size_t number_of_unreached() const
+  {
+    return static_cast<std::size_t>(std::count(distances.begin(), distances.end(), infinity));
+  }
 };
 
 namespace internal {
@@ -59,6 +64,15 @@ inline void append_double(std::vector<char>& bytes, double value)
 }
 
 } // namespace internal
+
+// But for the header
+inline std::uintmax_t bytes_of_field(const Soup& soup, const File_distances& field)
+{
+  std::uintmax_t bytes = (field.signed_distances.empty() ? 4 : 5) * sizeof(double) * soup.points.size();
+  for(const Polygon& polygon : soup.polygons)
+    bytes += 1 + sizeof(std::uint32_t) * polygon.size();
+  return bytes;
+}
 
 inline void write_field(std::ostream& out, const Soup& soup, const File_distances& field)
 {

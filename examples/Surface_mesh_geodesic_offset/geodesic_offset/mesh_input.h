@@ -9,6 +9,7 @@
 
 #include "common.h"
 #include "mesh_repair.h"
+#include "polygon_triangles.h"
 #include "soup_reader.h"
 
 #include <CGAL/Bbox_3.h>
@@ -46,9 +47,17 @@ class Mesh_input
   {
     std::vector<std::size_t> positions; // in the file
     std::vector<Polygon>     names;
+    std::vector<char>        is_reversed; // against the file
     std::vector<Point>       points;
     std::vector<Polygon>     polygons;
     std::vector<Vertex>      vertices; // of the points
+
+    void add(std::size_t position, Polygon name)
+    {
+      positions.push_back(position);
+      names.push_back(std::move(name));
+      is_reversed.push_back(false);
+    }
   };
 
 public:
@@ -63,6 +72,7 @@ public:
     triangulate(path, faces);
     remove_faces_without_area(path);
   }
+  Mesh_input(Mesh_input&&) = default;
   Mesh_input(const Mesh_input&) = delete;
   Mesh_input& operator=(const Mesh_input&) = delete;
 
@@ -110,11 +120,21 @@ private:
     return polygon.size() >= 3;
   }
 
+  static bool has_repetition(const Polygon& polygon)
+  {
+    if(polygon.size() == 3)
+      return polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0];
+    Polygon sorted = polygon;
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+
   void clean_polygons(const std::string& path, Faces& faces)
   {
-    std::size_t repetitions = 0, first_repetition = 0;
+    std::size_t repetitions = 0, first_repetition = 0, divided = 0, first_divided = 0;
     faces.names.reserve(m_soup.polygons.size());
     faces.positions.reserve(m_soup.polygons.size());
+    faces.is_reversed.reserve(m_soup.polygons.size());
     for(std::size_t i = 0; i < m_soup.polygons.size(); ++i)
     {
       Polygon polygon = m_soup.polygons[i];
@@ -123,19 +143,23 @@ private:
         first_repetition = i;
       if(!is_polygon)
         continue;
-      if(polygon.size() > 3)
+      if(!has_repetition(polygon) && is_simple(polygon, m_soup.points))
       {
-        Polygon sorted = polygon;
-        std::sort(sorted.begin(), sorted.end());
-        if(std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-          throw Input_error(quoted(path) + ": face " + std::to_string(i) + " passes twice through one of its vertices");
+        faces.add(i, std::move(polygon));
+        continue;
       }
-      faces.names.push_back(std::move(polygon));
-      faces.positions.push_back(i);
+      if(divided++ == 0)
+        first_divided = i;
+      for(Polygon& triangle : triangles_of(polygon, m_soup.points))
+        if(!has_repetition(triangle))
+          faces.add(i, std::move(triangle));
     }
     if(repetitions != 0)
       m_remarks.push_back(counted(repetitions, "face") + " with repeated vertices cleaned (the first is face " +
                           std::to_string(first_repetition) + ")");
+    if(divided != 0)
+      m_remarks.push_back(counted(divided, "face") + " not planar or not simple, divided into triangles all the same (the "
+                          "first is face " + std::to_string(first_divided) + ")");
     if(faces.names.empty())
       throw Input_error(quoted(path) + ": no face has three different vertices");
   }
@@ -159,15 +183,9 @@ private:
     }
     if(faces.names.size() != polygons_before)
       m_remarks.push_back(counted(polygons_before - faces.names.size(), "repeated face") + " left out");
-    std::size_t reversed = 0;
-    for(std::size_t i = 0; i < faces.names.size(); ++i)
-    {
-      Polygon original = m_soup.polygons[faces.positions[i]];
-      clean(original);
-      reversed += (original != faces.names[i]) ? 1 : 0;
-    }
+    const auto reversed = std::count(faces.is_reversed.begin(), faces.is_reversed.end(), true);
     if(reversed != 0)
-      m_remarks.push_back(counted(reversed, "face") + " reversed to orient the surface");
+      m_remarks.push_back(counted(static_cast<std::size_t>(reversed), "face") + " reversed to orient the surface");
     if(added != 0)
       m_remarks.push_back("cut where it is not an orientable manifold: " + counted(added, "vertex", "vertices") + " added");
   }
@@ -190,8 +208,10 @@ private:
         const std::uint32_t v = faces.polygons[i][k], w = before[i][k];
         same = same && (v == w || (v >= number_of_points && faces.points[v] == faces.points[w]));
       }
-      if(!same)
-        std::reverse(faces.names[i].begin(), faces.names[i].end());
+      if(same)
+        continue;
+      std::reverse(faces.names[i].begin(), faces.names[i].end());
+      faces.is_reversed[i] = !faces.is_reversed[i];
     }
     if(!make_mesh(faces))
       throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
@@ -240,10 +260,12 @@ private:
         continue;
       std::swap(faces.polygons[kept], faces.polygons[i]);
       std::swap(faces.names[kept], faces.names[i]);
+      faces.is_reversed[kept] = faces.is_reversed[i];
       faces.positions[kept++] = faces.positions[i];
     }
     faces.polygons.resize(kept);
     faces.names.resize(kept);
+    faces.is_reversed.resize(kept);
     faces.positions.resize(kept);
   }
 
@@ -266,9 +288,7 @@ private:
       for(std::uint32_t& v : result)
         v = merged[v];
       // a face with an edge of length zero keeps its own vertices, and will be dealt with as a degenerate one
-      Polygon sorted = result;
-      std::sort(sorted.begin(), sorted.end());
-      if(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end())
+      if(!has_repetition(result))
         polygon = std::move(result);
     }
   }

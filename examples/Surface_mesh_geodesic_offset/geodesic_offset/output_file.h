@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All outputs or none. Every output is first written to a new file next to its target; when all of them are complete
-// they are renamed. A program that fails on the way leaves neither parts of files nor a mix of old and new ones.
+// they are renamed. A program that fails on the way leaves neither parts of files nor a mix of old and new ones. One that can
+// do without an output leaves out that one.
 
 #ifndef GEODESIC_OFFSET_OUTPUT_FILE_H
 #define GEODESIC_OFFSET_OUTPUT_FILE_H
@@ -11,26 +12,78 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <ios>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 namespace geodesic_offset {
+namespace internal {
+
+// Hands on what is written in blocks, and tells after each of them how many bytes there are.
+class Reporting_buffer : public std::streambuf
+{
+  std::streambuf&                            m_target;
+  const std::function<void(std::uintmax_t)>& m_report;
+  std::uintmax_t                             m_bytes = 0;
+  std::array<char, 1 << 16>                  m_block;
+
+public:
+  Reporting_buffer(std::streambuf& target, const std::function<void(std::uintmax_t)>& report)
+    : m_target(target), m_report(report)
+  {
+    setp(m_block.data(), m_block.data() + m_block.size());
+  }
+
+protected:
+  int_type overflow(int_type c) override
+  {
+    if(!hand_on())
+      return traits_type::eof();
+    return traits_type::eq_int_type(c, traits_type::eof()) ? traits_type::not_eof(c) : sputc(traits_type::to_char_type(c));
+  }
+
+  int sync() override { return hand_on() && m_target.pubsync() == 0 ? 0 : -1; }
+
+private:
+  bool hand_on()
+  {
+    const std::streamsize size = pptr() - pbase();
+    if(m_target.sputn(pbase(), size) != size)
+      return false;
+    setp(m_block.data(), m_block.data() + m_block.size());
+    m_bytes += static_cast<std::uintmax_t>(size);
+    m_report(m_bytes);
+    return true;
+  }
+};
+
+} // namespace internal
 
 class Output_files
 {
+public:
+  // Is told, every now and then, how many bytes of a file have been written, of about how many; 0: not known.
+  using Report = std::function<void(const std::string& target, std::uintmax_t bytes, std::uintmax_t expected)>;
+
+private:
   struct Entry
   {
     std::string target;
     std::string temporary;
   };
 
+  Report             m_report;
   std::vector<Entry> m_entries;
   bool               m_committed = false;
 
@@ -45,7 +98,7 @@ class Output_files
   }
 
 public:
-  Output_files() = default;
+  explicit Output_files(Report report = [](const std::string&, std::uintmax_t, std::uintmax_t) {}) : m_report(std::move(report)) {}
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
@@ -73,23 +126,22 @@ public:
       fail(target, reason());
   }
 
-  // write is called with a stream
+  // write is called with a stream. If it fails the file is left out, as if it had never been asked for. `expected`: the
+  // number of bytes, for the report
   template <class Write>
-  void add(const std::string& target, const Write& write)
+  void add(const std::string& target, const Write& write, std::uintmax_t expected = 0)
   {
     m_entries.push_back({target, target + ".part-" + std::to_string(::getpid())});
-    errno = 0;
-    std::ofstream stream(m_entries.back().temporary, std::ios::binary | std::ios::trunc);
-    if(!stream)
-      fail(target, reason());
-    errno = 0;
-    write(static_cast<std::ostream&>(stream));
-    stream.flush();
-    if(!stream)
-      fail(target, reason());
-    stream.close();
-    if(!stream)
-      fail(target, reason());
+    try
+    {
+      write_to(m_entries.back(), write, expected);
+    }
+    catch(...)
+    {
+      ::unlink(m_entries.back().temporary.c_str());
+      m_entries.pop_back();
+      throw;
+    }
   }
 
   void commit()
@@ -106,6 +158,35 @@ public:
       }
     }
     m_committed = true;
+  }
+
+  // The files that have been added
+  std::vector<std::string> targets() const
+  {
+    std::vector<std::string> targets;
+    for(const Entry& entry : m_entries)
+      targets.push_back(entry.target);
+    return targets;
+  }
+
+private:
+  template <class Write>
+  void write_to(const Entry& entry, const Write& write, std::uintmax_t expected) const
+  {
+    errno = 0;
+    std::filebuf file;
+    if(file.open(entry.temporary, std::ios::out | std::ios::binary | std::ios::trunc) == nullptr)
+      fail(entry.target, reason());
+    const std::function<void(std::uintmax_t)> report = [&](std::uintmax_t bytes) {
+      m_report(entry.target, bytes, expected);
+    };
+    internal::Reporting_buffer buffer(file, report);
+    std::ostream stream(&buffer);
+    errno = 0;
+    write(stream);
+    stream.flush();
+    if(!stream || file.close() == nullptr)
+      fail(entry.target, reason());
   }
 };
 

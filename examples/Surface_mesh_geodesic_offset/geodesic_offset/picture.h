@@ -8,6 +8,7 @@
 
 #include "color_map.h"
 #include "common.h"
+#include "face_distances.h"
 #include "numbers.h"
 #include "raster.h"
 #include "stroke_font.h"
@@ -52,12 +53,12 @@ class Picture
     std::array<std::array<float, 3>, 3> n;
   };
 
-  const Mesh&                m_mesh;
-  const std::vector<double>& m_distances; // of the mesh's vertices
-  View                       m_view;
-  Color_map                  m_colors;
-  double                     m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest = 0;
-  int                        m_height = minimum_height;
+  const Mesh&           m_mesh;
+  const Face_distances& m_distances;
+  View                  m_view;
+  Color_map             m_colors;
+  double                m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest;
+  int                   m_height = minimum_height;
 
   std::vector<View_point>              m_points;
   std::vector<Corner_normals>          m_normals;
@@ -65,13 +66,10 @@ class Picture
   std::vector<View_point>              m_source_points;
 
 public:
-  Picture(const Mesh& mesh, const std::vector<double>& distances, const View& view)
-    : m_mesh(mesh), m_distances(distances), m_view(view)
+  Picture(const Mesh& mesh, const Face_distances& distances, const View& view)
+    : m_mesh(mesh), m_distances(distances), m_view(view), m_largest(distances.largest())
   {
     fit();
-    for(double d : m_distances)
-      if(d != infinity)
-        m_largest = std::max(m_largest, d);
     m_points.reserve(mesh.number_of_vertices());
     for(Vertex v : mesh.vertices())
       m_points.push_back(place(mesh.point(v)));
@@ -85,7 +83,9 @@ public:
   void add_source(const Polyline& polyline) { m_sources.push_back(place(polyline)); }
   void add_source(const Point& point) { m_source_points.push_back(place(point)); }
 
-  Image render() const
+  // Calls report(part) with the part of the picture that is done.
+  template <class Report>
+  Image render(const Report& report) const
   {
     Image image;
     image.width = width;
@@ -121,6 +121,7 @@ public:
             image.bytes.push_back(encode(channel));
         }
       }
+      report(static_cast<double>(first + rows) / static_cast<double>(m_height));
     }
     return image;
   }
@@ -137,12 +138,8 @@ private:
       return m_colors(v);
     if(thing == legend_frame)
       return ink();
-    const std::array<std::size_t, 3> c = corners(Face(thing));
-    const double d0 = m_distances[c[0]], d1 = m_distances[c[1]], d2 = m_distances[c[2]];
-    const bool reached = d0 != infinity && d1 != infinity && d2 != infinity;
-    const double t = 1 - u - v;
-    const Color color =
-      reached ? m_colors(m_largest > 0 ? (t * d0 + u * d1 + v * d2) / m_largest : 0) : srgb(176, 178, 184);
+    const double distance = m_distances(Face(thing), u, v), t = 1 - u - v;
+    const Color color = distance < infinity ? m_colors(m_largest > 0 ? distance / m_largest : 0) : srgb(176, 178, 184);
     const auto& n = m_normals[thing].n;
     return lit(color, t * n[0][0] + u * n[1][0] + v * n[2][0], t * n[0][1] + u * n[1][1] + v * n[2][1],
                t * n[0][2] + u * n[1][2] + v * n[2][2]);

@@ -19,20 +19,16 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Messages may hold parts of damaged files.
-inline std::string one_line(std::string text)
-{
-  for(char& c : text)
-    if(static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
-  constexpr std::size_t longest = 500;
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
-}
-
 // What CGAL finds wrong becomes an exception, which is reported in one line.
 inline void be_silent(const char*, const char*, const char*, int, const char*) {}
 
 } // namespace internal
+
+// For what is no reason to stop, but should be looked at
+inline void print_warning(const std::string& program, const std::string& text)
+{
+  std::cerr << program << ": warning: " << one_line(text) << std::endl;
+}
 
 // work() returns the exit code.
 template <class Work>
@@ -41,7 +37,7 @@ int program_main(const std::string& name, const Work& work)
   CGAL::set_error_handler(internal::be_silent);
   CGAL::set_warning_handler(internal::be_silent);
   const auto fail = [&](int code, const std::string& text) {
-    std::cerr << name << ": " << internal::one_line(text) << std::endl;
+    std::cerr << name << ": " << one_line(text) << std::endl;
     return code;
   };
   try

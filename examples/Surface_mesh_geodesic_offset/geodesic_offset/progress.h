@@ -1,12 +1,20 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the program says while it works, and how long the steps take.
+// What the program says while it works, and how long the steps take: lines on the standard output, warnings on the standard
+// error, and, if that is a terminal, a bar in its last line.
 
 #ifndef GEODESIC_OFFSET_PROGRESS_H
 #define GEODESIC_OFFSET_PROGRESS_H
 
+#include "common.h"
+#include "program_main.h"
+
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -26,23 +34,91 @@ public:
 
 class Progress
 {
-  bool m_quiet;
+  static constexpr double      interval = 0.1; // seconds between two states of the bar, which the eye can follow
+  static constexpr std::size_t columns = 79;   // of the narrowest terminal; a longer line could not be wiped out
+  static constexpr std::size_t bar_columns = 25;
+
+  bool        m_quiet;
+  bool        m_has_bar; // a terminal that may be written on
+  std::size_t m_shown = 0; // characters of the bar that are on the terminal
+  std::string m_step;
+  Stopwatch   m_since_shown;
 
 public:
-  explicit Progress(bool quiet) : m_quiet(quiet) {}
+  // Quiet: nothing but warnings.
+  explicit Progress(bool quiet) : m_quiet(quiet), m_has_bar(!quiet && ::isatty(STDERR_FILENO) == 1) {}
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  ~Progress() { wipe(); }
 
   // flushed, because the next step may take long
-  void line(const std::string& text) const
+  void line(const std::string& text)
   {
+    wipe();
     if(!m_quiet)
       std::cout << text << std::endl;
   }
 
-  void line(const std::string& text, double seconds) const
+  void line(const std::string& text, double seconds)
   {
     char time[48];
     std::snprintf(time, sizeof(time), " (%.2f s)", seconds);
     line(text + time);
+  }
+
+  // What the user should look at, quiet or not
+  void warning(const std::string& text)
+  {
+    wipe();
+    print_warning("geodesic_offset", text);
+  }
+
+  // A step whose length is not known
+  void show(const std::string& step, const std::string& detail = "")
+  {
+    if(is_time_for(step))
+      put(step + (detail.empty() ? " ..." : "  " + detail));
+  }
+
+  // `done`: the part of the step from 0 to 1
+  void show(const std::string& step, double done, const std::string& detail = "")
+  {
+    if(!is_time_for(step))
+      return;
+    const double part = std::min(std::max(done, 0.0), 1.0);
+    const std::size_t filled = static_cast<std::size_t>(part * bar_columns);
+    char percent[16];
+    std::snprintf(percent, sizeof(percent), "] %3d %%", static_cast<int>(100 * part));
+    put(step + " [" + std::string(filled, '#') + std::string(bar_columns - filled, '.') + percent +
+        (detail.empty() ? "" : "  " + detail));
+  }
+
+private:
+  // A new step is shown at once.
+  bool is_time_for(const std::string& step)
+  {
+    if(!m_has_bar || (step == m_step && m_shown != 0 && m_since_shown.seconds() < interval))
+      return false;
+    m_step = step;
+    m_since_shown = Stopwatch();
+    return true;
+  }
+
+  void put(std::string text)
+  {
+    text.resize(std::min(text.size(), columns));
+    const std::size_t size = text.size();
+    text.resize(std::max(size, m_shown), ' ');
+    std::cerr << '\r' << text << std::flush;
+    m_shown = size;
+  }
+
+  void wipe()
+  {
+    if(m_shown != 0)
+      std::cerr << '\r' << std::string(m_shown, ' ') << '\r' << std::flush;
+    m_shown = 0;
   }
 };
 

@@ -11,6 +11,7 @@
 #include "view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,8 @@ public:
   static constexpr int margin = 4;  // rows of samples above and below, for what looks at neighbours
 
 private:
+  static constexpr float nothing = -3e38f; // a depth
+
   // What is seen there: a thing with a number, and where on the thing. Colours are found when the sample is known to be
   // visible; most of the work would be lost otherwise.
   struct Sample
@@ -44,14 +47,18 @@ private:
     std::uint32_t thing = 0;
     float         u = 0, v = 0;
     Mark          mark = Mark::none;
+
+    bool is_nothing() const { return depth == nothing; }
+    bool is_same_thing(const Sample& s) const
+    {
+      return is_nothing() ? s.is_nothing() : !s.is_nothing() && s.thing == thing;
+    }
   };
 
   int                 m_width, m_first_row = 0, m_rows = 0;
   std::vector<Sample> m_samples;
 
 public:
-  static constexpr float nothing = -3e38f;
-
   explicit Raster(int width_in_pixels) : m_width(width_in_pixels * samples) {}
 
   // Begins with an empty strip of the pixel rows [first, first + rows).
@@ -144,23 +151,43 @@ public:
       }
   }
 
-  // The colour of a pixel: the mean of its samples. shade(thing, u, v) gives the colour of a thing.
+  // The colour of a pixel: the mean of its samples. shade(thing, u, v) gives the colour of a thing; it is called once for
+  // each thing in the pixel, with the mean of the places that are seen of it.
   template <class Shade, class Markings>
   Color pixel(int column, int row, Color behind, const Shade& shade, const Markings& markings) const
   {
+    struct Seen
+    {
+      const Sample* first;
+      float         number, u, v;  // sums
+      float         own;           // how much of the colour is that of the thing, in samples
+    };
+    std::array<Seen, samples * samples> seen;
+    std::size_t n = 0;
     Color sum;
     for(int y = row * samples; y < (row + 1) * samples; ++y)
       for(int x = column * samples; x < (column + 1) * samples; ++x)
       {
         const Sample& s = at(x, y);
-        Color color = s.depth == nothing ? behind : shade(s.thing, s.u, s.v);
-        if(s.mark != Mark::none)
-        {
-          const Marking& marking = markings[static_cast<std::size_t>(s.mark)];
-          color = mix(color, marking.color, marking.opacity);
-        }
-        sum = sum + color;
+        const Marking& marking = markings[static_cast<std::size_t>(s.mark)];
+        const float own = s.mark == Mark::none ? 1.0f : 1 - marking.opacity;
+        sum = sum + (1 - own) * marking.color;
+        std::size_t i = 0;
+        while(i < n && !seen[i].first->is_same_thing(s))
+          ++i;
+        if(i == n)
+          seen[n++] = {&s, 0, 0, 0, 0};
+        seen[i].number += 1;
+        seen[i].u += s.u;
+        seen[i].v += s.v;
+        seen[i].own += own;
       }
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const Seen& s = seen[i];
+      if(s.own > 0)
+        sum = sum + s.own * (s.first->is_nothing() ? behind : shade(s.first->thing, s.u / s.number, s.v / s.number));
+    }
     return (1.0f / (samples * samples)) * sum;
   }
 

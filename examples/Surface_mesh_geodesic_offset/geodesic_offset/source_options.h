@@ -28,8 +28,7 @@ struct Source_options
   std::vector<double>                source_sharp_edges;
   bool                               source_boundary = false;
 
-  // The files that are read
-  std::vector<std::string> files() const
+  std::vector<std::string> files_read() const
   {
     std::vector<std::string> result{mesh};
     result.insert(result.end(), source_polylines.begin(), source_polylines.end());
@@ -46,17 +45,23 @@ inline po::options_description source_options_description()
   sources.add_options()
     ("source-vertex", words("I"), "vertex of the mesh, counted from 0 in the order of the file")
     ("source-point", words("X,Y,Z"), "nearest point of the surface")
-    ("source-polyline", words("FILE"), ".polylines.txt; each point goes to the nearest point of the surface, "
-                                       "consecutive points are joined by the shortest path on the surface")
+    ("source-polyline", words("FILE"), "polylines in a .polylines.txt file (see below); each point goes to the nearest point "
+                                       "of the surface, consecutive points are joined by the shortest path on the surface")
     ("source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")
     ("source-boundary", po::bool_switch(), "all boundary edges")
     ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees");
   return sources;
 }
 
-inline void read_source_options(const po::variables_map& map, Source_options& options)
+// The word without an option
+inline std::string mesh_option(const po::variables_map& map)
 {
   const Words meshes = option_words(map, "mesh");
+  double number = 0;
+  for(const std::string& mesh : meshes)
+    if(parse_number(mesh, number))
+      throw Usage_error("the number " + quoted(mesh) + " belongs to no option; the numbers of one option are separated by "
+                        "commas without blanks, as in --source-plane 0,0,1,0");
   for(const std::string& mesh : meshes)
     if(mesh.empty() || mesh[0] == '-')
       throw Usage_error("unknown option " + quoted(mesh));
@@ -64,7 +69,12 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
     throw Usage_error("no MESH given (--help lists the options)");
   if(meshes.size() > 1)
     throw Usage_error("more than one MESH given: " + quoted(meshes[0]) + " and " + quoted(meshes[1]));
-  options.mesh = meshes[0];
+  return meshes[0];
+}
+
+inline void read_source_options(const po::variables_map& map, Source_options& options)
+{
+  options.mesh = mesh_option(map);
 
   for(const std::string& w : option_words(map, "source-vertex"))
   {

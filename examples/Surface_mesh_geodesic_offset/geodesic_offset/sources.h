@@ -11,12 +11,12 @@
 #include "polyline_file.h"
 #include "source_options.h"
 
-#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,6 +25,44 @@
 namespace geodesic_offset {
 
 using Surface_polyline = CGAL::Geodesic_polyline<Face_location>;
+
+// How far points were moved that were put on the surface
+class Moved_points
+{
+  static constexpr double most = 0.01; // of the bounding-box diagonal: farther away, a point was not meant to be on the surface
+
+  std::size_t m_number = 0;
+  double      m_largest = 0;
+  std::string m_farthest; // the point that was moved farthest
+
+public:
+  // name(): what the point is called
+  template <class Name>
+  void add(double distance, const Name& name)
+  {
+    ++m_number;
+    if(!(distance > m_largest))
+      return;
+    m_largest = distance;
+    m_farthest = name();
+  }
+
+  // Empty if there is nothing to say
+  std::string remark() const
+  {
+    return m_number == 0 ? std::string()
+                         : counted(m_number, "point") + " put on the surface, moved by " + short_number(m_largest) + " at most";
+  }
+
+  // Empty if there is nothing to warn of
+  std::string warning(double diagonal) const
+  {
+    if(!(m_largest > most * diagonal))
+      return std::string();
+    return m_farthest + " is " + short_number(m_largest) + " away from the surface, " + short_number(m_largest / diagonal) +
+           " times the diagonal of its bounding box: is it in the units of the mesh?";
+  }
+};
 
 class Sources
 {
@@ -36,8 +74,10 @@ class Sources
   std::vector<Face_location>    m_points;
   std::vector<Surface_polyline> m_polylines;
   std::vector<std::string>      m_polyline_names;
+  std::vector<Edge>             m_boundary; // empty: it is no source
   std::vector<std::vector<Edge>> m_edges;
   std::vector<std::string>      m_remarks;
+  Moved_points                  m_moved;
 
 public:
   Sources(const Mesh_input& input, const Source_options& options, const Geodesic_sources& geodesic)
@@ -46,7 +86,9 @@ public:
     for(std::size_t i : options.source_vertices)
       add_vertex(i, options.mesh);
     for(const std::array<double, 3>& p : options.source_points)
-      m_points.push_back(m_geodesic.locate(Point(p[0], p[1], p[2])));
+      m_points.push_back(put_on_surface(Point(p[0], p[1], p[2]), [&] {
+        return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
+      }));
     for(const std::string& file : options.source_polylines)
       for(const File_polyline& polyline : read_polylines(file))
         add_polyline(polyline, file);
@@ -60,17 +102,41 @@ public:
 
   void add_to(Geodesic_sources& geodesic) const
   {
-    for(Vertex v : m_vertices)
-      geodesic.add_source_point(v);
-    for(const Face_location& location : m_points)
-      geodesic.add_source_point(location);
+    geodesic.add_source_points(m_vertices);
+    geodesic.add_source_points(m_points);
     for(const Surface_polyline& polyline : m_polylines)
       geodesic.add_source_polyline(polyline.locations, polyline.is_closed);
+    if(!m_boundary.empty())
+      geodesic.add_source_boundary();
     for(const std::vector<Edge>& edges : m_edges)
       geodesic.add_source_edges(edges);
   }
 
+  // Sources of other kinds have no sides.
   bool has_polylines() const { return !m_polylines.empty(); }
+
+  // Whether all are single points, away from the vertices of the mesh
+  bool are_points() const
+  {
+    return m_vertices.empty() && m_polylines.empty() && m_boundary.empty() && m_edges.empty();
+  }
+
+  // Calls f(vertex, length) for paths to the sources that are straight in a face: one to each source, at least.
+  template <class Function>
+  void for_each_start(const Function& f) const
+  {
+    for(Vertex v : m_vertices)
+      f(v, 0.0);
+    for(const Face_location& location : m_points)
+      for_each_corner(location, f);
+    for(const Surface_polyline& polyline : m_polylines)
+      for(const Face_location& location : polyline.locations)
+        for_each_corner(location, f);
+    for_each_edge([&](Edge e) {
+      f(m_mesh.vertex(e, 0), 0.0);
+      f(m_mesh.vertex(e, 1), 0.0);
+    });
+  }
 
   // Throws Input_error that names a polyline without an inside, if there is one.
   void check_insides() const
@@ -95,6 +161,7 @@ public:
   }
 
   const std::vector<std::string>& remarks() const { return m_remarks; }
+  const Moved_points&             moved_points() const { return m_moved; }
 
   std::vector<Point> points() const
   {
@@ -118,13 +185,39 @@ public:
       if(polyline.is_closed)
         polylines.back().push_back(polylines.back().front());
     }
-    for(const std::vector<Edge>& edges : m_edges)
-      for(Edge e : edges)
-        polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))});
+    for_each_edge([&](Edge e) {
+      polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))});
+    });
     return polylines;
   }
 
 private:
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    for(Edge e : m_boundary)
+      f(e);
+    for(const std::vector<Edge>& edges : m_edges)
+      for(Edge e : edges)
+        f(e);
+  }
+
+  template <class Function>
+  void for_each_corner(const Face_location& location, const Function& f) const
+  {
+    const Point point = point_of(location);
+    for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(location.first)))
+      f(v, std::sqrt(CGAL::squared_distance(point, m_mesh.point(v))));
+  }
+
+  template <class Name>
+  Face_location put_on_surface(const Point& point, const Name& name)
+  {
+    const std::pair<Face_location, double> located = m_geodesic.locate_with_distance(point);
+    m_moved.add(located.second, name);
+    return located.first;
+  }
+
   Point point_of(const Face_location& location) const
   {
     return CGAL::Polygon_mesh_processing::construct_point(location, m_mesh);
@@ -155,7 +248,8 @@ private:
     for(std::size_t i = 0; i < n; ++i)
     {
       const bool last_of_closed = polyline.is_closed && i + 1 == n;
-      const Face_location location = last_of_closed ? polyline.locations.front() : m_geodesic.locate(from.points[i]);
+      const Face_location location = last_of_closed ? polyline.locations.front()
+                                                    : put_on_surface(from.points[i], [&] { return line + ": " + name(i); });
       if(polyline.locations.empty())
       {
         polyline.locations.push_back(location);
@@ -207,31 +301,17 @@ private:
 
   void add_boundary(const std::string& mesh_file)
   {
-    std::vector<Edge> edges;
     for(Edge e : m_mesh.edges())
       if(m_mesh.is_border(e))
-        edges.push_back(e);
-    if(edges.empty())
+        m_boundary.push_back(e);
+    if(m_boundary.empty())
       throw Input_error("--source-boundary: " + quoted(mesh_file) + " has no boundary");
-    m_edges.push_back(std::move(edges));
   }
 
   void add_sharp_edges(double degrees, const std::string& mesh_file)
   {
-    namespace PMP = CGAL::Polygon_mesh_processing;
-    constexpr double pi = 3.14159265358979323846;
     std::vector<Edge> edges;
-    for(Edge e : m_mesh.edges())
-    {
-      if(m_mesh.is_border(e))
-        continue;
-      const Halfedge h = m_mesh.halfedge(e);
-      const Vector n = PMP::compute_face_normal(m_mesh.face(h), m_mesh);
-      const Vector m = PMP::compute_face_normal(m_mesh.face(m_mesh.opposite(h)), m_mesh);
-      const double sine = std::sqrt(CGAL::cross_product(n, m).squared_length());
-      if(std::atan2(sine, n * m) * 180 / pi > degrees)
-        edges.push_back(e);
-    }
+    m_geodesic.sharp_edges(degrees, std::back_inserter(edges));
     if(edges.empty())
       throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
                         " has no edge as sharp as that");

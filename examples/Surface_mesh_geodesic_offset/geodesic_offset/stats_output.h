@@ -25,7 +25,8 @@ struct Run_figures
   std::size_t faces = 0;
   double      load_seconds = 0;
   double      setup_seconds = 0;
-  double      largest_distance = 0; // of a vertex that a source reaches
+  double      largest_distance = 0;        // of the surface, as far as it was computed
+  double      covered_distance = infinity; // up to which it was computed
 };
 
 // What there is at one distance
@@ -87,6 +88,12 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
       << "  \"pieces\": " << solver.pieces << ",\n"
       << "  \"peak_rss_bytes\": " << peak_rss_bytes() << ",\n"
       << "  \"largest_distance\": " << run.largest_distance << ",\n"
+      << "  \"covered_distance\": ";
+  if(run.covered_distance < infinity)
+    out << run.covered_distance;
+  else
+    out << "null";
+  out << ",\n"
       << "  \"curves\": [";
   const char* separator = "\n";
   for(const Level_figures& level : levels)

@@ -6,6 +6,7 @@
 #ifndef GEODESIC_OFFSET_THREADS_H
 #define GEODESIC_OFFSET_THREADS_H
 
+#include "command_line.h"
 #include "common.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -14,11 +15,30 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <type_traits>
 
 namespace geodesic_offset {
 
 constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value;
+
+namespace internal {
+
+// More than a machine has; TBB sets eight bytes and more aside for each, used or not.
+constexpr std::size_t most_threads = 1024;
+
+inline std::optional<std::size_t> number_of_threads(const po::variables_map& map)
+{
+  const std::optional<std::size_t> number = optional_whole_number(map, "threads");
+  if(!has_threads && number.value_or(1) > 1)
+    throw Usage_error("--threads " + std::to_string(*number) + ": the program was built without TBB");
+  if(number.value_or(1) > most_threads)
+    throw Usage_error("--threads " + std::to_string(*number) + ": no more than " + std::to_string(most_threads) +
+                      " threads can be asked for");
+  return number;
+}
+
+} // namespace internal
 
 // Calls f(concurrency tag) for that many threads at most; as many as the machine has if no number is given.
 template <class Function>

@@ -9,6 +9,7 @@
 #include "../geodesic_offset/command_line.h"
 #include "../geodesic_offset/common.h"
 #include "../geodesic_offset/numbers.h"
+#include "../geodesic_offset/polyline_file.h"
 #include "../geodesic_offset/source_options.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ struct Validation_options : Source_options
   std::string per_vertex;
   double      tolerance = 0;
   bool        help = false;
+  bool        version = false;
 };
 
 namespace internal {
@@ -41,7 +43,7 @@ inline po::options_description validation_options_description()
 
   po::options_description others("Distances and others");
   others.add_options()
-    ("distances", word("FILE"), "one distance a line in the order of the vertices, or lines of a vertex and its "
+    ("distances", word("FILE"), "one distance per line in the order of the vertices, or lines of a vertex and its "
                                 "distance, where '#' begins a comment; or, if it ends in .ply, a property of the "
                                 "vertices. 'inf' is where no source can be reached from")
     ("property", word("NAME"), "the property of the .ply file (default: the first there is of distance, quality, scalar, "
@@ -49,6 +51,7 @@ inline po::options_description validation_options_description()
     ("tolerance", word("REL"), "distances may be outside of the enclosure by as much, relative to the bound (default: 0)")
     ("per-vertex", word("FILE"), "a table of all vertices: vertex, lower and upper bound, distance, and how far it is "
                                  "outside, negative if too short")
+    ("version", po::bool_switch(), "print the version")
     ("help", po::bool_switch(), "print this");
 
   all.add(source_options_description()).add(others);
@@ -62,7 +65,7 @@ inline void check_files(const Validation_options& options)
   if(!options.property.empty() && !has_extension(options.distances, ".ply"))
     throw Usage_error("--property needs --distances in a file that ends in .ply, not " + quoted(options.distances));
   // what is read must not be written over
-  Words read = options.files();
+  Words read = options.files_read();
   read.push_back(options.distances);
   if(!options.per_vertex.empty() && std::find(read.begin(), read.end(), options.per_vertex) != read.end())
     throw Usage_error("the file " + quoted(options.per_vertex) + " is named twice");
@@ -87,20 +90,20 @@ inline Validation_options checked_validation_options(const po::variables_map& ma
 
 } // namespace internal
 
-inline void print_validation_help(std::ostream& out) { out << internal::validation_options_description() << '\n'; }
+inline void print_validation_help(std::ostream& out)
+{
+  out << internal::validation_options_description() << '\n' << polyline_format_help();
+}
 
 // Throws Usage_error.
 inline Validation_options parse_validation_options(int argc, const char* const* argv)
 {
   const boost::program_options::variables_map map =
     internal::parsed_command_line(argc, argv, internal::validation_options_description());
-  if(map["help"].as<bool>())
-  {
-    Validation_options options;
-    options.help = true;
-    return options;
-  }
-  return internal::checked_validation_options(map);
+  Validation_options options;
+  options.help = map["help"].as<bool>();
+  options.version = map["version"].as<bool>();
+  return options.help || options.version ? options : internal::checked_validation_options(map);
 }
 
 } // namespace geodesic_offset

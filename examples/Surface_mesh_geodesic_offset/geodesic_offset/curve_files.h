@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The offsets and their files.
+
+#ifndef GEODESIC_OFFSET_CURVE_FILES_H
+#define GEODESIC_OFFSET_CURVE_FILES_H
+
+#include "common.h"
+#include "output_file.h"
+#include "output_options.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Offsets
+{
+  std::vector<Offset_curve> curves;     // by increasing distance
+  std::size_t               points = 0; // of their polylines, at the chord tolerance
+};
+
+namespace internal {
+
+// As files of curved meshes have it, to tell how much of a file is written; 0: nothing can be told. Curves in a plane need
+// fewer, where the format has arcs.
+inline std::uintmax_t bytes_per_point(const std::string& file)
+{
+  switch(CGAL::IO::offset_file_format(file))
+  {
+  case CGAL::IO::Offset_file_format::POLYLINES: return 62;
+  case CGAL::IO::Offset_file_format::OBJ: return 71;
+  case CGAL::IO::Offset_file_format::VTK: return 73;
+  case CGAL::IO::Offset_file_format::DXF: return 172;
+  default: return 0;
+  }
+}
+
+} // namespace internal
+
+// Returns why curves cannot be written in the format of one of the files, which is then left out; empty if all are there.
+inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets,
+                                   double tolerance)
+{
+  const auto parameters = CGAL::parameters::chord_tolerance(tolerance).unit(options.unit);
+  std::string problem;
+  for(const std::string& file : options.outputs)
+  {
+    const auto write = [&](std::ostream& out) {
+      CGAL::IO::write_offset_curves(out, CGAL::IO::offset_file_format(file), offsets.curves, parameters);
+    };
+    try
+    {
+      files.add(file, write, offsets.points * internal::bytes_per_point(file));
+    }
+    catch(const std::invalid_argument& error)
+    {
+      problem = "cannot write " + quoted(file) + ": " + error.what();
+    }
+  }
+  return problem;
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_CURVE_FILES_H

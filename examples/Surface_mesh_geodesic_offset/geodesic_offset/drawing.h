@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Which offsets can be drawn in a plane, as .svg files need it, found out as early as possible.
+
+#ifndef GEODESIC_OFFSET_DRAWING_H
+#define GEODESIC_OFFSET_DRAWING_H
+
+#include "common.h"
+#include "sources.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
+
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+// Whether no two neighbouring faces lie in one plane. To be on the safe side, faces are taken to be in one plane that a file
+// with six digits could have there.
+inline bool is_curved_everywhere(const Mesh& mesh, double diagonal)
+{
+  const double tolerance = 1e-6 * diagonal;
+  const auto is_flat = [&](Halfedge h) {
+    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h));
+    const Vector normal = CGAL::cross_product(b - a, mesh.point(mesh.target(mesh.next(h))) - a);
+    const Point& beyond = mesh.point(mesh.target(mesh.next(mesh.opposite(h))));
+    return std::abs(normal * (beyond - a)) <= tolerance * std::sqrt(normal.squared_length());
+  };
+  for(Edge e : mesh.edges())
+    if(!mesh.is_border(e) && (is_flat(mesh.halfedge(e)) || is_flat(mesh.opposite(mesh.halfedge(e)))))
+      return false;
+  return true;
+}
+
+} // namespace internal
+
+class Drawing_check
+{
+  std::string m_file; // empty: no drawing is asked for, or all can be drawn
+  std::string m_problem;
+
+public:
+  // Throws Input_error if the mesh tells that there is nothing to draw: on a surface that is curved everywhere, only the
+  // circle round a point within a face is in one plane.
+  Drawing_check(const std::vector<std::string>& outputs, const Mesh& mesh, double diagonal, const Sources& sources)
+  {
+    for(const std::string& output : outputs)
+      if(has_extension(output, ".svg") && m_file.empty())
+        m_file = output;
+    if(m_file.empty())
+      return;
+    if(CGAL::IO::can_write_offset_SVG(mesh))
+      m_file.clear();
+    else if(!sources.are_points() && internal::is_curved_everywhere(mesh, diagonal))
+      throw Input_error(failure("no two faces of the mesh lie in one plane, so no offset does"));
+  }
+
+  // Looks at the offsets of one distance, unless others are known to be a problem.
+  void look_at(const std::vector<Offset_curve>& curves)
+  {
+    if(m_file.empty() || !m_problem.empty())
+      return;
+    std::ostream nowhere(nullptr);
+    try
+    {
+      CGAL::IO::write_offset_SVG(nowhere, curves);
+    }
+    catch(const std::invalid_argument& error)
+    {
+      m_problem = failure(error.what());
+    }
+  }
+
+  // What makes a drawing impossible, as far as it is known
+  const std::string& problem() const { return m_problem; }
+
+private:
+  std::string failure(const std::string& why) const { return "cannot write " + quoted(m_file) + ": " + why; }
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_DRAWING_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The distances of the offsets, and the part of them that is wanted, as the command line has them.
+
+#ifndef GEODESIC_OFFSET_LEVEL_OPTIONS_H
+#define GEODESIC_OFFSET_LEVEL_OPTIONS_H
+
+#include "command_line.h"
+#include "common.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+struct Level_options
+{
+  std::vector<double>        distances;
+  std::optional<double>      spacing;
+  std::optional<double>      start; // of the spacing
+  std::optional<std::size_t> count; // of the spacing
+  std::optional<double>      maximum_distance;
+  std::string                side; // empty: not given
+  std::string                end;  // empty: not given
+  CGAL::Offset_selection     selection;
+
+  bool has_levels() const { return !distances.empty() || spacing; }
+
+  // Whether the number of levels depends on the extent of the surface
+  bool is_open_ended() const { return spacing && !count; }
+};
+
+namespace internal {
+
+inline po::options_description level_options_description()
+{
+  const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
+  const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  po::options_description levels("Levels");
+  levels.add_options()
+    ("distance", words("D"), "offset at distance D (repeatable, also together with --spacing)")
+    ("spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")
+    ("start", word("D"), "with --spacing: offsets at D, D + S, D + 2 S, ... instead")
+    ("count", word("N"), "with --spacing: no more than N of them")
+    ("maximum-distance", word("D"), "compute nothing farther than D")
+    ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
+    ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
+                         "none (default with one side)");
+  return levels;
+}
+
+inline CGAL::Offset_selection selection(const std::string& side, const std::string& end)
+{
+  using CGAL::Offset_end;
+  using CGAL::Offset_side;
+  CGAL::Offset_selection result;
+  if(side == "left")
+    result.side = Offset_side::LEFT;
+  else if(side == "right")
+    result.side = Offset_side::RIGHT;
+  else if(side == "inside")
+    result.side = Offset_side::INSIDE;
+  else if(side == "outside")
+    result.side = Offset_side::OUTSIDE;
+  else if(!side.empty() && side != "both")
+    throw Usage_error("--side must be left, right, both, inside or outside, not " + quoted(side));
+
+  // what lies beyond an end is on neither side
+  result.end = (result.side == Offset_side::BOTH) ? Offset_end::ROUND : Offset_end::BUTT;
+  if(end == "round")
+    result.end = Offset_end::ROUND;
+  else if(end == "butt")
+    result.end = Offset_end::BUTT;
+  else if(!end.empty())
+    throw Usage_error("--end must be round or butt, not " + quoted(end));
+  return result;
+}
+
+inline void read_level_options(const po::variables_map& map, Level_options& options)
+{
+  for(const std::string& w : option_words(map, "distance"))
+    options.distances.push_back(positive_number("distance", w));
+  options.spacing = optional_positive_number(map, "spacing");
+  options.start = optional_positive_number(map, "start");
+  options.count = optional_whole_number(map, "count");
+  options.maximum_distance = optional_positive_number(map, "maximum-distance");
+  options.side = option_word(map, "side");
+  options.end = option_word(map, "end");
+  options.selection = selection(options.side, options.end);
+
+  for(const char* option : {"start", "count"})
+    if(map.count(option) && !options.spacing)
+      throw Usage_error("--" + std::string(option) + " needs --spacing");
+  for(const char* option : {"side", "end"})
+    if(map.count(option) && !options.has_levels())
+      throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
+}
+
+} // namespace internal
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_LEVEL_OPTIONS_H

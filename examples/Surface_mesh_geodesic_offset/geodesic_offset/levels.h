@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The distances of the offsets on this mesh, and what would be too many or too small.
+
+#ifndef GEODESIC_OFFSET_LEVELS_H
+#define GEODESIC_OFFSET_LEVELS_H
+
+#include "common.h"
+#include "level_options.h"
+#include "numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+// Lengths below this part of the bounding-box diagonal are lost in the rounding of coordinates: of the 53 bits of a
+// coordinate, 13 are left for the shape of a curve of that size.
+constexpr double smallest_part_of_diagonal = 1.0 / (std::size_t(1) << 40);
+
+// Throws Usage_error.
+inline void check_length(const char* option, const std::optional<double>& length, double diagonal)
+{
+  const double smallest = smallest_part_of_diagonal * diagonal;
+  if(length && *length < smallest)
+    throw Usage_error("--" + std::string(option) + ' ' + short_number(*length) + " is less than " + short_number(smallest) +
+                      ", the rounding of coordinates of this mesh");
+}
+
+class Levels
+{
+  // A slip of the finger must neither fill the disk nor begin the work of a day: more than the first number must be asked
+  // for with a count, and lists of more than the second take memory and time of their own.
+  static constexpr std::size_t most_without_count = 10000;
+  static constexpr std::size_t most = 1000000;
+
+  std::vector<double> m_distances;
+  std::vector<double> m_named;
+  bool                m_is_open_ended;
+
+public:
+  // bound_of_reach() and exact_reach() tell how far the surface reaches from the sources; the second is slow, and called only
+  // if the first would give too many levels. Throws Usage_error.
+  template <class Bound, class Exact>
+  Levels(const Level_options& options, double diagonal, const Bound& bound_of_reach, const Exact& exact_reach)
+    : m_distances(options.distances), m_is_open_ended(options.is_open_ended())
+  {
+    for(double distance : options.distances)
+      check_length("distance", distance, diagonal);
+    check_length("spacing", options.spacing, diagonal);
+    check_length("start", options.start, diagonal);
+    if(options.spacing)
+      add_spaced(options, bound_of_reach, exact_reach);
+    m_named = m_is_open_ended ? options.distances : m_distances;
+    if(m_is_open_ended)
+      m_named.push_back(options.start.value_or(*options.spacing));
+    for(std::vector<double>* levels : {&m_distances, &m_named})
+    {
+      std::sort(levels->begin(), levels->end());
+      levels->erase(std::unique(levels->begin(), levels->end()), levels->end());
+    }
+  }
+
+  bool        empty() const { return m_distances.empty(); }
+  std::size_t size() const { return m_distances.size(); }
+  double      smallest() const { return m_distances.front(); }
+  double      largest() const { return m_distances.back(); }
+
+  // Increasing
+  const std::vector<double>& distances() const { return m_distances; }
+
+  // Those that were asked for even if the surface ends before them. Increasing
+  const std::vector<double>& named() const { return m_named; }
+
+  // Whether there are as many as it takes to cover the surface; then the last ones may be beyond it.
+  bool is_open_ended() const { return m_is_open_ended; }
+
+private:
+  template <class Bound, class Exact>
+  void add_spaced(const Level_options& options, const Bound& bound_of_reach, const Exact& exact_reach)
+  {
+    const double spacing = *options.spacing;
+    // how many levels there are up to a distance; the first one is always there, so that there is one to report on
+    const auto number_up_to = [&](double reach) {
+      const double farthest = std::min(reach, options.maximum_distance.value_or(infinity));
+      return std::max(1.0, std::floor((farthest - options.start.value_or(spacing)) / spacing) + 1);
+    };
+    double number = 0;
+    if(options.count)
+    {
+      number = static_cast<double>(*options.count);
+      if(number > static_cast<double>(most))
+        throw Usage_error("--count " + std::to_string(*options.count) + ": there can be no more than " +
+                          std::to_string(most) + " offsets");
+    }
+    else
+    {
+      number = number_up_to(bound_of_reach());
+      if(number > static_cast<double>(most_without_count))
+        number = number_up_to(exact_reach());
+      if(number > static_cast<double>(most_without_count))
+        throw Usage_error("--spacing " + short_number(spacing) + " would give " + short_number(number) +
+                          " offsets of this mesh; more than " + std::to_string(most_without_count) +
+                          " must be asked for with --count");
+    }
+    m_distances.reserve(m_distances.size() + static_cast<std::size_t>(number));
+    for(std::size_t i = 0; i < static_cast<std::size_t>(number); ++i)
+      m_distances.push_back(options.start ? *options.start + static_cast<double>(i) * spacing
+                                          : static_cast<double>(i + 1) * spacing);
+  }
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_LEVELS_H

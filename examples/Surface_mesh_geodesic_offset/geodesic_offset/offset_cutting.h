@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The long work: distances are propagated over the surface, and offsets are cut on the way.
+
+#ifndef GEODESIC_OFFSET_OFFSET_CUTTING_H
+#define GEODESIC_OFFSET_OFFSET_CUTTING_H
+
+#include "common.h"
+#include "curve_files.h"
+#include "drawing.h"
+#include "levels.h"
+#include "numbers.h"
+#include "options.h"
+#include "progress.h"
+#include "sources.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+// Keeps the offsets as they come, by increasing distance, and looks whether they can be written.
+class Offset_collector
+{
+  // Some 1.2 GB of text in a file, and 3 GB of memory: an offset has at least a point per face that it crosses.
+  static constexpr std::size_t most_points = 20000000;
+
+  double         m_tolerance;
+  bool           m_is_only_drawn;
+  Drawing_check& m_drawing;
+  Offsets&       m_offsets;
+  std::size_t    m_levels = 0;
+  double         m_distance = 0;
+
+public:
+  // is_only_drawn: there is no output but drawings
+  Offset_collector(double tolerance, bool is_only_drawn, Drawing_check& drawing, Offsets& offsets)
+    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_drawing(drawing), m_offsets(offsets)
+  {
+  }
+  Offset_collector(const Offset_collector&) = delete;
+  Offset_collector& operator=(const Offset_collector&) = delete;
+
+  std::size_t number_of_levels() const { return m_levels; }
+  double      distance() const { return m_distance; }
+
+  // Throws Usage_error and Input_error.
+  void operator()(double distance, std::vector<Offset_curve>&& curves)
+  {
+    ++m_levels;
+    m_distance = distance;
+    for(const Offset_curve& curve : curves)
+      for(const auto& piece : curve.pieces())
+        m_offsets.points += piece.number_of_chords(m_tolerance);
+    if(m_offsets.points > most_points)
+      throw Usage_error("the offsets up to distance " + short_number(distance) + " have more than " +
+                        std::to_string(most_points) + " points: ask for fewer distances, or a larger --tolerance than " +
+                        short_number(m_tolerance));
+    m_drawing.look_at(curves);
+    if(m_is_only_drawn && !m_drawing.problem().empty())
+      throw Input_error(m_drawing.problem());
+    m_offsets.curves.insert(m_offsets.curves.end(), std::make_move_iterator(curves.begin()),
+                            std::make_move_iterator(curves.end()));
+  }
+};
+
+// The bar while the front runs, which cuts offsets on its way
+class Solving_bar
+{
+  const Levels&           m_levels;
+  const Offset_collector& m_collector;
+  double                  m_limit;
+  Progress&               m_progress;
+
+public:
+  Solving_bar(const Levels& levels, const Offset_collector& collector, double limit, Progress& progress)
+    : m_levels(levels), m_collector(collector), m_limit(limit), m_progress(progress)
+  {
+  }
+
+  // `done`: the part of the surface that the front has passed. Within a limit, that is never all of it.
+  bool operator()(double done) const
+  {
+    if(m_levels.empty())
+      m_progress.show("distances", done);
+    else
+      m_progress.show("distances and offsets", std::max(done, m_collector.distance() / m_limit),
+                      std::to_string(m_collector.number_of_levels()) +
+                        (m_levels.is_open_ended() ? "" : " of " + std::to_string(m_levels.size())) + " cut");
+    return true;
+  }
+};
+
+inline bool is_only_drawn(const Options& options)
+{
+  const std::vector<std::string> files = options.files_written();
+  return std::all_of(files.begin(), files.end(), [](const std::string& file) { return has_extension(file, ".svg"); });
+}
+
+} // namespace internal
+
+// Nothing farther is computed. Without a field or a picture to show, the largest offset is far enough.
+inline double distance_limit(const Options& options, const Levels& levels)
+{
+  const double maximum = options.maximum_distance.value_or(infinity);
+  if(levels.empty() || levels.is_open_ended() || options.shows_field())
+    return maximum;
+  return std::min(maximum, levels.largest());
+}
+
+// Builds the distances and returns the offsets.
+template <class Concurrency_tag>
+Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& levels, const Options& options,
+                      double tolerance, Drawing_check& drawing, Progress& progress)
+{
+  Offsets offsets;
+  const double limit = distance_limit(options, levels);
+  internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), drawing, offsets);
+  const auto parameters = CGAL::parameters::distance_limit(limit).compute_largest_distance(true).visitor(
+    internal::Solving_bar(levels, collector, limit, progress));
+  if(levels.empty())
+  {
+    geodesic.build<Concurrency_tag>(parameters);
+    return offsets;
+  }
+  try
+  {
+    geodesic.build_with_offset_curves_by_distance<Concurrency_tag>(
+      levels.distances(), collector, options.selection, parameters);
+  }
+  catch(const std::invalid_argument&)
+  {
+    // the library knows sources by their numbers, the user by their files
+    if(options.selection.side == CGAL::Offset_side::INSIDE || options.selection.side == CGAL::Offset_side::OUTSIDE)
+      sources.check_insides();
+    throw;
+  }
+  return offsets;
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_OFFSET_CUTTING_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Why there are no offsets where some were asked for.
+
+#ifndef GEODESIC_OFFSET_OFFSET_REPORT_H
+#define GEODESIC_OFFSET_OFFSET_REPORT_H
+
+#include "common.h"
+#include "levels.h"
+#include "numbers.h"
+#include "options.h"
+#include "sources.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+// What is to be said if a side was given, but no source has one
+inline std::string useless_side(const Options& options, const Sources& sources)
+{
+  if(options.selection.side == CGAL::Offset_side::BOTH || sources.has_polylines())
+    return std::string();
+  return "--side " + options.side + " has no effect: only polylines and sections have sides, and there are none";
+}
+
+namespace internal {
+
+// "distance 7", "3 distances from 7 on"
+inline std::string named_distances(const std::vector<double>& distances)
+{
+  return distances.size() == 1 ? "distance " + short_number(distances.front())
+                               : std::to_string(distances.size()) + " distances from " + short_number(distances.front()) +
+                                   " on";
+}
+
+} // namespace internal
+
+// One sentence for each reason why a distance that was named has no offset. `curves` are sorted by distance, `reach` is the
+// largest distance that was computed.
+inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
+                                                const std::vector<Offset_curve>& curves, double reach)
+{
+  std::vector<double> beyond_maximum, beyond_surface, not_selected;
+  for(double distance : levels.named())
+  {
+    const auto it = std::lower_bound(curves.begin(), curves.end(), distance,
+                                     [](const Offset_curve& c, double d) { return c.distance() < d; });
+    if(it != curves.end() && it->distance() == distance)
+      continue;
+    if(distance > options.maximum_distance.value_or(infinity))
+      beyond_maximum.push_back(distance);
+    else if(distance > reach || options.selection.is_everything())
+      beyond_surface.push_back(distance);
+    else
+      not_selected.push_back(distance);
+  }
+  std::vector<std::string> reasons;
+  if(!beyond_maximum.empty())
+    reasons.push_back("no offset at " + internal::named_distances(beyond_maximum) + ": --maximum-distance is " +
+                      short_number(*options.maximum_distance));
+  if(!beyond_surface.empty())
+    reasons.push_back("no offset at " + internal::named_distances(beyond_surface) +
+                      ": no point of the surface is farther from the sources than " + short_number(reach));
+  if(!not_selected.empty())
+    reasons.push_back("no offset at " + internal::named_distances(not_selected) + " with " +
+                      (options.side.empty() ? "--end " + options.end : "--side " + options.side) +
+                      ": the surface has no points there that are as far from the sources");
+  return reasons;
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_OFFSET_REPORT_H

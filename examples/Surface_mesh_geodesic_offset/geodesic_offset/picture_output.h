@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From a build to its picture.
+
+#ifndef GEODESIC_OFFSET_PICTURE_OUTPUT_H
+#define GEODESIC_OFFSET_PICTURE_OUTPUT_H
+
+#include "common.h"
+#include "face_distances.h"
+#include "options.h"
+#include "picture.h"
+#include "progress.h"
+#include "sources.h"
+#include "view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+// Of some 40 bytes: no more than 2 GB for the sake of a picture
+constexpr std::size_t most_kept_windows = 50000000;
+
+inline View view_of(const Options& options, const Mesh& mesh, const Sources& sources)
+{
+  const auto vector = [](const std::array<double, 3>& v) {
+    return View::normalized(Vector(v[0], v[1], v[2]) / std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}));
+  };
+  const Vector up = options.up ? vector(*options.up) : Vector(0, 1, 0);
+  if(options.view)
+    return View(vector(*options.view), up);
+  std::vector<Point> points = sources.points();
+  for(const Polyline& polyline : sources.polylines())
+    points.insert(points.end(), polyline.begin(), polyline.end());
+  return choose_view(mesh, points, up);
+}
+
+// With a build more, whose windows are kept, if the distances at the corners of some face do not tell its colours.
+template <class Concurrency_tag>
+Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest, Progress& progress)
+{
+  Face_distances distances(mesh, geodesic, largest);
+  if(!distances.need_windows())
+    return distances;
+  if(geodesic.statistics().windows_propagated > most_kept_windows)
+  {
+    progress.warning("the colours of " + quoted(options.picture) + " are interpolated inside the large faces of the mesh: "
+                     "with " + std::to_string(geodesic.statistics().windows_propagated) +
+                     " windows, exact ones would take too much memory");
+    distances.do_without_windows();
+    return distances;
+  }
+  const auto show = [&](double done) {
+    progress.show("distances inside faces", done);
+    return true;
+  };
+  geodesic.build<Concurrency_tag>(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
+                                    .keep_windows(true)
+                                    .visitor(show));
+  return distances;
+}
+
+} // namespace internal
+
+// `largest`: the largest distance of the surface. The build must have all distances that are wanted; there may be another one
+// with the same distances afterwards.
+template <class Concurrency_tag>
+Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
+                 const std::vector<Offset_curve>& curves, double largest, Progress& progress)
+{
+  const Face_distances distances =
+    internal::face_distances<Concurrency_tag>(geodesic, mesh, options, largest, progress);
+  Picture picture(mesh, distances, internal::view_of(options, mesh, sources));
+  for(const Point& point : sources.points())
+    picture.add_source(point);
+  for(const Polyline& polyline : sources.polylines())
+    picture.add_source(polyline);
+  for(const Offset_curve& curve : curves)
+  {
+    Polyline polyline;
+    curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
+    picture.add_offset(polyline);
+  }
+  return picture.render([&](double done) { progress.show("picture", done); });
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_PICTURE_OUTPUT_H

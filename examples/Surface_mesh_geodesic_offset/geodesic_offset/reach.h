@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How far the surface reaches from the sources, at most. Known before the long work, to tell what it will give.
+
+#ifndef GEODESIC_OFFSET_REACH_H
+#define GEODESIC_OFFSET_REACH_H
+
+#include "common.h"
+#include "sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace geodesic_offset {
+namespace internal {
+
+inline double edge_length(const Mesh& mesh, Halfedge h)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+}
+
+// The lengths of shortest paths to the sources that follow the edges of the mesh, by Dijkstra's algorithm
+inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources& sources)
+{
+  using Entry = std::pair<double, Vertex>;
+  std::vector<double> distances(mesh.number_of_vertices(), infinity);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto reach = [&](Vertex v, double distance) {
+    if(!(distance < distances[v]))
+      return;
+    distances[v] = distance;
+    queue.emplace(distance, v);
+  };
+  sources.for_each_start(reach);
+  while(!queue.empty())
+  {
+    const Entry nearest = queue.top();
+    queue.pop();
+    if(nearest.first > distances[nearest.second])
+      continue;
+    for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(nearest.second)))
+      reach(mesh.source(h), nearest.first + edge_length(mesh, h));
+  }
+  return distances;
+}
+
+} // namespace internal
+
+// An upper bound of the largest distance of the surface, points that no path reaches left aside. In a face no point is
+// farther than a corner's distance and the longer of the two edges there. Takes a small part of the time of a build.
+inline double bound_of_reach(const Mesh& mesh, const Sources& sources)
+{
+  const std::vector<double> distances = internal::distances_along_edges(mesh, sources);
+  double reach = 0;
+  for(Face f : mesh.faces())
+  {
+    double bound = infinity;
+    for(Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+    {
+      const double longer = std::max(internal::edge_length(mesh, h), internal::edge_length(mesh, mesh.next(h)));
+      bound = std::min(bound, distances[mesh.target(h)] + longer);
+    }
+    if(bound < infinity)
+      reach = std::max(reach, bound);
+  }
+  return reach;
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_REACH_H
