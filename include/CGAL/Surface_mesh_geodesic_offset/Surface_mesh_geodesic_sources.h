@@ -297,9 +297,11 @@ public:
   /// @}
 
   /// \name Location
-  /// The tree that these functions need is built when one of them is called for the first time. The `tolerance` is a
-  /// length, not negative: a location within it of a vertex or an edge is exactly there. Without it, it is the round-off of
-  /// the coordinates. Each takes logarithmic time on most meshes.
+  /// The first hundred calls look at all faces, which takes linear time; then, or if more points are given at once, a tree is
+  /// built, in the time of some hundred such calls, and further calls take logarithmic time on most meshes. The answers are
+  /// the same: of several faces at the same distance it is the one with the lowest index. The `tolerance` is a length, not
+  /// negative: a location within it of a vertex or an edge is exactly there. Without it, it is the round-off of the
+  /// coordinates.
   /// @{
 
   /// the location nearest to a point in space.
@@ -346,6 +348,7 @@ public:
   template <class PointRange>
   std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
   {
+    m_locator->expect(std::size_t(std::distance(std::begin(points), std::end(points))));
     std::vector<Face_location> locations;
     FT largest(0);
     for (const Point_3& p : points)

@@ -101,8 +101,11 @@ inline void write_length(std::ostream& os, const char* attribute, double length,
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
-\brief whether a mesh lies in one plane, up to 1e-6 of its extent. `write_offset_SVG()` can write all offset curves of such a
-mesh. The curves of another mesh can be written if they stay within faces of one plane, which only the curves tell.
+\brief whether a mesh lies in one plane, up to 1e-6 of its extent, so that `write_offset_SVG()` can write its offset curves.
+
+Curves are checked again when they are written, against the extent of the faces that they cross: with coordinates that are
+rounded to fewer than some ten digits, a curve that crosses only few small faces of a planar mesh may be refused. The curves
+of another mesh can be written if all faces that they cross lie in one plane, which only the curves tell.
 
 Takes linear time.
 

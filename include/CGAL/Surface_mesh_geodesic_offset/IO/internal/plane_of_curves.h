@@ -77,7 +77,7 @@ private:
       m_point = c[0];
     });
     if (largest == 0) return;
-    // coordinates of six digits, as files have them, are in one plane
+    // coordinates that were rounded to seven digits are in one plane
     m_tolerance = 1e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
     Coordinates sum{};
     for_each_face([&](const std::array<Coordinates, 3>& c) {
