@@ -137,13 +137,15 @@ class Bench:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def run(self, *arguments):
-        """Returns the statistics."""
+    def run(self, *arguments, warning=None):
+        """Returns the statistics. `warning`: words of the warning that is expected, the only one."""
         stats = self.path("stats.json")
         result = subprocess.run([self.program, *map(str, arguments), "--stats", stats, "--quiet"],
                                 stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
         text = "exit code %d: %s" % (result.returncode, result.stderr)
-        if not check(result.returncode == 0 and result.stderr == "", text):
+        lines = result.stderr.splitlines()
+        is_expected = not lines if warning is None else len(lines) == 1 and "warning: " in lines[0] and warning in lines[0]
+        if not check(result.returncode == 0 and is_expected, text):
             raise SystemExit(1)
         with open(stats) as file:
             return json.load(file)

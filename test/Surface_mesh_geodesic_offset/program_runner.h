@@ -72,13 +72,12 @@ struct Program_result
   std::string output, errors;
 };
 
-/// Runs the program and waits for it. Its output and errors go through files outside of the scratch
-/// directory.
-inline Program_result run_program(const std::string& program,
-                                  const std::vector<std::string>& arguments)
+namespace internal {
+
+/// Runs the program in a child process with this stream of errors, and its output in a file.
+inline pid_t start_program(const std::string& program, const std::vector<std::string>& arguments,
+                           const std::string& output, int errors)
 {
-  const Scratch_directory streams;
-  const std::string output = (streams / "output").string(), errors = (streams / "errors").string();
   std::vector<char*> argv;
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -87,21 +86,58 @@ inline Program_result run_program(const std::string& program,
 
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
-  if (child == 0)
-  {
-    const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int err = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int in = open("/dev/null", O_RDONLY);
-    dup2(in, STDIN_FILENO);
-    dup2(out, STDOUT_FILENO);
-    dup2(err, STDERR_FILENO);
-    alarm(120); // a run that hangs ends with a signal
-    execv(program.c_str(), argv.data());
-    _exit(127);
-  }
+  if (child > 0) return child;
+  const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int in = open("/dev/null", O_RDONLY);
+  dup2(in, STDIN_FILENO);
+  dup2(out, STDOUT_FILENO);
+  dup2(errors, STDERR_FILENO);
+  alarm(120); // a run that hangs ends with a signal
+  execv(program.c_str(), argv.data());
+  _exit(127);
+}
+
+inline int exit_code_of(pid_t child)
+{
   int status = 0;
   waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(output), read_file(errors)};
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+} // namespace internal
+
+/// Runs the program and waits for it. Its output and errors go through files outside of the scratch
+/// directory.
+inline Program_result run_program(const std::string& program,
+                                  const std::vector<std::string>& arguments)
+{
+  const Scratch_directory streams;
+  const std::string output = (streams / "output").string(), errors = (streams / "errors").string();
+  const int error_file = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const pid_t child = internal::start_program(program, arguments, output, error_file);
+  close(error_file);
+  const int exit_code = internal::exit_code_of(child);
+  return {exit_code, read_file(output), read_file(errors)};
+}
+
+/// The same with a terminal as stream of errors.
+inline Program_result run_program_on_terminal(const std::string& program,
+                                              const std::vector<std::string>& arguments)
+{
+  const Scratch_directory streams;
+  const std::string output = (streams / "output").string();
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
+    throw std::runtime_error("no terminal");
+  const int program_side = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  const pid_t child = internal::start_program(program, arguments, output, program_side);
+  close(program_side);
+  std::string errors;
+  char block[4096];
+  for (ssize_t n; (n = read(terminal, block, sizeof(block))) > 0;) errors.append(block, std::size_t(n));
+  close(terminal);
+  const int exit_code = internal::exit_code_of(child);
+  return {exit_code, read_file(output), errors};
 }
 
 } // namespace test

@@ -58,6 +58,7 @@ public:
     bad_ply();
     truncated_ply();
     bad_output();
+    messages();
   }
 
 private:
@@ -353,6 +354,42 @@ private:
     CHECK(result.exit_code == input);
     CHECK_DETAIL(std::count(result.errors.begin(), result.errors.end(), '\n') == 1, result.errors);
     CHECK(!std::filesystem::exists(rows_));
+  }
+
+  static bool contains(const std::string& text, const std::string& word)
+  {
+    return text.find(word) != std::string::npos;
+  }
+
+  // What is no reason to stop, and what helps.
+  void messages()
+  {
+    Report::instance().set_context("points that are put on the surface");
+    const auto from_point = [&](const std::string& point)
+    { return run_program(program_, {mesh_, "--source-point", point, "--distances", table_}); };
+    const Program_result near = from_point("0.9,0.1,0.2"), far = from_point("900,100,200");
+    for (const Program_result* result : {&near, &far})
+    {
+      CHECK(result->exit_code == 0 || result->exit_code == 3);
+      CHECK_DETAIL(contains(result->output, "1 point put on the surface, moved by "), result->output);
+    }
+    CHECK_DETAIL(near.errors.empty(), near.errors);
+    CHECK_DETAIL(far.errors.rfind("validate_geodesic_distances: warning: --source-point 900,100,200 is 9", 0) == 0 &&
+                   std::count(far.errors.begin(), far.errors.end(), '\n') == 1,
+                 far.errors);
+
+    expect(usage, "blanks for commas",
+           {mesh_, "--source-plane", "0", "0", "1", "0", "--distances", table_}, {"--source-plane 0,0,1,0", "commas"});
+    const std::string curve = (scratch_ / "curve.polylines.txt").string();
+    write_file(curve, "0 0 1\n1 0 0\n");
+    expect(input, "one point per line", {mesh_, "--source-polyline", curve, "--distances", table_},
+           {curve, "line 1", "2  0 0 0  1 0 0.5"});
+    std::filesystem::remove(curve);
+
+    Report::instance().set_context("version and help");
+    const Program_result version = run_program(program_, {"--version"}), help = run_program(program_, {"--help"});
+    CHECK(version.exit_code == 0 && version.errors.empty() && version.output.rfind("validate_geodesic_distances ", 0) == 0);
+    CHECK(help.exit_code == 0 && contains(help.output, "--version") && contains(help.output, "2  0 0 0  1 0 0.5"));
   }
 
   std::string program_;

@@ -51,13 +51,16 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
   return normal != CGAL::NULL_VECTOR && CGAL::is_simple_2(p.begin(), p.end(), CGAL::Projection_traits_3<Kernel>(normal));
 }
 
-// The triangulation with the flattest dihedral angles and the smallest area; a fan if all triangles are without area. Takes
-// time that is quadratic in the size of the polygon, or cubic.
+// The triangulation with the flattest dihedral angles and the smallest area. A fan if all triangles are without area, or if the
+// polygon is so large that the time, which is cubic in its size, would be seconds.
 inline std::vector<Polygon> triangles_of(const Polygon& polygon, const std::vector<Point>& points)
 {
   using Triangle = CGAL::Triple<int, int, int>;
+  constexpr std::size_t largest = 300; // corners
   std::vector<Triangle> corners;
-  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(internal::corners_of(polygon, points), std::back_inserter(corners));
+  if(polygon.size() <= largest)
+    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(internal::corners_of(polygon, points),
+                                                               std::back_inserter(corners));
   if(corners.empty())
     for(int i = 1; i + 1 < static_cast<int>(polygon.size()); ++i)
       corners.push_back(Triangle(0, i, i + 1));

@@ -59,8 +59,10 @@ public:
   {
     if(!(m_largest > most * diagonal))
       return std::string();
-    return m_farthest + " is " + short_number(m_largest) + " away from the surface, " + short_number(m_largest / diagonal) +
-           " times the diagonal of its bounding box: is it in the units of the mesh?";
+    const double part = m_largest / diagonal;
+    const std::string compared = part < 1 ? short_number(std::round(1000 * part) / 10) + " % of" : short_number(part) + " times";
+    return m_farthest + " is " + short_number(m_largest) + " away from the surface, " + compared +
+           " the diagonal of its bounding box; has it the unit of the mesh?";
   }
 };
 
