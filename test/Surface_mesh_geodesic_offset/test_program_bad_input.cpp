@@ -255,7 +255,13 @@ private:
     expect(input, "no boundary", {good_, "--source-boundary", "--distance", "0.5"});
     expect(input, "no sharp edges", with_source("--source-sharp-edges", "120"));
 
+    expect(input, "source point beyond all numbers", with_source("--source-point", "1e300,0,0"), true,
+           {"--source-point 1e+300,0,0", "too far"});
     const auto polyline = scratch_ / "curve.polylines.txt";
+    write_file(polyline, "1 0 0 1\n3 0 0 1 1 0 0 0 1e200 0\n");
+    expect(input, "polyline beyond all numbers", with_source("--source-polyline", polyline.string()), true,
+           {polyline.string(), "line 2", "point 2", "too far"});
+    std::filesystem::remove(polyline);
     expect(input, "missing polyline", with_source("--source-polyline", polyline.string()));
     const std::pair<const char*, const char*> polylines[] = {
       {"empty polyline file", ""},

@@ -215,6 +215,9 @@ private:
   template <class Name>
   Face_location put_on_surface(const Point& point, const Name& name)
   {
+    // squares of lengths must stay within the range of double
+    if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
+      throw Input_error(name() + " is too far away from the surface");
     const std::pair<Face_location, double> located = m_geodesic.locate_with_distance(point);
     m_moved.add(located.second, name);
     return located.first;
