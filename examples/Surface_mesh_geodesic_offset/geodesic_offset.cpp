@@ -31,10 +31,16 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
 namespace {
+
+double chord_tolerance(const Options& options, const Mesh_input& input)
+{
+  return options.tolerance.value_or(1e-4 * input.bounding_box_diagonal());
+}
 
 Mesh_input load(const Options& options, Run_figures& figures, Progress& progress)
 {
@@ -52,21 +58,22 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
   return input;
 }
 
-void report_sources(const Sources& sources, const Geodesic& geodesic, const Options& options, double diagonal, double seconds,
-                    Progress& progress)
+Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& geodesic, Progress& progress)
 {
+  Sources sources(input, options, geodesic);
+  sources.add_to(geodesic);
   for(const std::string& remark : sources.remarks())
     progress.line("sources: " + remark);
   if(const std::string moved = sources.moved_points().remark(); !moved.empty())
     progress.line("sources: " + moved);
-  progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), seconds);
-  if(const std::string far = sources.moved_points().warning(diagonal); !far.empty())
+  if(const std::string far = sources.moved_points().warning(input.bounding_box_diagonal()); !far.empty())
     progress.warning(far);
   if(const std::string useless = useless_side(options, sources); !useless.empty())
     progress.warning(useless);
+  return sources;
 }
 
-// What is about to be cut: this may take long.
+// Says how much is about to be cut, as this may take long.
 template <class Concurrency_tag>
 Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& geodesic, const Options& options,
                    Progress& progress)
@@ -82,27 +89,39 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
   return levels;
 }
 
-void report_distances(const Geodesic& geodesic, const File_distances& field, const Run_figures& figures, double seconds,
-                      Progress& progress)
+// What is left of the build for the outputs: there may be another one for the picture
+struct Solution
 {
+  Offsets              offsets;
+  Geodesic::Statistics statistics;
+  File_distances       field;
+};
+
+template <class Concurrency_tag>
+Solution solve(const Mesh_input& input, const Sources& sources, const Levels& levels, Geodesic& geodesic,
+               const Options& options, Run_figures& figures, Progress& progress)
+{
+  Drawing_check drawing(options.outputs, input.mesh(), input.bounding_box_diagonal(), sources);
+  const Stopwatch time;
+  Offsets offsets =
+    build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing, progress);
+  File_distances field(input, geodesic, !options.field.empty() && sources.has_polylines());
+  figures.largest_distance = geodesic.largest_distance();
+  figures.covered_distance = geodesic.covered_distance();
+
   const bool is_complete = figures.largest_distance < figures.covered_distance;
   progress.line("distances: " + std::string(is_complete ? "up to " : "computed up to ") +
                   short_number(figures.largest_distance) + ", " +
                   counted(geodesic.statistics().windows_propagated, "window") + " propagated",
-                seconds);
+                time.seconds());
   if(is_complete && field.number_of_unreached() != 0)
     progress.line("distances: " + counted(field.number_of_unreached(), "vertex", "vertices") + " not reached");
-}
-
-void report_offsets(const std::vector<Offset_curve>& curves, const Levels& levels, const Options& options,
-                    const Run_figures& figures, Progress& progress)
-{
-  if(levels.empty())
-    return;
-  progress.line("offsets: " + counted(curves.size(), "curve") + " at " +
-                counted(level_figures(curves, {}).size(), "distance"));
-  for(const std::string& reason : missing_offsets(options, levels, curves, figures.largest_distance))
+  if(!levels.empty())
+    progress.line("offsets: " + counted(offsets.curves.size(), "curve") + " at " +
+                  counted(level_figures(offsets.curves, {}).size(), "distance"));
+  for(const std::string& reason : missing_offsets(options, levels, offsets.curves, figures.largest_distance))
     progress.warning(reason);
+  return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }
 
 Output_files::Report writing_bar(Progress& progress)
@@ -118,6 +137,35 @@ Output_files::Report writing_bar(Progress& progress)
 }
 
 template <class Concurrency_tag>
+void write(const Solution& solution, const Mesh_input& input, const Sources& sources, Geodesic& geodesic,
+           const Options& options, const Run_figures& figures, Progress& progress)
+{
+  const std::vector<Offset_curve>& curves = solution.offsets.curves;
+  const Stopwatch time;
+  Output_files files(writing_bar(progress));
+  const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
+  if(!options.field.empty())
+    files.add(options.field, [&](std::ostream& out) { write_field(out, input.soup(), solution.field); },
+              bytes_of_field(input.soup(), solution.field));
+  if(!options.picture.empty())
+  {
+    const Image image =
+      picture_of<Concurrency_tag>(geodesic, input.mesh(), sources, options, curves, figures.largest_distance, progress);
+    files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
+  }
+  if(!options.stats.empty())
+    files.add(options.stats, [&](std::ostream& out) {
+      write_stats(out, figures, solution.statistics, level_figures(curves, options.distances));
+    });
+  files.commit();
+  for(const std::string& file : files.targets())
+    progress.line("wrote " + file);
+  progress.line("outputs written", time.seconds());
+  if(!not_drawn.empty())
+    throw Input_error(not_drawn);
+}
+
+template <class Concurrency_tag>
 void run(const Options& options, Concurrency_tag tag)
 {
   Progress progress(options.quiet);
@@ -126,50 +174,17 @@ void run(const Options& options, Concurrency_tag tag)
 
   Run_figures figures;
   const Mesh_input input = load(options, figures, progress);
-  const Mesh& mesh = input.mesh();
-  const double diagonal = input.bounding_box_diagonal(), tolerance = options.tolerance.value_or(1e-4 * diagonal);
 
   const Stopwatch setup_time;
   progress.show("sources");
-  Geodesic geodesic(mesh, Traits(), tag);
-  const Sources sources(input, options, geodesic);
-  sources.add_to(geodesic);
+  Geodesic geodesic(input.mesh(), Traits(), tag);
+  const Sources sources = find_sources(input, options, geodesic, progress);
   figures.setup_seconds = setup_time.seconds();
-  report_sources(sources, geodesic, options, diagonal, figures.setup_seconds, progress);
+  progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
 
   const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
-  Drawing_check drawing(options.outputs, mesh, diagonal, sources);
-  const Stopwatch solve_time;
-  const Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, tolerance, drawing, progress);
-  const Geodesic::Statistics statistics = geodesic.statistics();
-  const File_distances field(input, geodesic, !options.field.empty() && sources.has_polylines());
-  figures.largest_distance = geodesic.largest_distance();
-  figures.covered_distance = geodesic.covered_distance();
-  report_distances(geodesic, field, figures, solve_time.seconds(), progress);
-  report_offsets(offsets.curves, levels, options, figures, progress);
-
-  const Stopwatch write_time;
-  Output_files files(writing_bar(progress));
-  const std::string not_drawn = add_curve_files(files, options, offsets, tolerance);
-  if(!options.field.empty())
-    files.add(options.field, [&](std::ostream& out) { write_field(out, input.soup(), field); },
-              bytes_of_field(input.soup(), field));
-  if(!options.picture.empty())
-  {
-    const Image image =
-      picture_of<Concurrency_tag>(geodesic, mesh, sources, options, offsets.curves, figures.largest_distance, progress);
-    files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
-  }
-  if(!options.stats.empty())
-    files.add(options.stats, [&](std::ostream& out) {
-      write_stats(out, figures, statistics, level_figures(offsets.curves, options.distances));
-    });
-  files.commit();
-  for(const std::string& file : files.targets())
-    progress.line("wrote " + file);
-  progress.line("outputs written", write_time.seconds());
-  if(!not_drawn.empty())
-    throw Input_error(not_drawn);
+  const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, figures, progress);
+  write<Concurrency_tag>(solution, input, sources, geodesic, options, figures, progress);
 }
 
 } // namespace
