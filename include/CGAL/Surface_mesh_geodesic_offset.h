@@ -86,8 +86,9 @@ public:
   /// windows in memory.
   ///
   /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
-  /// curves it crosses. Without `distance_limit`, distances beyond the largest level are computed, too. Levels beyond
-  /// the distance limit give no curves.
+  /// curves it crosses. Without `distance_limit`, distances beyond the largest level are computed, too. With a limit that is
+  /// equal to the largest level, the curves are the same up to rounding, and nothing beyond is computed. Levels beyond the
+  /// distance limit give no curves.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`
