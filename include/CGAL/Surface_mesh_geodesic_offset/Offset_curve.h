@@ -42,6 +42,14 @@ class Geodesic_offset_curve
   typedef Geodesic_offset::internal::Level_piece<typename Surface_::Number> Level_piece;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
+  friend Context; // makes curves
+
+  Geodesic_offset_curve(std::shared_ptr<const Context> context, const typename Surface_::FT& distance, bool closed,
+                        std::vector<Level_piece> pieces)
+    : m_context(std::move(context)), m_distance(distance), m_closed(closed), m_pieces(std::move(pieces))
+  {
+  }
+
 public:
   typedef typename Surface_::FT FT;
   typedef typename Surface_::Point_3 Point_3;
@@ -49,12 +57,6 @@ public:
 
   /// a piece of the curve
   typedef Geodesic_offset_piece<Surface_> Piece;
-
-  Geodesic_offset_curve(std::shared_ptr<const Context> context, const FT& distance, bool closed,
-                        std::vector<Level_piece> pieces)
-    : m_context(std::move(context)), m_distance(distance), m_closed(closed), m_pieces(std::move(pieces))
-  {
-  }
 
   /// the distance from the sources that was asked for. With an inexact number type all points of the curve are at 1024
   /// units in the last place less: \f$1 - 2^{-42}\f$ times that with `double`.

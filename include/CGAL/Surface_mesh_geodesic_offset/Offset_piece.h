@@ -57,9 +57,12 @@ private:
   typedef Geodesic_offset::internal::Point_in_face<Number> Point_in_face;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
-public:
+  template <class>
+  friend class Geodesic_offset_curve;
+
   Geodesic_offset_piece(const Context& context, const Level_piece& piece) : m_context(&context), m_piece(&piece) {}
 
+public:
   /// \name Geometry
   /// @{
 
