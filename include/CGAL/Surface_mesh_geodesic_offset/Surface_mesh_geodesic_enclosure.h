@@ -56,17 +56,17 @@ public:
   /// \name Construction
   /// @{
 
-  /// \copydoc Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
   template <class ConcurrencyTag = Sequential_tag>
   explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, const Traits& traits = Traits(),
                                            const ConcurrencyTag& tag = ConcurrencyTag());
 
-  /// \copydoc Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
   template <class ConcurrencyTag = Sequential_tag>
   Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
                                   const Traits& traits = Traits(), const ConcurrencyTag& tag = ConcurrencyTag());
 
-  /// \copydoc Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
   template <class ConcurrencyTag = Sequential_tag>
   Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
                                   Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
