@@ -147,7 +147,11 @@ public:
 
   /// Overload without a selection: all curves.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
-            class NamedParameters = parameters::Default_named_parameters, class = If_no_selection<NamedParameters>>
+            class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+            , class = If_no_selection<NamedParameters>
+#endif
+            >
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values())
   {
@@ -174,7 +178,11 @@ public:
 
   /// Overload without a selection: all curves.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
-            class NamedParameters = parameters::Default_named_parameters, class = If_no_selection<NamedParameters>>
+            class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+            , class = If_no_selection<NamedParameters>
+#endif
+            >
   void build_with_offset_curves_by_distance(const Levels& levels, Function&& f,
                                             const NamedParameters& np = parameters::default_values())
   {

@@ -148,7 +148,6 @@ public:
     return location_of(at(t, angle()), 3);
   }
   /// the point at the parameter `t` as a point in space; see `point_2()`.
-  /// the point at the parameter `t` as a point in space; see `point_2()`.
   Point_3 point(const FT& t) const { return m_context->surface->point(location(t)); }
 
   /// the number of chords of equal length that are nowhere farther than `tolerance` from the piece.

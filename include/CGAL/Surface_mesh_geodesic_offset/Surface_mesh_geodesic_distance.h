@@ -189,10 +189,6 @@ public:
     if (!fresh->is_cancelled) m_built = fresh;
   }
 
-  /// the distance of points that no path reaches: `std::numeric_limits<FT>::infinity()`, or, for number types without an
-  /// infinity, such as exact ones, a number that is larger than any distance on a mesh.
-  static FT infinity() { return Surface::exported(Policy::infinity()); }
-
   /// whether distances have been computed.
   bool is_built() const { return m_built != nullptr; }
 
@@ -292,9 +288,6 @@ public:
       put(map, v, FT(Surface::exported(b.field.distance[m_surface->index_of(v)])));
   }
 
-  /// the label that `source_labels()` gives to vertices that have no distance.
-  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
-
   /// writes the id of the nearest source of each vertex to a map: the geodesic Voronoi diagram of the sources.
   /// \tparam VertexLabelMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `std::size_t` as value
   template <class VertexLabelMap>
@@ -344,6 +337,17 @@ public:
   FT largest_distance() const { return Surface::exported(farthest().distance); }
   /// @}
 
+  /// \name Special Values
+  /// @{
+
+  /// the distance of points that no path reaches: `std::numeric_limits<FT>::infinity()`, or, for number types without an
+  /// infinity, such as exact ones, a number that is larger than any distance on a mesh.
+  static FT infinity() { return Surface::exported(Policy::infinity()); }
+
+  /// the label that `source_labels()` gives to vertices that have no distance.
+  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
+  /// @}
+
   /// \name Shortest Paths
   /// A path from a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source consists of the point
   /// itself, a point on each edge that it crosses, the vertices through which it passes, and the source point. It is empty if
@@ -363,8 +367,6 @@ public:
     return out;
   }
 
-  /// writes a shortest path to the nearest source as points in space.
-  /// \param location the start of the path
   /// writes a shortest path to the nearest source as points in space.
   /// \param location the start of the path
   /// \param out an output iterator for `Point_3`

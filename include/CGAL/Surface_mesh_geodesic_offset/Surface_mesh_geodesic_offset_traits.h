@@ -325,29 +325,17 @@ public:
   /// @{
 
   /// returns a functor of type `Construct_apices_2`.
-  /// @}
-
-  /// \name Operations
-  /// @{
-
-  /// returns a functor of type `Construct_apices_2`.
   Construct_apices_2 construct_apices_2_object() const { return Construct_apices_2(); }
-  /// returns a functor of type `Change_frame_2`.
   /// returns a functor of type `Change_frame_2`.
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
   /// returns a functor of type `Compare_entry_with_apex_2`.
-  /// returns a functor of type `Compare_entry_with_apex_2`.
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(); }
-  /// returns a functor of type `Construct_exit_2`.
   /// returns a functor of type `Construct_exit_2`.
   Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
   /// returns a functor of type `Compute_distance_2`.
-  /// returns a functor of type `Compute_distance_2`.
   Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(); }
   /// returns a functor of type `Compare_distance_2`.
-  /// returns a functor of type `Compare_distance_2`.
   Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(); }
-  /// @}
   /// @}
 
 private:

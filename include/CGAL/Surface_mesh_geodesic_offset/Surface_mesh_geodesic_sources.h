@@ -360,7 +360,6 @@ public:
   /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
   Face_location locate(const Ray_3& r) const { return locate(r, m_locator->default_tolerance()); }
   /// Overload with a tolerance.
-  /// Overload with a tolerance.
   Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_locator->locate(r, tolerance); }
   /// @}
 

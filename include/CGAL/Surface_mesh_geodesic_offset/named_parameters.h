@@ -110,6 +110,7 @@ private:
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets the largest distance that is computed, see `Geodesic_parameters::distance_limit()`.
+/// \param d a distance, not negative
 template <class FT>
 auto distance_limit(const FT& d)
 {
@@ -118,6 +119,7 @@ auto distance_limit(const FT& d)
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets whether the windows are kept after the propagation, see `Geodesic_parameters::keep_windows()`.
+/// \param keep whether the windows are kept
 inline auto keep_windows(bool keep)
 {
   return Geodesic_parameters<bool, internal_np::geodesic_keep_windows_t>(keep);
@@ -125,6 +127,7 @@ inline auto keep_windows(bool keep)
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets whether the largest distance of the surface is computed, see `Geodesic_parameters::compute_largest_distance()`.
+/// \param compute whether the largest distance is computed
 inline auto compute_largest_distance(bool compute)
 {
   return Geodesic_parameters<bool, internal_np::geodesic_compute_largest_distance_t>(compute);
@@ -132,6 +135,7 @@ inline auto compute_largest_distance(bool compute)
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets the points whose distances are requested, see `Geodesic_parameters::targets()`.
+/// \param range a range of `vertex_descriptor` or `Face_location`, which must outlive the build
 template <class Range>
 auto targets(const Range& range)
 {
@@ -140,6 +144,7 @@ auto targets(const Range& range)
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets the relative tolerance of distances, see `Geodesic_parameters::relative_tolerance()`.
+/// \param t a number from 0 to 0.5
 template <class FT>
 auto relative_tolerance(const FT& t)
 {
@@ -148,6 +153,7 @@ auto relative_tolerance(const FT& t)
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets the absolute tolerance of distances, see `Geodesic_parameters::merging_tolerance()`.
+/// \param t a length, finite and not negative
 template <class FT>
 auto merging_tolerance(const FT& t)
 {

@@ -54,6 +54,7 @@ struct Offset_writing_parameters : Named_function_parameters<T, Tag, Base>
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets the largest distance of polylines from the curves, see `Offset_writing_parameters::chord_tolerance()`.
+/// \param d a length, positive
 template <class FT>
 auto chord_tolerance(const FT& d)
 {
@@ -62,6 +63,7 @@ auto chord_tolerance(const FT& d)
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 /// sets the unit of the mesh, see `Offset_writing_parameters::unit()`.
+/// \param u the unit
 inline auto unit(IO::Length_unit u)
 {
   return Offset_writing_parameters<IO::Length_unit, internal_np::geodesic_length_unit_t>(u);
