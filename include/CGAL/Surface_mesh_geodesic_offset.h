@@ -83,13 +83,11 @@ public:
   /// \name Types
   /// @{
 
-  /// the number type of distances
-  typedef typename Base::FT FT;
-
 #ifdef DOXYGEN_RUNNING
   /// an offset curve
   typedef Geodesic_offset_curve<unspecified_type> Offset_curve;
 #else
+  typedef typename Base::FT FT;
   typedef Geodesic_offset_curve<Surface> Offset_curve;
 #endif
   /// @}
