@@ -3,7 +3,7 @@
 """Builds the manual and checks it: test_manual.py DOXYFILE SOURCE_DIR
 
 - Doxygen has no warnings.
-- Each public entity has a brief description, and no public declaration has an internal type.
+- Each public entity has a brief description, and no public declaration has an internal type or a nameless template parameter.
 - Each function outside classes says which header declares it.
 - The pages that a newcomer looks for exist, and each local link and picture has a target.
 - The README and the page for contributors name only files that exist, and the README shows the example program as it is.
@@ -76,6 +76,9 @@ def check_declarations(directory):
                 parameters = text_of(member.find("templateparamlist"))
                 declaration = " ".join((parameters, text_of(member.find("type")), arguments))
                 check("internal" not in declaration, "%s has an internal type: %s" % (full_name, declaration))
+                nameless = [p for p in member.iterfind("templateparamlist/param")
+                            if text_of(p.find("type")) in ("class", "typename") and p.find("declname") is None]
+                check(not nameless, full_name + " has a template parameter for overload resolution alone")
     check(members > 150, "only %d public entities" % members)
 
 
