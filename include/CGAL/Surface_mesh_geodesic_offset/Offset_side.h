@@ -27,8 +27,9 @@ enum class Offset_side : unsigned char
   BOTH,   ///< both sides of polylines
   LEFT,   ///< only points whose nearest source point is reached from the left of its polyline
   RIGHT,  ///< only points whose nearest source point is reached from the right of its polyline
-  INSIDE, ///< only points inside closed polylines: on the side with the smaller area. The areas are estimated, by some 250
-          ///< samples per face near the polyline: areas that differ by less than a few percent may be confused
+  INSIDE, ///< only points inside closed polylines: on the side with the smaller area; for a polyline that runs along the
+          ///< border all the way, on the side of the surface. The areas are estimated, by some 250 samples per face near the
+          ///< polyline: areas that differ by less than a few percent may be confused
   OUTSIDE ///< only points outside closed polylines
 };
 
