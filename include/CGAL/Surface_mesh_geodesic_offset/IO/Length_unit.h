@@ -10,10 +10,10 @@ namespace CGAL {
 namespace IO {
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
-/// \brief The unit of the coordinates of a mesh, for file formats that have one: DXF and SVG. No coordinate is converted.
+/// \brief The unit of the coordinates of a mesh, for the file formats with a unit: DXF and SVG. No coordinate is converted.
 enum class Length_unit
 {
-  NONE,       ///< not known: the file has no unit
+  NONE,       ///< unknown: the file has no unit
   MILLIMETER, ///< mm
   CENTIMETER, ///< cm
   METER,      ///< m

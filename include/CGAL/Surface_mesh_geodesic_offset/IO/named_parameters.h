@@ -23,25 +23,28 @@ namespace parameters {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 
-\brief the parameters of `IO::write_offset_curves()`: any number of these in any order, joined by dots, as in
+\brief holds the named parameters of `IO::write_offset_curves()`: any number of the functions below, in any order, joined by
+dots, as in
 `parameters::chord_tolerance(0.01).unit(IO::Length_unit::MILLIMETER)`.
 */
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Offset_writing_parameters : Named_function_parameters<T, Tag, Base>
 {
+#ifndef DOXYGEN_RUNNING
   typedef Named_function_parameters<T, Tag, Base> Named_parameters;
   using Named_parameters::Named_parameters;
+#endif
 
-  /// the largest distance of the lines in the file from the curves that they stand for: positive, in the units of the mesh's
-  /// points. Formats with arcs have them instead: SVG needs no tolerance, and DXF only outside of horizontal planes.
-  /// %Default: 1e-4 of the diagonal of the box of the points between the pieces of the curves.
+  /// the largest distance of the polylines in the file from the curves: positive, in the units of the mesh's points. SVG files
+  /// have arcs and need no tolerance; DXF files have arcs in horizontal planes and need a tolerance elsewhere.
+  /// %Default: 1e-4 of the diagonal of the bounding box of the end points of all pieces.
   template <class FT>
   auto chord_tolerance(const FT& d) const
   {
     return Offset_writing_parameters<FT, internal_np::geodesic_chord_tolerance_t, Offset_writing_parameters>(d, *this);
   }
 
-  /// the unit of the mesh, for DXF and SVG; other formats have none. %Default: `IO::Length_unit::NONE`.
+  /// the unit of the mesh, for DXF and SVG; other formats have no unit. %Default: `IO::Length_unit::NONE`.
   auto unit(IO::Length_unit u) const
   {
     return Offset_writing_parameters<IO::Length_unit, internal_np::geodesic_length_unit_t, Offset_writing_parameters>(u,
@@ -50,7 +53,8 @@ struct Offset_writing_parameters : Named_function_parameters<T, Tag, Base>
 };
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Offset_writing_parameters::chord_tolerance()`.
+/// sets the largest distance of polylines from the curves, see `Offset_writing_parameters::chord_tolerance()`.
+/// \param d a length, positive
 template <class FT>
 auto chord_tolerance(const FT& d)
 {
@@ -58,7 +62,8 @@ auto chord_tolerance(const FT& d)
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Offset_writing_parameters::unit()`.
+/// sets the unit of the mesh, see `Offset_writing_parameters::unit()`.
+/// \param u the unit
 inline auto unit(IO::Length_unit u)
 {
   return Offset_writing_parameters<IO::Length_unit, internal_np::geodesic_length_unit_t>(u);

@@ -176,14 +176,14 @@ private:
 \brief writes offset curves as a DXF file (ASCII, AutoCAD 2000), in three dimensions.
 
 - A curve that lies in a horizontal plane becomes one `LWPOLYLINE` at the elevation of the plane, with the true arcs as
-  bulges; an arc is there in one piece (or two, if it is longer than a half turn) however many faces it crosses.
+  bulges; an arc is one bulge (or two, if it is longer than a half turn) however many faces it crosses.
 - A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE`.
 - Any other curve is split where its arcs enter and leave a horizontal plane, into polylines of both kinds. Each
   ends at the very point at which the next one begins, so they can be joined again.
 
-A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate). It may
-look up or down. Closed curves have the flag for it. All curves of one distance are on one layer, named `offset_` and
-the distance. One unit of the file is one of the mesh.
+A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate). Its
+normal may point up or down. Polylines of closed curves have the flag "closed". There is one layer per distance, named
+`offset_` and the distance. One unit of the file is one unit of the mesh.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream

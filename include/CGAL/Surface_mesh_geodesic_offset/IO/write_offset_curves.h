@@ -44,7 +44,7 @@ enum class Offset_file_format
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
-\brief the format that `write_offset_curves()` chooses for a file: that of the extension of its name, in upper or lower case.
+\brief the format that belongs to the extension of a file name, in upper or lower case.
 
 \throws std::invalid_argument if the name has none of the extensions of `Offset_file_format`
 */
@@ -153,8 +153,8 @@ bool write_offset_curves(std::ostream& os, Offset_file_format format, const Offs
 \param file_name the name of the file, which is overwritten
 \param curves the curves
 \param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
-\return `false` if the file cannot be opened, or not be written to its end.
-\throws std::invalid_argument as `offset_file_format()`, and as the overload for streams; the file has not been touched then
+\return `false` if the file cannot be opened, or if writing fails.
+\throws std::invalid_argument as `offset_file_format()`, and as the overload for streams; the file is unchanged then
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_curves(const std::string& file_name, const OffsetCurveRange& curves,

@@ -105,7 +105,7 @@ inline void write_length(std::ostream& os, const char* attribute, double length,
 
 Curves are checked again when they are written, against the extent of the faces that they cross: with coordinates that are
 rounded to fewer than some ten digits, a curve that crosses only few small faces of a planar mesh may be refused. The curves
-of another mesh can be written if all faces that they cross lie in one plane, which only the curves tell.
+of another mesh can be written if all faces that they cross lie in one plane, which depends on the curves.
 
 Takes linear time.
 
@@ -144,18 +144,18 @@ bool can_write_offset_SVG(const TriangleMesh& tm, const NamedParameters& np = pa
 \brief writes offset curves that lie in one plane, such as those of a planar mesh, as an SVG file.
 
 Each curve is a `path` of lines and true circular arcs; an arc is not divided where it crosses edges of the mesh. Closed
-curves end with `Z`. All curves of one distance are in one group `g` with the distance as its attribute `data-distance`
-and as its title. One user unit is one unit of the mesh; the `viewBox` holds all curves and a margin.
+curves end with `Z`. There is one group `g` per distance, with the distance as its attribute `data-distance` and as its title.
+One user unit is one unit of the mesh; the `viewBox` holds all curves and a margin.
 
-The plane may have any position. If it rises by less than half a right angle, it is drawn as a map: seen from above, with
-the y axis pointing up. So in a horizontal plane the coordinates of the paths are \f$ (x, -y) \f$, as the y axis of the
-format points down. Other planes are drawn as seen from the outside of the surface, with the z axis pointing up.
+The plane may have any position. If its slope is less than 45 degrees, it is drawn as a map: seen from above, with the y axis
+pointing up. So in a horizontal plane the coordinates of the paths are \f$ (x, -y) \f$, as the y axis of the format points
+down. Other planes are drawn as seen from the outside of the surface, with the z axis pointing up.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param unit the unit of the mesh. Then the picture has a width and a height in this unit, in millimeters if it is meters;
-       otherwise it fills the page or window in which it is shown.
+\param unit the unit of the mesh. With a unit, the picture has a width and a height in this unit, or in millimeters for
+       meters; without, it fills the page or window in which it is shown.
 \return whether the stream is still good.
 \throws std::invalid_argument if the faces that the curves cross do not lie in one plane, up to 1e-6 of their extent. Then
         nothing has been written.

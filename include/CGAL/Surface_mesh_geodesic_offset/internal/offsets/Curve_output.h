@@ -50,7 +50,8 @@ public:
     const FT scale = m_levels[level] + m_edge;
     cut.for_each_curve(scale, [&](bool closed, auto&& pieces) {
       m_select(scale, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
-        curves.emplace_back(m_context, Surface::exported(m_levels[level]), is_closed, std::move(part));
+        curves.push_back(
+          Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed, std::forward<decltype(part)>(part)));
       });
     });
     m_next = (std::max)(m_next, level + 1);
