@@ -184,6 +184,22 @@ void test_tetrahedron()
   for (std::size_t i : {2, 3}) s.expect(i, height);
   // two of the faces in one plane: the edge opposite is parallel to the source
   s.expect(s.middle(2, 3), height, "the middle of the edge opposite to the segment");
+
+  // the largest distance: its place is found with doubles, its value is exact there
+  Geodesic geodesic(s.mesh);
+  geodesic.add_source_point(s.vertices[0]);
+  geodesic.build(CGAL::parameters::compute_largest_distance(true));
+  const FT largest = geodesic.largest_distance();
+  CHECK(largest <= height * 4 / 3 && largest > height * 4 / 3 - FT(1e-12));
+  CHECK(geodesic.largest_vertex_distance() == edge);
+  geodesic.build(CGAL::parameters::compute_largest_distance(true).distance_limit(edge));
+  CHECK(geodesic.largest_distance() == edge);
+  geodesic.build(CGAL::parameters::compute_largest_distance(true).distance_limit(FT(1)));
+  CHECK(geodesic.largest_distance() == FT(1));
+  // all four faces are as far from the center
+  const auto located = geodesic.locate_with_distance(Point_3(0, 0, 0));
+  CHECK(located.first.first == Mesh::Face_index(0) && located.second == 1 / root(FT(3)));
+  CHECK(geodesic.add_source_sharp_edges(109) && !geodesic.add_source_sharp_edges(110));
 }
 
 void test_octahedron()
