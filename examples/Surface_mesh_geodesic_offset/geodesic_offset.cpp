@@ -73,7 +73,7 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
   return sources;
 }
 
-// Says how much is about to be cut, as this may take long.
+// Reports the number of levels before the work starts.
 template <class Concurrency_tag>
 Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& geodesic, const Options& options,
                    Progress& progress)
@@ -89,7 +89,7 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
   return levels;
 }
 
-// What is left of the build for the outputs: there may be another one for the picture
+// Results of the first build; the picture may need another one
 struct Solution
 {
   Offsets              offsets;

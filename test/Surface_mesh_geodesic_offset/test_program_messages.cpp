@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the program tells people: warnings where input is good but of no use, limits on what it would
-// begin, errors that help, and the bar on a terminal.
+// The messages of the program: warnings about useless input, limits on the work and on the output,
+// errors with hints, and the progress bar on a terminal.
 //
 //   test_program_messages PROGRAM
 
@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_messages {
 
 using namespace test;
 
@@ -515,7 +515,7 @@ private:
     all_reached(around);
     if (CHECK(around.size() == 8))
       CHECK_DETAIL(std::abs(around[6] - (std::sqrt(5.) + 1)) < 1e-14, values(around[6], std::sqrt(5.) + 1));
-    // a star with many points, which is divided before anybody gets impatient
+    // small enough for the best triangulation, and too large for it
     for (const int n : {299, 401, 2001})
     {
       std::string star = "OFF\n" + std::to_string(n) + " 1 0\n", order = std::to_string(n);
@@ -578,7 +578,7 @@ private:
   Scratch_directory scratch_;
 };
 
-} // namespace
+} // namespace test_program_messages
 
 int main(int argc, char* argv[])
 {
@@ -587,6 +587,6 @@ int main(int argc, char* argv[])
     std::cerr << "usage: test_program_messages PROGRAM\n";
     return 2;
   }
-  Messages(argv[1]).run_all();
-  return Report::instance().finish("test_program_messages");
+  test_program_messages::Messages(argv[1]).run_all();
+  return test::Report::instance().finish("test_program_messages");
 }

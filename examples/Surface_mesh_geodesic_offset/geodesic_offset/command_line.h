@@ -31,7 +31,7 @@ inline double positive_number(const std::string& option, const std::string& word
   return value;
 }
 
-// "0,0,1,0"
+// Like "0,0,1,0"
 template <std::size_t N>
 std::array<double, N> numbers(const std::string& option, const std::string& word)
 {

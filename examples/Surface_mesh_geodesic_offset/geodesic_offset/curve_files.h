@@ -29,8 +29,8 @@ struct Offsets
 
 namespace internal {
 
-// As files of curved meshes have it, to tell how much of a file is written; 0: nothing can be told. Curves in a plane need
-// fewer, where the format has arcs.
+// Measured on files of curved meshes, for the progress bar; 0: unknown. Formats with arcs need fewer bytes for curves in a
+// plane.
 inline std::uintmax_t bytes_per_point(const std::string& file)
 {
   switch(CGAL::IO::offset_file_format(file))
@@ -45,7 +45,7 @@ inline std::uintmax_t bytes_per_point(const std::string& file)
 
 } // namespace internal
 
-// Returns why curves cannot be written in the format of one of the files, which is then left out; empty if all are there.
+// Adds the files. If the curves cannot be written in the format of one of them, leaves it out and returns the reason.
 inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets,
                                    double tolerance)
 {

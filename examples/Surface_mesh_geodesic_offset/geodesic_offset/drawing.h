@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which offsets can be drawn in a plane, as .svg files need it, found out as early as possible.
+// Detects as early as possible that offsets do not lie in one plane, as .svg files require.
 
 #ifndef GEODESIC_OFFSET_DRAWING_H
 #define GEODESIC_OFFSET_DRAWING_H
@@ -19,8 +19,7 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Whether no two neighbouring faces lie in one plane. To be on the safe side, faces are taken to be in one plane that a file
-// with six digits could have there.
+// Whether no two neighbouring faces lie in one plane, with a tolerance for coordinates of six digits
 inline bool is_curved_everywhere(const Mesh& mesh, double diagonal)
 {
   const double tolerance = 1e-6 * diagonal;
@@ -40,12 +39,12 @@ inline bool is_curved_everywhere(const Mesh& mesh, double diagonal)
 
 class Drawing_check
 {
-  std::string m_file; // empty: no drawing is asked for, or all can be drawn
+  std::string m_file; // empty: there is no .svg file, or the mesh is planar
   std::string m_problem;
 
 public:
-  // Throws Input_error if the mesh tells that there is nothing to draw: on a surface that is curved everywhere, only the
-  // circle round a point within a face is in one plane.
+  // Throws Input_error if the mesh is curved everywhere: then only a circle round a source point, within its face, lies in
+  // one plane.
   Drawing_check(const std::vector<std::string>& outputs, const Mesh& mesh, double diagonal, const Sources& sources)
   {
     for(const std::string& output : outputs)
@@ -59,7 +58,7 @@ public:
       throw Input_error(failure("no two faces of the mesh lie in one plane, so no offset does"));
   }
 
-  // Looks at the offsets of one distance, unless others are known to be a problem.
+  // Checks the offsets of one distance.
   void look_at(const std::vector<Offset_curve>& curves)
   {
     if(m_file.empty() || !m_problem.empty())
@@ -75,7 +74,7 @@ public:
     }
   }
 
-  // What makes a drawing impossible, as far as it is known
+  // The message about the first distance whose offsets do not lie in one plane; empty if there is none so far
   const std::string& problem() const { return m_problem; }
 
 private:

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances inside the faces, as exactly as colours can show them.
+// The distances inside the faces, as exact as colours can show.
 
 #ifndef GEODESIC_OFFSET_FACE_DISTANCES_H
 #define GEODESIC_OFFSET_FACE_DISTANCES_H
@@ -15,10 +15,11 @@
 
 namespace geodesic_offset {
 
-// Distances change by no more than the way, so interpolation between the corners of a face with edges up to h is wrong by no
-// more than h / sqrt(3): with weights w it is wrong by a sum of w_i |p - c_i| at most, whose square is at most the sum of
-// w_i |p - c_i|^2, that is of w_i w_j |c_i - c_j|^2 over the three pairs, and that of w_i w_j is 1/3 at most. Where this is
-// less than a step of colours the corners are enough; in longer faces each distance is that of the kept windows.
+// The distance is Lipschitz continuous with constant 1. So linear interpolation between the corners c_i of a face, with
+// weights w_i and edges no longer than h, has an error of at most h / sqrt(3): it is at most the sum of w_i |p - c_i|, whose
+// square is at most the sum of w_i |p - c_i|^2, which equals that of w_i w_j |c_i - c_j|^2 over the three pairs, where the
+// w_i w_j add up to at most 1/3. If this error is less than a step of colours, distances are interpolated. In faces with
+// longer edges each distance is computed from the kept windows.
 class Face_distances
 {
   static constexpr double color_steps = 255; // in the largest distance: as many as a channel of an image can tell apart
@@ -41,11 +42,11 @@ public:
 
   double largest() const { return m_largest; }
 
-  // Whether the windows of the build must have been kept
+  // Whether distances in some faces need kept windows
   bool need_windows() const { return !m_is_long.empty(); }
 
-  // Interpolates in all faces, for what it is worth.
-  void do_without_windows() { m_is_long.clear(); }
+  // From now on, interpolates in all faces.
+  void interpolate_everywhere() { m_is_long.clear(); }
 
   // u and v: barycentric coordinates of the second and the third corner. Infinite where the distance is not known.
   double operator()(Face f, double u, double v) const
@@ -66,12 +67,12 @@ private:
   {
     const double longest = std::sqrt(3.0) * m_largest / color_steps;
     std::vector<bool> is_long(m_mesh.number_of_faces(), false);
-    bool some = false;
+    bool has_long = false;
     for(Face f : m_mesh.faces())
       for(Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
         if(CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))) > longest * longest)
-          is_long[f] = some = true;
-    if(some)
+          is_long[f] = has_long = true;
+    if(has_long)
       m_is_long = std::move(is_long);
   }
 };

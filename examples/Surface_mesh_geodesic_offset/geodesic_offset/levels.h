@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances of the offsets on this mesh, and what would be too many or too small.
+// The distances of the offsets on this mesh, with limits on their number and size.
 
 #ifndef GEODESIC_OFFSET_LEVELS_H
 #define GEODESIC_OFFSET_LEVELS_H
@@ -19,8 +19,8 @@
 
 namespace geodesic_offset {
 
-// Lengths below this part of the bounding-box diagonal are lost in the rounding of coordinates: of the 53 bits of a
-// coordinate, 13 are left for the shape of a curve of that size.
+// The smallest length that makes sense, as a part of the bounding-box diagonal: 13 of the 53 bits of a coordinate are left
+// for the shape of a curve of this size.
 constexpr double smallest_part_of_diagonal = 1.0 / (std::size_t(1) << 40);
 
 // Throws Usage_error.
@@ -34,8 +34,8 @@ inline void check_length(const char* option, const std::optional<double>& length
 
 class Levels
 {
-  // A slip of the finger must neither fill the disk nor begin the work of a day: more than the first number must be asked
-  // for with a count, and lists of more than the second take memory and time of their own.
+  // A typing error must not start hours of work or fill the disk. Without a count the limit is far above what people look
+  // at; with a count it is where the list of levels alone takes noticeable memory and time.
   static constexpr std::size_t most_without_count = 10000;
   static constexpr std::size_t most = 1000000;
 
@@ -44,8 +44,8 @@ class Levels
   bool                m_is_open_ended;
 
 public:
-  // bound_of_reach() and exact_reach() tell how far the surface reaches from the sources; the second is slow, and called only
-  // if the first would give too many levels. Throws Usage_error.
+  // bound_of_reach(): an upper bound of the largest distance of the surface. exact_reach(): this distance; slow, called only
+  // if the bound gives too many levels. Throws Usage_error.
   template <class Bound, class Exact>
   Levels(const Level_options& options, double diagonal, const Bound& bound_of_reach, const Exact& exact_reach)
     : m_distances(options.distances), m_is_open_ended(options.is_open_ended())
@@ -68,16 +68,15 @@ public:
 
   bool        empty() const { return m_distances.empty(); }
   std::size_t size() const { return m_distances.size(); }
-  double      smallest() const { return m_distances.front(); }
   double      largest() const { return m_distances.back(); }
 
-  // Increasing
+  // In increasing order
   const std::vector<double>& distances() const { return m_distances; }
 
-  // Those that were asked for even if the surface ends before them. Increasing
+  // The levels that the user named, one by one or by a count, in increasing order. Of a spacing without a count, the first.
   const std::vector<double>& named() const { return m_named; }
 
-  // Whether there are as many as it takes to cover the surface; then the last ones may be beyond it.
+  // Whether the number of levels follows from the bound of the distances. Then the last levels may be beyond the surface.
   bool is_open_ended() const { return m_is_open_ended; }
 
 private:
@@ -85,7 +84,7 @@ private:
   void add_spaced(const Level_options& options, const Bound& bound_of_reach, const Exact& exact_reach)
   {
     const double spacing = *options.spacing;
-    // how many levels there are up to a distance; the first one is always there, so that there is one to report on
+    // the number of levels up to a distance; at least one, on which the program can report
     const auto number_up_to = [&](double reach) {
       const double farthest = std::min(reach, options.maximum_distance.value_or(infinity));
       return std::max(1.0, std::floor((farthest - options.start.value_or(spacing)) / spacing) + 1);

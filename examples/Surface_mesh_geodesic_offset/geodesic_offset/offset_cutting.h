@@ -26,10 +26,11 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Keeps the offsets as they come, by increasing distance, and looks whether they can be written.
+// Collects the offsets, which come by increasing distance, and checks whether they can be written.
 class Offset_collector
 {
-  // Some 1.2 GB of text in a file, and 3 GB of memory: an offset has at least a point per face that it crosses.
+  // 1.2 GB of text per file, at 60 bytes per point, and up to 3 GB of memory, at 150 bytes per piece of a curve, which has
+  // at least one point
   static constexpr std::size_t most_points = 20000000;
 
   double         m_tolerance;
@@ -40,7 +41,7 @@ class Offset_collector
   double         m_distance = 0;
 
 public:
-  // is_only_drawn: there is no output but drawings
+  // is_only_drawn: all outputs are .svg files
   Offset_collector(double tolerance, bool is_only_drawn, Drawing_check& drawing, Offsets& offsets)
     : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_drawing(drawing), m_offsets(offsets)
   {
@@ -71,7 +72,7 @@ public:
   }
 };
 
-// The bar while the front runs, which cuts offsets on its way
+// The progress bar while the front runs and the offsets are cut behind it
 class Solving_bar
 {
   const Levels&           m_levels;
@@ -85,7 +86,7 @@ public:
   {
   }
 
-  // `done`: the part of the surface that the front has passed. Within a limit, that is never all of it.
+  // `done`: the part of the surface that the front has passed. With a distance limit it ends below 1.
   bool operator()(double done) const
   {
     if(m_levels.empty())
@@ -106,7 +107,7 @@ inline bool is_only_drawn(const Options& options)
 
 } // namespace internal
 
-// Nothing farther is computed. Without a field or a picture to show, the largest offset is far enough.
+// The largest distance that is computed. Without a field or a picture, it is that of the largest offset.
 inline double distance_limit(const Options& options, const Levels& levels)
 {
   const double maximum = options.maximum_distance.value_or(infinity);

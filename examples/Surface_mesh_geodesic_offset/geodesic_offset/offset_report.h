@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Why there are no offsets where some were asked for.
+// The reasons why requested offsets do not exist.
 
 #ifndef GEODESIC_OFFSET_OFFSET_REPORT_H
 #define GEODESIC_OFFSET_OFFSET_REPORT_H
@@ -19,7 +19,7 @@
 
 namespace geodesic_offset {
 
-// What is to be said if a side was given, but no source has one
+// The warning about --side if no source has sides; otherwise empty
 inline std::string useless_side(const Options& options, const Sources& sources)
 {
   if(options.selection.side == CGAL::Offset_side::BOTH || sources.has_polylines())
@@ -39,8 +39,8 @@ inline std::string named_distances(const std::vector<double>& distances)
 
 } // namespace internal
 
-// One sentence for each reason why a distance that was named has no offset. `curves` are sorted by distance, `reach` is the
-// largest distance that was computed.
+// One sentence per reason why named distances have no offset. `curves` are sorted by distance; `reach` is the largest
+// distance that was computed.
 inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
                                                 const std::vector<Offset_curve>& curves, double reach)
 {

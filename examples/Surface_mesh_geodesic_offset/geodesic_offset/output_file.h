@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All outputs or none. Every output is first written to a new file next to its target; when all of them are complete
-// they are renamed. A program that fails on the way leaves neither parts of files nor a mix of old and new ones. One that can
-// do without an output leaves out that one.
+// they are renamed. A program that fails on the way leaves neither parts of files nor a mix of old and new ones. An output
+// that fails can be left out.
 
 #ifndef GEODESIC_OFFSET_OUTPUT_FILE_H
 #define GEODESIC_OFFSET_OUTPUT_FILE_H
@@ -30,7 +30,7 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Hands on what is written in blocks, and tells after each of them how many bytes there are.
+// Passes bytes on in blocks, and reports their number after each block.
 class Reporting_buffer : public std::streambuf
 {
   std::streambuf&                            m_target;
@@ -73,7 +73,7 @@ private:
 class Output_files
 {
 public:
-  // Is told, every now and then, how many bytes of a file have been written, of about how many; 0: not known.
+  // Called periodically with the number of bytes of a file that have been written, and with the expected number of all, or 0.
   using Report = std::function<void(const std::string& target, std::uintmax_t bytes, std::uintmax_t expected)>;
 
 private:
@@ -126,8 +126,7 @@ public:
       fail(target, reason());
   }
 
-  // write is called with a stream. If it fails the file is left out, as if it had never been asked for. `expected`: the
-  // number of bytes, for the report
+  // Calls write(stream). After an exception the file is left out. `expected`: number of bytes, for the report
   template <class Write>
   void add(const std::string& target, const Write& write, std::uintmax_t expected = 0)
   {

@@ -24,7 +24,7 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Of some 40 bytes: no more than 2 GB for the sake of a picture
+// 2 GB for a picture, at 40 bytes per window
 constexpr std::size_t most_kept_windows = 50000000;
 
 inline View view_of(const Options& options, const Mesh& mesh, const Sources& sources)
@@ -41,7 +41,7 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
   return choose_view(mesh, points, up);
 }
 
-// With a build more, whose windows are kept, if the distances at the corners of some face do not tell its colours.
+// If some faces are too long for interpolation, builds once more, with kept windows.
 template <class Concurrency_tag>
 Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest, Progress& progress)
 {
@@ -53,7 +53,7 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
     progress.warning("the colours of " + quoted(options.picture) + " are interpolated inside the large faces of the mesh: "
                      "with " + std::to_string(geodesic.statistics().windows_propagated) +
                      " windows, exact ones would take too much memory");
-    distances.do_without_windows();
+    distances.interpolate_everywhere();
     return distances;
   }
   const auto show = [&](double done) {
@@ -68,8 +68,8 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
 
 } // namespace internal
 
-// `largest`: the largest distance of the surface. The build must have all distances that are wanted; there may be another one
-// with the same distances afterwards.
+// `largest`: the largest distance of the surface. The last build must have all distances that are wanted. Another build with
+// the same distances may replace it.
 template <class Concurrency_tag>
 Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
                  const std::vector<Offset_curve>& curves, double largest, Progress& progress)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Polygons that no plane shows as a simple polygon, as they are far from planar, cross themselves or pass twice through a
-// vertex, divided into triangles nevertheless.
+// Triangulation of polygons whose projection to a plane is not simple: far from planar, crossing themselves, or passing twice
+// through a vertex.
 
 #ifndef GEODESIC_OFFSET_POLYGON_TRIANGLES_H
 #define GEODESIC_OFFSET_POLYGON_TRIANGLES_H
@@ -35,14 +35,14 @@ inline std::vector<Point> corners_of(const Polygon& polygon, const std::vector<P
 
 } // namespace internal
 
-// Whether the edges of a polygon, seen along its normal, meet nowhere else than at their common corners
+// Whether the projection of a polygon along its normal is simple: its edges meet only at common corners.
 inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
 {
   using internal::area_vector;
   if(polygon.size() == 3)
     return true;
   const std::vector<Point> p = internal::corners_of(polygon, points);
-  if(p.size() == 4) // one diagonal, at least, has triangles on both sides that do not lie on each other
+  if(p.size() == 4) // then, with one diagonal at least, the two triangles do not lie on each other
     return area_vector(p[0], p[1], p[2]) * area_vector(p[0], p[2], p[3]) > 0 ||
            area_vector(p[1], p[2], p[3]) * area_vector(p[1], p[3], p[0]) > 0;
   Vector normal = CGAL::NULL_VECTOR;
@@ -51,12 +51,12 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
   return normal != CGAL::NULL_VECTOR && CGAL::is_simple_2(p.begin(), p.end(), CGAL::Projection_traits_3<Kernel>(normal));
 }
 
-// The triangulation with the flattest dihedral angles and the smallest area. A fan if all triangles are without area, or if the
-// polygon is so large that the time, which is cubic in its size, would be seconds.
+// The triangulation with the smallest dihedral angles and the smallest area. A fan if all triangles are degenerate, or if the
+// polygon is large: the time is cubic in its size.
 inline std::vector<Polygon> triangles_of(const Polygon& polygon, const std::vector<Point>& points)
 {
   using Triangle = CGAL::Triple<int, int, int>;
-  constexpr std::size_t largest = 300; // corners
+  constexpr std::size_t largest = 300; // corners: about a second
   std::vector<Triangle> corners;
   if(polygon.size() <= largest)
     CGAL::Polygon_mesh_processing::triangulate_hole_polyline(internal::corners_of(polygon, points),

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the program says while it works, and how long the steps take: lines on the standard output, warnings on the standard
-// error, and, if that is a terminal, a bar in its last line.
+// Messages of the program while it works: lines with times on the standard output, warnings on the standard error, and, if
+// that is a terminal, a progress bar in its last line.
 
 #ifndef GEODESIC_OFFSET_PROGRESS_H
 #define GEODESIC_OFFSET_PROGRESS_H
@@ -34,8 +34,8 @@ public:
 
 class Progress
 {
-  static constexpr double      interval = 0.1; // seconds between two states of the bar, which the eye can follow
-  static constexpr std::size_t columns = 79;   // of the narrowest terminal; a longer line could not be wiped out
+  static constexpr double      interval = 0.1; // seconds between two states of the bar
+  static constexpr std::size_t columns = 79;   // fits into a terminal of 80: a wrapped line could not be erased
   static constexpr std::size_t bar_columns = 25;
 
   bool        m_quiet;
@@ -50,12 +50,12 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  ~Progress() { wipe(); }
+  ~Progress() { erase(); }
 
   // flushed, because the next step may take long
   void line(const std::string& text)
   {
-    wipe();
+    erase();
     if(!m_quiet)
       std::cout << text << std::endl;
   }
@@ -67,14 +67,14 @@ public:
     line(text + time);
   }
 
-  // What the user should look at, quiet or not
+  // Also with --quiet
   void warning(const std::string& text)
   {
-    wipe();
+    erase();
     print_warning("geodesic_offset", text);
   }
 
-  // A step whose length is not known
+  // A step of unknown length
   void show(const std::string& step, const std::string& detail = "")
   {
     if(is_time_for(step))
@@ -114,7 +114,7 @@ private:
     m_shown = size;
   }
 
-  void wipe()
+  void erase()
   {
     if(m_shown != 0)
       std::cerr << '\r' << std::string(m_shown, ' ') << '\r' << std::flush;

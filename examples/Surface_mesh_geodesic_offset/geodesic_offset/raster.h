@@ -151,16 +151,16 @@ public:
       }
   }
 
-  // The colour of a pixel: the mean of its samples. shade(thing, u, v) gives the colour of a thing; it is called once for
-  // each thing in the pixel, with the mean of the places that are seen of it.
+  // The colour of a pixel: the mean of its samples. shade(thing, u, v) gives the colour of a thing; it is called once per
+  // thing in the pixel, with the mean of u and v over the samples that show the thing.
   template <class Shade, class Markings>
   Color pixel(int column, int row, Color behind, const Shade& shade, const Markings& markings) const
   {
     struct Seen
     {
       const Sample* first;
-      float         number, u, v;  // sums
-      float         own;           // how much of the colour is that of the thing, in samples
+      float         number, u, v; // sums over the samples
+      float         own;          // the weight of the thing's colour, in samples
     };
     std::array<Seen, samples * samples> seen;
     std::size_t n = 0;

@@ -26,10 +26,10 @@ namespace geodesic_offset {
 
 using Surface_polyline = CGAL::Geodesic_polyline<Face_location>;
 
-// How far points were moved that were put on the surface
+// The distances by which points were moved to the surface
 class Moved_points
 {
-  static constexpr double most = 0.01; // of the bounding-box diagonal: farther away, a point was not meant to be on the surface
+  static constexpr double most = 0.01; // part of the bounding-box diagonal: more is no rounding of curves and no coarse mesh
 
   std::size_t m_number = 0;
   double      m_largest = 0;
@@ -47,14 +47,14 @@ public:
     m_farthest = name();
   }
 
-  // Empty if there is nothing to say
+  // Empty if there are no such points
   std::string remark() const
   {
     return m_number == 0 ? std::string()
                          : counted(m_number, "point") + " put on the surface, moved by " + short_number(m_largest) + " at most";
   }
 
-  // Empty if there is nothing to warn of
+  // Empty if all points were near the surface
   std::string warning(double diagonal) const
   {
     if(!(m_largest > most * diagonal))
@@ -62,7 +62,7 @@ public:
     const double part = m_largest / diagonal;
     const std::string compared = part < 1 ? short_number(std::round(1000 * part) / 10) + " % of" : short_number(part) + " times";
     return m_farthest + " is " + short_number(m_largest) + " away from the surface, " + compared +
-           " the diagonal of its bounding box; has it the unit of the mesh?";
+           " the diagonal of its bounding box; does it have the unit of the mesh?";
   }
 };
 

@@ -25,8 +25,8 @@ struct Run_figures
   std::size_t faces = 0;
   double      load_seconds = 0;
   double      setup_seconds = 0;
-  double      largest_distance = 0;        // of the surface, as far as it was computed
-  double      covered_distance = infinity; // up to which it was computed
+  double      largest_distance = 0;        // of the surface, up to the covered distance
+  double      covered_distance = infinity; // all distances up to it are known
 };
 
 // What there is at one distance

@@ -24,7 +24,7 @@ constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL:
 
 namespace internal {
 
-// More than a machine has; TBB sets eight bytes and more aside for each, used or not.
+// More threads than machines have. TBB reserves memory for each thread that is asked for.
 constexpr std::size_t most_threads = 1024;
 
 inline std::optional<std::size_t> number_of_threads(const po::variables_map& map)

@@ -13,7 +13,7 @@
 
 namespace geodesic_offset {
 
-// GEODESIC_OFFSET_VERSION is that of the CMake project. `more`: what else the program was built with
+// GEODESIC_OFFSET_VERSION: the version of the CMake project. `more`: other parts that the program was built with
 inline void print_version(std::ostream& out, const std::string& program, const std::string& more = "")
 {
   out << program << ' ' << GEODESIC_OFFSET_VERSION << " (CGAL " << CGAL_VERSION_STR << more << ")\n";
