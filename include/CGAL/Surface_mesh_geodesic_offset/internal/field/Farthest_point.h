@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -58,23 +59,6 @@ public:
 
   // Values up to this cannot be told from the largest distance so far. `size`: longest edge of the face.
   FT threshold(const FT& size) const { return m_best + allowance(size); }
-
-  // What the distances of the corners alone say of a face with these edges; infinity if they are all infinite.
-  FT bound(const std::array<FT, 3>& distances, const std::array<FT, 3>& lengths)
-  {
-    m_rows.clear();
-    for (int k = 0; k < 3; ++k)
-    {
-      if (!Number_policy<FT>::is_finite(distances[k])) continue;
-      Row row;
-      row[k] = distances[k];
-      row[(k + 1) % 3] = distances[k] + lengths[k];
-      row[(k + 2) % 3] = distances[k] + lengths[(k + 2) % 3];
-      m_rows.push_back(row);
-    }
-    m_max_min(m_rows, threshold(Max_min<FT>::largest(lengths)));
-    return m_max_min.bound();
-  }
 
   // The face to come. Returns an upper bound of its distances; `farther` as in search().
   FT start(const std::array<Point, 3>& corners, const std::vector<Window>& windows, const FT& size, bool& farther)
@@ -259,7 +243,8 @@ public:
   typedef std::array<FT, 3> Weights;
 
   Farthest_point(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_initial(initial), m_field(field)
+    : m_mesh(mesh), m_initial(initial), m_field(field),
+      m_largest_number_of_waiting(largest_number_of_waiting(mesh.number_of_faces()))
   {
   }
 
@@ -280,7 +265,8 @@ public:
       if (is_reached(f)) add_corners(f);
     std::vector<std::pair<NT, Index>> farther;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (const NT bound = corner_bound(f); is_farther(bound)) farther.emplace_back(bound, f);
+      if (m_mesh.source(3 * f) != no_index)
+        if (const NT bound = corner_bound(f); is_farther(bound)) farther.emplace_back(bound, f);
     std::sort(farther.begin(), farther.end(), std::greater<std::pair<NT, Index>>());
     for (const auto& [bound, f] : farther)
       if (is_farther(bound)) wait(f, bound);
@@ -301,9 +287,10 @@ private:
   // The search is for a place: with an exact number type, floating point numbers find it.
   typedef typename std::conditional<Number_policy<FT>::is_inexact, FT, double>::type NT;
 
-  // Faces that wait to be searched. Usually there are some ten, from the last two buckets; 64 faces have some 100 KB of
-  // windows.
-  static constexpr std::size_t largest_number_of_waiting = 64;
+  // Faces that wait until they are searched whatever their bounds. The front crosses some few times the square root of the
+  // number of faces. On regular meshes most of the faces that it finishes in a bucket have the same bound, and wait for two
+  // buckets, each a quarter of an edge wide; on others some ten faces wait.
+  static std::size_t largest_number_of_waiting(std::size_t faces) { return 64 + std::size_t(4 * std::sqrt(double(faces))); }
 
   struct Waiting_face
   {
@@ -348,20 +335,17 @@ private:
     }
   }
 
-  // No point of the face is farther. Infinite if no corner has a distance: then no point has one.
-  NT corner_bound(Index f)
+  // No point of the face is farther: a corner's distance and the way from there. Infinite if no corner has a distance.
+  NT corner_bound(Index f) const
   {
-    if (m_mesh.source(3 * f) == no_index) return NT(0);
-    std::array<NT, 3> distances, lengths;
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Index v = m_mesh.source(3 * f + k);
-      distances[k] = is_finite(v) ? approximate(m_field.distance[v]) : Number_policy<NT>::infinity();
-      lengths[k] = approximate(m_mesh[3 * f + k].length);
-    }
     NT bound = Number_policy<NT>::infinity();
-    for (int k = 0; k < 3; ++k) bound = (std::min)(bound, distances[k] + (std::max)(lengths[k], lengths[(k + 2) % 3]));
-    return is_farther(bound) ? m_search.bound(distances, lengths) : bound; // which takes longer
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (!is_finite(m_mesh.source(h))) continue;
+      const NT way = (std::max)(approximate(m_mesh[h].length), approximate(m_mesh[m_mesh.previous(h)].length));
+      bound = (std::min)(bound, NT(approximate(m_field.distance[m_mesh.source(h)]) + way));
+    }
+    return bound;
   }
 
   // Whether there may be points that are farther than all that were found so far, and within the maximum.
@@ -372,7 +356,7 @@ private:
 
   void wait(Index f, const NT& bound)
   {
-    if (m_number_of_waiting == largest_number_of_waiting) search();
+    if (m_number_of_waiting == m_largest_number_of_waiting) search();
     if (m_number_of_waiting == m_waiting.size())
       m_waiting.push_back({std::make_unique<Face_field<FT>>(m_mesh, m_initial, m_field), bound});
     Waiting_face& w = m_waiting[m_number_of_waiting++];
@@ -462,6 +446,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
+  const std::size_t m_largest_number_of_waiting;
   std::vector<Waiting_face> m_waiting; // their memory is used again
   std::size_t m_number_of_waiting = 0;
   Farthest_in_face<NT> m_search{NT(0)};
