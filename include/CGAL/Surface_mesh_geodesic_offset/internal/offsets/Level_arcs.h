@@ -42,13 +42,15 @@ public:
     m_field = &field;
     m_margin = Offset_tolerances<FT>(field.size() + highest_level).smallest_cell;
     m_cones.clear();
+    m_fans.clear();
+    m_fan_cones.clear();
     for (std::size_t i = 0; i < field.windows().size(); ++i)
     {
       const Face_window<FT>& w = field.windows()[i];
       if (w.is_empty()) continue;
       const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + field.size() + m_margin;
       if (field.lowest(i) < highest_level && bound >= lowest_level)
-        m_cones.push_back({i, {w, field.frame(), m_margin}});
+        m_cones.push_back({&w, field.lowest(i), {w, field.frame(), m_margin}});
     }
   }
 
@@ -56,18 +58,32 @@ public:
   {
     m_level = level;
     m_tolerances = Offset_tolerances<FT>(m_field->size() + level);
+    m_has_fans = false;
     m_arcs.clear();
     m_boxes.clear();
-    for (const Cone& c : m_cones)
-    {
-      if (!(m_field->lowest(c.window) < level && c.cone.highest() >= level)) continue;
-      const Arc arc(m_field->windows()[c.window], c.cone, level);
-      const Box box = arc.box(m_margin);
-      if (box.is_empty()) continue;
-      m_arcs.push_back(arc);
-      m_boxes.push_back(box);
-    }
+    for (const Cone& c : m_cones) add_arc(c);
     m_boxes.build();
+  }
+
+  // Paths that bend at an end of a window close the gaps between neighbouring windows of an edge; in theory, there are none,
+  // but the front drops windows of the width of rounding. Rarely needed, so this is done on demand.
+  void add_fans()
+  {
+    if (m_fans.empty()) make_fans();
+    m_has_fans = true;
+    m_boxes.pop_tree(m_arcs.size());
+    for (const Cone& c : m_fan_cones) add_arc(c);
+    m_boxes.build();
+  }
+  bool has_fans() const { return m_has_fans; }
+
+  // Calls f(window) for all windows of the face, those of add_fans() among them.
+  template <class Function>
+  void for_each_window(const Function& f) const
+  {
+    for (const Face_window<FT>& w : m_field->windows()) f(w);
+    if (m_has_fans)
+      for (const Face_window<FT>& w : m_fans) f(w);
   }
 
   const Face_field<FT>& field() const { return *m_field; }
@@ -123,9 +139,45 @@ public:
 private:
   struct Cone
   {
-    std::size_t window;
+    const Face_window<FT>* window;
+    FT lowest; // distance
     Window_cone<FT> cone;
   };
+
+  void add_arc(const Cone& c)
+  {
+    if (!(c.lowest < m_level && c.cone.highest() >= m_level)) return;
+    const Arc arc(*c.window, c.cone, m_level);
+    const Box box = arc.box(m_margin);
+    if (box.is_empty()) return;
+    m_arcs.push_back(arc);
+    m_boxes.push_back(box);
+  }
+
+  // At each end of a window: all directions into the face.
+  void make_fans()
+  {
+    const std::vector<Face_window<FT>>& windows = m_field->windows();
+    m_fans.reserve(2 * windows.size());
+    for (const Face_window<FT>& w : windows)
+    {
+      if (w.origin >= STARTS_IN_FACE) continue;
+      const Point along = m_field->size() * m_field->frame().direction(w.origin);
+      for (const Point& end : {w.left, w.right})
+      {
+        Face_window<FT> fan = w;
+        fan.x = end.x;
+        fan.y = end.y;
+        fan.sigma = w.distance_at(end);
+        fan.left = end - along;
+        fan.right = end + along;
+        fan.bits = Window<FT>::make_bits(false, w.pseudo_source());
+        fan.origin = STARTS_AT_CORNER;
+        m_fans.push_back(fan);
+      }
+    }
+    for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
+  }
 
   // Is p covered by the window of b?
   bool covers(const Arc& b, const Point& p) const { return b.is_in_cone(p) && b.excess(p) < -m_tolerances.cover; }
@@ -176,6 +228,9 @@ private:
   FT m_level, m_margin;
   Offset_tolerances<FT> m_tolerances;
   std::vector<Cone> m_cones; // of the windows that have a level in the face
+  std::vector<Face_window<FT>> m_fans;
+  std::vector<Cone> m_fan_cones;
+  bool m_has_fans = false;
   std::vector<Arc> m_arcs;   // of the level
   Box_tree<FT> m_boxes;      // theirs
 };

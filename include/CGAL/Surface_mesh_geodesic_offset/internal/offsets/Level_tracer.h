@@ -114,6 +114,12 @@ private:
     if (walk(cell, search_loops)) return;
     m_chains.resize(chains);
     m_pieces.resize(pieces);
+    if (!m_arcs.has_fans())
+    {
+      m_arcs.add_fans();
+      trace(cell, search_loops, divisions);
+      return;
+    }
     if (cell.diameter() <= m_arcs.tolerances().smallest_cell || divisions == most_divisions)
     {
       cross_straight(cell);
@@ -122,11 +128,10 @@ private:
     const auto crossings = [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end,
                                   const auto& out) {
       m_near.start(length, m_arcs.level());
-      for (const Face_window<FT>& w : m_arcs.field().windows())
-      {
-        if (w.origin == STARTS_AT_CORNER) m_near.add_disk(w.image(), m_arcs.level() - w.sigma, o, u);
-        else m_near.add_window(w, o, u, false);
-      }
+      m_arcs.for_each_window([&](const Face_window<FT>& w) {
+        if (w.origin == STARTS_AT_CORNER) this->m_near.add_disk(w.image(), this->m_arcs.level() - w.sigma, o, u);
+        else this->m_near.add_window(w, o, u, false);
+      });
       m_near.for_each_end(near_at_o, near_at_end, out);
     };
     const std::pair<Cell, Cell> parts = cell.divided(crossings, [this] { return inner_gate | m_inner_gates++; });
