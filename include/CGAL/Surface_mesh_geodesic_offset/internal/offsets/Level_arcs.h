@@ -77,6 +77,8 @@ public:
   }
   bool has_fans() const { return m_has_fans; }
 
+  void use_tie(int i) { m_tolerances.use_tie(i); }
+
   // Calls f(window) for all windows of the face, those of add_fans() among them.
   template <class Function>
   void for_each_window(const Function& f) const

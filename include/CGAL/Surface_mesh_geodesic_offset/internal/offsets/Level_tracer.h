@@ -110,15 +110,11 @@ private:
   void trace(const Cell& cell, bool search_loops, int divisions)
   {
     if (cell.gates.empty() && !search_loops) return;
-    const std::size_t chains = m_chains.size(), pieces = m_pieces.size();
-    if (walk(cell, search_loops)) return;
-    m_chains.resize(chains);
-    m_pieces.resize(pieces);
+    if (walk_with_some_tie(cell, search_loops)) return;
     if (!m_arcs.has_fans())
     {
       m_arcs.add_fans();
-      trace(cell, search_loops, divisions);
-      return;
+      if (walk_with_some_tie(cell, search_loops)) return;
     }
     if (cell.diameter() <= m_arcs.tolerances().smallest_cell || divisions == most_divisions)
     {
@@ -166,6 +162,20 @@ private:
     else if (CGAL::is_positive(length(forward))) forward = (FT(1) / length(forward)) * forward;
     return {forward,           dot(forward, s.point), s.point, e.point, m_arcs.field().face(), w.root,
             w.pseudo_source(), true,                  3,       3};
+  }
+
+  bool walk_with_some_tie(const Cell& cell, bool search_loops)
+  {
+    const std::size_t chains = m_chains.size(), pieces = m_pieces.size();
+    for (int i = 0; i < Offset_tolerances<FT>::number_of_ties; ++i)
+    {
+      m_arcs.use_tie(i);
+      if (walk(cell, search_loops)) return true;
+      m_chains.resize(chains);
+      m_pieces.resize(pieces);
+      if (CGAL::is_zero(m_arcs.tolerances().tie)) break; // exact numbers
+    }
+    return false;
   }
 
   // Chains through all gates of a cell, and loops. False if they do not fit.

@@ -35,20 +35,25 @@ struct Offset_tolerances
   // A source may lie on an edge; the bounding rays of its windows are then within 2^8 u times the edge's length of it.
   static FT ray_slack(const FT& edge_length) { return unit(8) * edge_length; }
 
-  // Error of one distance that is evaluated in a face: 2^6 u times the magnitude.
+  // Error of one distance that is evaluated in a face: 2^5 u times the magnitude.
   FT error;
-  // A window covers the arc of another where it is nearer by more than this: four errors, since two distances are
-  // compared, each of two windows that were rounded apart.
+  // A window covers the arc of another where it is nearer by more than this: two errors, since two distances are compared.
   FT cover;
-  // Two windows tie, and a point lies on an arc, up to this: 2^4 covers. Above the jump of the distance from one window to
-  // the next one across a bounding ray that both share but compute apart.
+  // Two windows tie, and a point lies on an arc, up to this: two covers, so that an arc passes the point from which on it
+  // covers another one. Where a walk does not fit together, it is repeated
+  // with the next of `number_of_ties`, eight times larger each: windows of needle faces jump by more than error across the
+  // bounding ray that they share, while fronts that touch are as near to each other as the level shift.
   FT tie;
-  // Cells of this diameter are not divided: four ties. A level crosses such a cell straight from gate to gate.
+  // Cells of this diameter are not divided: two of the largest ties. A level crosses such a cell straight from gate to
+  // gate.
   FT smallest_cell;
+
+  static constexpr int number_of_ties = 3;
+  void use_tie(int i) { tie = FT(double(2 << 3 * i)) * cover; }
 
   Offset_tolerances() = default;
   explicit Offset_tolerances(const FT& magnitude)
-    : error(unit(6) * magnitude), cover(unit(8) * magnitude), tie(unit(12) * magnitude), smallest_cell(unit(14) * magnitude)
+    : error(unit(5) * magnitude), cover(unit(6) * magnitude), tie(unit(7) * magnitude), smallest_cell(unit(14) * magnitude)
   {
   }
 
