@@ -216,7 +216,9 @@ private:
     for (int k = 0; k <= n; ++k)
     {
       const Point& q = k < n ? end[k] : to;
-      if (covers(b, a.middle(p, q)))
+      // parts as short as a tie are rounding of the rays
+      const bool is_part = a.advance(p, q) > m_tolerances.tie || !Number_policy<FT>::is_inexact;
+      if (is_part && covers(b, a.middle(p, q)))
       {
         to = p;
         return true;

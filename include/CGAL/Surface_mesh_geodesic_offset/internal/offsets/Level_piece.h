@@ -34,6 +34,12 @@ struct Level_piece
   bool is_straight;
   unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
 
+  // Distance of a point from the circle or line.
+  FT off(const Point_in_face<FT>& p) const
+  {
+    return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
+  }
+
   // Twice the area of the triangle of the center and the ends of an arc, and the product that goes with it: the tangent of
   // the turn is the first one divided by the second one.
   FT turn_sine() const { return (std::max)(FT(0), FT(cross(start - center, end - center))); }

@@ -150,18 +150,28 @@ private:
     else ++m_forced;
   }
 
+  // A piece between two gates at the distance of rounding, on the arc that passes nearest to the first one.
   Piece straight_piece(const Gate& s, const Gate& e) const
   {
-    std::size_t nearest = 0;
+    std::size_t nearest = none;
+    FT least = Number_policy<FT>::infinity();
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    {
+      const FT off = (std::max)(CGAL::abs(m_arcs[i].excess(s.point)), m_arcs[i].outside_cone(s.point));
+      if (!(off < least)) continue;
+      least = off;
+      nearest = i;
+    }
+    if (nearest != none) return piece(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point);
     m_arcs.field().distance(s.point, nearest);
     const Face_window<FT>& w = m_arcs.field().windows()[nearest];
-    const Point v = e.point - s.point;
-    const FT l = length(v);
-    Point forward = w.is_parallel() ? FT(-1) * w.image() : w.ray_direction(s.point);
-    if (CGAL::is_positive(l)) forward = (FT(1) / l) * Point{v.y, -v.x}; // the smaller distances are on the left
-    else if (CGAL::is_positive(length(forward))) forward = (FT(1) / length(forward)) * forward;
-    return {forward,           dot(forward, s.point), s.point, e.point, m_arcs.field().face(), w.root,
-            w.pseudo_source(), true,                  3,       3};
+    return piece(w, FT(m_arcs.level() - w.sigma), s.point, e.point);
+  }
+
+  Piece piece(const Face_window<FT>& w, const FT& radius, const Point& start, const Point& end) const
+  {
+    return {w.is_parallel() ? FT(-1) * w.image() : w.image(), radius, start, end, m_arcs.field().face(), w.root,
+            w.pseudo_source(), w.is_parallel(), 3, 3};
   }
 
   bool walk_with_some_tie(const Cell& cell, bool search_loops)
@@ -217,10 +227,7 @@ private:
     m_followed.push_back({run.start, run.end, m_last_followed[run.arc]});
     m_last_followed[run.arc] = m_followed.size() - 1;
     if (m_pieces.size() > first) m_pieces.back().end = run.start;
-    const Arc& a = m_arcs[run.arc];
-    const Face_window<FT>& w = a.window();
-    m_pieces.push_back({w.is_parallel() ? a.forward() : w.image(), a.radius(), run.start, run.end, m_arcs.field().face(),
-                        w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
+    m_pieces.push_back(piece(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end));
   }
 
   // How far arc i can be followed in the cell from a point on it. `is_first`: the point is a gate.
@@ -288,14 +295,14 @@ private:
   }
 
   // Where a covered run goes over to arc i. The run ends where another arc is nearer by the cover; where both tie is
-  // before, and there the other arc is visible.
+  // before, and there the other arc is visible. A run that starts behind that is a point.
   Point joint(const Run& run, std::size_t i) const
   {
     const Arc& a = m_arcs[run.arc];
     Point enter, leave;
-    if (a.meet(m_arcs[i], FT(0), enter, leave) && a.is_between(run.start, enter, run.end) && m_arcs.passes(i, enter))
-      return enter;
-    return run.end;
+    if (!a.meet(m_arcs[i], FT(0), enter, leave) || !m_arcs.passes(i, enter)) return run.end;
+    if (a.is_between(run.start, enter, run.end)) return enter;
+    return !CGAL::is_negative(a.advance(enter, run.start)) && m_arcs.passes(i, run.start) ? run.start : run.end;
   }
 
   // Loops that touch no side of the cell lie round a source inside, or round a place where the distance is largest. In the
@@ -321,7 +328,10 @@ private:
   bool walk_loop(std::size_t i, const Point& start)
   {
     const FT& tie = m_arcs.tolerances().tie;
-    if (m_cell->depth(start) < tie || is_followed(i, start)) return true;
+    if (m_cell->depth(start) < tie) return true;
+    bool is_known = false;
+    m_arcs.for_each_through(start, none, [&](std::size_t j) { is_known = is_known || this->is_followed(j, start); });
+    if (is_known) return true;
     std::size_t nearest;
     if (m_arcs.field().distance(start, nearest) < m_arcs.level() - tie) return true;
     const std::size_t first = m_pieces.size(), first_followed = m_followed.size();
@@ -408,18 +418,21 @@ private:
 
   static bool is_inner(Index gate) { return gate != no_index && (gate & inner_gate) != 0; }
 
-  // Pieces without extent go; their ends stay, with the neighbours.
+  // Short pieces become part of a neighbour that passes both of their ends; pieces without extent in any case.
   void drop_points()
   {
+    const Offset_tolerances<FT>& t = m_arcs.tolerances();
     std::size_t n = 0;
     for (std::size_t i = 0; i < m_chain.size(); ++i)
     {
-      if (length(m_chain[i].end - m_chain[i].start) > m_arcs.tolerances().cover || (n == 0 && i + 1 == m_chain.size()))
-        m_chain[n++] = m_chain[i];
-      else if (n > 0)
+      const FT l = length(m_chain[i].end - m_chain[i].start);
+      const bool is_short = l <= t.shortest_piece, is_last = i + 1 == m_chain.size();
+      if (is_short && n > 0 && (l <= t.cover || m_chain[n - 1].off(m_chain[i].end) <= t.tie))
         m_chain[n - 1].end = m_chain[i].end;
-      else
+      else if (is_short && n == 0 && !is_last && (l <= t.cover || m_chain[i + 1].off(m_chain[i].start) <= t.tie))
         m_chain[i + 1].start = m_chain[i].start;
+      else
+        m_chain[n++] = m_chain[i];
     }
     m_chain.resize(n);
   }

@@ -44,6 +44,8 @@ struct Offset_tolerances
   // with the next of `number_of_ties`, eight times larger each: windows of needle faces jump by more than error across the
   // bounding ray that they share, while fronts that touch are as near to each other as the level shift.
   FT tie;
+  // Pieces up to this length become part of a neighbour that passes both of their ends: of the size of the smallest cells.
+  FT shortest_piece;
   // Cells of this diameter are not divided: two of the largest ties. A level crosses such a cell straight from gate to
   // gate.
   FT smallest_cell;
@@ -53,7 +55,8 @@ struct Offset_tolerances
 
   Offset_tolerances() = default;
   explicit Offset_tolerances(const FT& magnitude)
-    : error(unit(5) * magnitude), cover(unit(6) * magnitude), tie(unit(7) * magnitude), smallest_cell(unit(14) * magnitude)
+    : error(unit(5) * magnitude), cover(unit(6) * magnitude), tie(unit(7) * magnitude),
+      shortest_piece(unit(14) * magnitude), smallest_cell(unit(14) * magnitude)
   {
   }
 
