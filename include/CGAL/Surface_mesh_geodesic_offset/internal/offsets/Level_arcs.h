@@ -71,11 +71,13 @@ public:
   {
     if (m_fans.empty()) make_fans();
     m_has_fans = true;
+    m_first_fan = m_arcs.size();
     m_boxes.pop_tree(m_arcs.size());
     for (const Cone& c : m_fan_cones) add_arc(c);
     m_boxes.build();
   }
   bool has_fans() const { return m_has_fans; }
+  bool is_fan(std::size_t i) const { return m_has_fans && i >= m_first_fan; }
 
   void use_tie(int i) { m_tolerances.use_tie(i); }
 
@@ -235,6 +237,7 @@ private:
   std::vector<Face_window<FT>> m_fans;
   std::vector<Cone> m_fan_cones;
   bool m_has_fans = false;
+  std::size_t m_first_fan = 0; // arc
   std::vector<Arc> m_arcs;   // of the level
   Box_tree<FT> m_boxes;      // theirs
 };

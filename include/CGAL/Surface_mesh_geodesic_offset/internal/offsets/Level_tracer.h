@@ -273,23 +273,23 @@ private:
   }
 
   // The next run of a chain, from the end of the last one, or from the gate where the chain starts: of all arcs that pass
-  // there, the one that can be followed farthest; one that turns back only if there is no other. Where both sides of a
-  // strip are as near to each other as rounding, each of them passes all points of the other one.
+  // there, the one that can be followed farthest. A fan counts only where there is no other, since it ties with the windows
+  // beside its gap; and an arc that turns back only if nothing goes ahead: where both sides of a strip are as near to each
+  // other as rounding, each of them passes all points of the other one.
   Run best_run(const Run& last, const Point& p) const
   {
     Run best;
-    bool best_turns_back = false;
+    int best_rank = 0;
     const Point heading = last.is_valid() ? m_arcs[last.arc].tangent(p) : Point{FT(0), FT(0)};
     m_arcs.for_each_through(p, last.arc, [&](std::size_t i) {
       const Point start = last.is_covered ? joint(last, i) : p;
       const bool turns_back = last.is_valid() && CGAL::is_negative(dot(m_arcs[i].tangent(p), heading));
+      const int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
+      if (best.is_valid() && rank > best_rank) return;
       const Run run = run_of(i, start, !last.is_valid());
-      if (!run.is_valid()) return;
-      if (!best.is_valid() || (turns_back == best_turns_back ? run.length > best.length : best_turns_back))
-      {
-        best = run;
-        best_turns_back = turns_back;
-      }
+      if (!run.is_valid() || (best.is_valid() && rank == best_rank && !(run.length > best.length))) return;
+      best = run;
+      best_rank = rank;
     });
     return best;
   }
