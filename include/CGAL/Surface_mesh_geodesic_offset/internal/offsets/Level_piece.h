@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
-#include <vector>
+#include <algorithm>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -45,17 +45,6 @@ struct Level_piece
   FT turn_sine() const { return (std::max)(FT(0), FT(cross(start - center, end - center))); }
   FT turn_cosine() const { return dot(start - center, end - center); }
 };
-
-// A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent: up to some
-// 1e-8 of the level or of the edges of the mesh, since the cut below the level is that much wider where the distance is
-// flat. `scale`: the level and the mean edge length, together.
-template <class FT>
-bool is_point(const std::vector<Level_piece<FT>>& pieces, const FT& scale)
-{
-  FT sum(0);
-  for (const Level_piece<FT>& p : pieces) sum += length(p.end - p.start);
-  return sum <= Number_policy<FT>::rounding(1 << 26) * scale;
-}
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -55,9 +55,10 @@ public:
     m_chains.clear();
     m_pieces.clear();
     m_inner_gates = 0;
+    m_divisions = 0;
     m_face = face;
     for (std::size_t i = 0; i < m_face.gates.size(); ++i) m_face.gates[i].id = Index(i);
-    trace(m_face, search_loops, 0);
+    trace(m_face, search_loops);
     const auto give_out = [&](Index start, Index end) {
       drop_points();
       if (start != no_index)
@@ -89,7 +90,6 @@ private:
 
   static constexpr std::size_t none = std::size_t(-1);
   static constexpr Index inner_gate = Index(1) << 31; // flag of the number of a gate between cells
-  static constexpr int most_divisions = 160; // two divisions halve a cell: to 2^-80 of the face
 
   // A part of an arc. It ends where the arc is covered, at the end of the window's cone, or at a gate.
   struct Run
@@ -107,7 +107,7 @@ private:
     std::size_t first, last; // pieces
   };
 
-  void trace(const Cell& cell, bool search_loops, int divisions)
+  void trace(const Cell& cell, bool search_loops)
   {
     if (cell.gates.empty() && !search_loops) return;
     if (walk_with_some_tie(cell, search_loops)) return;
@@ -116,7 +116,7 @@ private:
       m_arcs.add_fans();
       if (walk_with_some_tie(cell, search_loops)) return;
     }
-    if (cell.diameter() <= m_arcs.tolerances().smallest_cell || divisions == most_divisions)
+    if (cell.diameter() <= m_arcs.tolerances().smallest_cell || m_divisions == Offset_tolerances<FT>::most_divisions)
     {
       cross_straight(cell);
       return;
@@ -131,8 +131,9 @@ private:
       m_near.for_each_end(near_at_o, near_at_end, out);
     };
     const std::pair<Cell, Cell> parts = cell.divided(crossings, [this] { return inner_gate | m_inner_gates++; });
-    trace(parts.first, search_loops, divisions + 1);
-    trace(parts.second, search_loops, divisions + 1);
+    ++m_divisions;
+    trace(parts.first, search_loops);
+    trace(parts.second, search_loops);
   }
 
   // The far intervals of the boundary are cut off one by one: every start is joined with the end that follows it.
@@ -448,6 +449,7 @@ private:
   std::vector<Piece> m_pieces; // of the chains
   std::vector<Piece> m_chain;  // being given out
   Index m_inner_gates = 0;
+  int m_divisions = 0; // of the face
   std::size_t m_forced = 0, m_crossed = 0;
 };
 

@@ -35,6 +35,15 @@ struct Offset_tolerances
   // A source may lie on an edge; the bounding rays of its windows are then within 2^8 u times the edge's length of it.
   static FT ray_slack(const FT& edge_length) { return unit(8) * edge_length; }
 
+  // A closed curve up to this length may be a loop about a largest distance that is the level up to rounding (Shallow_loop):
+  // 2^26 u times the level and the mean edge, the square root of u. Where distances fall off from their largest one as
+  // slowly as that, the length of the loop is the level shift divided by the slope.
+  static FT longest_shallow_loop(const FT& magnitude) { return unit(26) * magnitude; }
+
+  // A selection by sides divides curves into parts; rounding leaves parts up to this length: the smallest cell of a face
+  // as large as the mean edge.
+  static FT shortest_part(const FT& magnitude) { return unit(14) * magnitude; }
+
   // Error of one distance that is evaluated in a face: 2^5 u times the magnitude.
   FT error;
   // A window covers the arc of another where it is nearer by more than this: two errors, since two distances are compared.
@@ -49,6 +58,10 @@ struct Offset_tolerances
   // Cells of this diameter are not divided: two of the largest ties. A level crosses such a cell straight from gate to
   // gate.
   FT smallest_cell;
+
+  // Divisions of one face at one level, at most: gaps of windows wider than rounding, which there should not be, do not
+  // take more time than a face with some hundred pieces.
+  static constexpr int most_divisions = 1 << 10;
 
   static constexpr int number_of_ties = 3;
   void use_tie(int i) { tie = FT(double(2 << 3 * i)) * cover; }
