@@ -163,10 +163,17 @@ private:
       least = off;
       nearest = i;
     }
-    if (nearest != none) return piece(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point);
+    if (nearest != none && least <= m_arcs.tolerances().smallest_cell)
+      return piece(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point);
+    // none: a segment, with the smaller distances on the left
     m_arcs.field().distance(s.point, nearest);
-    const Face_window<FT>& w = m_arcs.field().windows()[nearest];
-    return piece(w, FT(m_arcs.level() - w.sigma), s.point, e.point);
+    Piece p = piece(m_arcs.field().windows()[nearest], FT(0), s.point, e.point);
+    const Point v = e.point - s.point;
+    const FT l = length(v);
+    p.is_straight = true;
+    p.center = CGAL::is_positive(l) ? (FT(1) / l) * Point{v.y, -v.x} : Point{FT(1), FT(0)};
+    p.radius = dot(p.center, s.point);
+    return p;
   }
 
   Piece piece(const Face_window<FT>& w, const FT& radius, const Point& start, const Point& end) const

@@ -89,7 +89,7 @@ public:
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
-  // far to near (`falling`) and from near to far. The ends of the segment are near exactly if the caller says so, whatever
+  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out. The ends of the segment are near exactly if the caller says so, whatever
   // the intervals are; so the number of calls is odd exactly if both ends differ.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
@@ -108,8 +108,11 @@ public:
     }
     for (std::size_t i = 0; i < n; ++i)
     {
-      if (!(i == 0 && source_is_near)) out((std::max)(m_intervals[i].first, FT(0)), true);
-      if (!(i + 1 == n && target_is_near)) out((std::min)(m_intervals[i].second, m_length), false);
+      const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
+      const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].second, m_length);
+      if (!at_source && !at_target && !(last - first > gap)) continue; // the level just touches the segment
+      if (!at_source) out(first, true);
+      if (!at_target) out(last, false);
     }
   }
 
