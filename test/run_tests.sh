@@ -18,7 +18,9 @@ build=$root/build
 packages=(g++ clang cmake make libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev
           libpng-dev zlib1g-dev libeigen3-dev libgmp-dev libmpfr-dev libtbb-dev
           # readers of the program's files, for the tests
-          python3 python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin)
+          python3 python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin
+          # for the test of the manual
+          doxygen)
 
 as_root()
 {

@@ -82,7 +82,7 @@ def write_ladder(out, rows, notes):
     plain = [row for row in rows if row["levels"] == "0"]
     out.add(
         markdown(
-            ["source", "vertices", "seconds", "bytes a vertex", "million windows", "windows a vertex", "ns a window"],
+            ["source", "vertices", "seconds", "bytes per vertex", "million windows", "windows per vertex", "ns per window"],
             [
                 [
                     row["source"],
@@ -114,11 +114,11 @@ def write_ladder(out, rows, notes):
             ],
         )
     )
-    out.add("Offsets at 1 and at 100 distances, whose curves are given up as they come:\n")
+    out.add("Offsets at 1 and at 100 distances, whose curves are discarded as they come:\n")
     cut = [row for row in rows if row["levels"] != "0"]
     out.add(
         markdown(
-            ["source", "levels", "vertices", "seconds", "propagation s", "offsets s", "pieces", "us a piece", "curves"],
+            ["source", "levels", "vertices", "seconds", "propagation s", "offsets s", "pieces", "us per piece", "curves"],
             [
                 [row["source"], row["levels"], row["vertices"]]
                 + [short(value(row, k)) for k in ("seconds", "propagation_seconds", "offset_seconds")]
@@ -146,8 +146,8 @@ def write_ladder(out, rows, notes):
     n = "vertices n"
     out.plot("time", "Time of a build, and its growth", n, "seconds", series("seconds", "0", "seconds"))
     out.plot("windows", "Windows, and their growth", n, "windows propagated", series("windows", "0", "windows"))
-    out.plot("time_of_window", "Time a window", n, "nanoseconds", series("ns_a_window", "0"))
-    out.plot("memory", "Peak memory a vertex, beyond the mesh", n, "bytes", series("peak_bytes_a_vertex", "0"))
+    out.plot("time_of_window", "Time per window", n, "nanoseconds", series("ns_a_window", "0"))
+    out.plot("memory", "Peak memory per vertex, beyond the mesh", n, "bytes", series("peak_bytes_a_vertex", "0"))
     offsets = [
         (f"{levels} level{'s' if levels != '1' else ''}, {label}", points)
         for levels in in_order(cut, "levels")
@@ -193,7 +193,7 @@ def write_peers(out, rows):
         ]
         out.plot(
             f"error_{name}",
-            f"Mean error and time from {title}: a mark a mesh, ours at 1e-16",
+            f"Mean error and time from {title}: one mark per mesh, ours at 1e-16",
             "seconds",
             "mean relative error",
             series,
@@ -209,7 +209,7 @@ def write_hard_meshes(out, rows):
         "certified bounds by more than 1e-12 of themselves; the excess is the largest such difference, relative to the "
         "distance and to the diagonal of the bounding box.\n"
     )
-    header = ["mesh", "source", "vertices", "seconds", "windows", "a vertex", "seconds of bounds", "unreachable"]
+    header = ["mesh", "source", "vertices", "seconds", "windows", "per vertex", "seconds of bounds", "unreachable"]
     keys = ["mesh", "source", "vertices", "seconds", "windows", "windows_a_vertex", "bounds_seconds", "unreachable"]
     header += ["width", "outside", "excess", "of the size"]
     keys += ["width", "outside", "excess", "excess_of_size"]
@@ -230,7 +230,7 @@ def main(arguments):
     tables = arguments[0]
     directory = arguments[1] if len(arguments) > 1 else tables
     out = Output(directory, arguments[2] if len(arguments) > 2 else directory)
-    out.add("# Benchmarks\n")
+    out.add("# Benchmarks {#geodesic_offset_benchmarks}\n")
     out.add("Written by `benchmark/Surface_mesh_geodesic_offset/run_benchmarks.sh`. Times depend on the machine.\n")
     ladder, notes = read_table(os.path.join(tables, "size_ladder.tsv"))
     if ladder:

@@ -30,19 +30,31 @@ namespace CGAL {
 \brief computes exact geodesic distances and exact geodesic offset curves on a triangle mesh, from any number of points,
 polylines and edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
-The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
-Sources are added, then `build()` propagates the distances, then the const member functions answer. With floating point
-numbers they may be called from several threads at once. Points that no path reaches are at `infinity()`.
+The distance of a point of the surface is the length of the shortest path on the surface from the point to the nearest
+source. The use has three steps: add the sources, call `build()`, which propagates the distances, and call the const member
+functions. With floating point numbers the const member functions may be called from several threads at once. Points that no
+path reaches are at `infinity()`.
 
-Adding or removing sources leaves the result of the last `build()` as it is until `build()` is called again.
+Adding or removing sources does not change the result of the last build; only `build()`, `update()` and
+`build_with_offset_curves()` replace it.
 
-The mesh is not copied and not modified; it must outlive the object and must not change meanwhile. Lengths and distances
-are in the units of the mesh's points. Offset curves need numbers with the precision of `double`, at least; distances can be
-had of `float`, too.
+The mesh is neither copied nor modified; it must outlive the object and must not change meanwhile. Lengths and distances
+are in the units of the mesh's points. Offset curves need a number type with at least the precision of `double`; distances
+are also available with `float`.
 
-Functions that propagate take a concurrency tag, as those of `Surface_mesh_geodesic_distance` do.
+Functions that propagate, and the constructors, take a concurrency tag, see \ref Surface_mesh_geodesic_distance_threads
+"Several Threads".
 
-The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`.
+\tparam Traits a model of `SurfaceMeshGeodesicOffsetTraits`
+\tparam VertexIndexMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and an unsigned integer type as
+        value: indices from 0. %Default: the internal map of the mesh, or a map that the constructor makes.
+\tparam FaceIndexMap a model of `ReadablePropertyMap` with `face_descriptor` as key and an unsigned integer type as value:
+        indices from 0. %Default: the internal map of the mesh, or a map that the constructor makes.
+\tparam VertexPointMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a 3D point as value.
+        %Default: the `vertex_point` map of the mesh.
+
+\sa `Surface_mesh_geodesic_distance`, the base class with the functions for distances and paths
+\sa `Surface_mesh_geodesic_sources`, the base class with the functions for sources and locations
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_offset
@@ -70,33 +82,59 @@ class Surface_mesh_geodesic_offset
 public:
   /// \name Types
   /// @{
-  typedef typename Base::FT FT;
 
+#ifdef DOXYGEN_RUNNING
   /// an offset curve
+  typedef Geodesic_offset_curve<unspecified_type> Offset_curve;
+#else
+  typedef typename Base::FT FT;
   typedef Geodesic_offset_curve<Surface> Offset_curve;
+#endif
   /// @}
 
+#ifdef DOXYGEN_RUNNING
+  /// \name Construction
+  /// @{
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  explicit Surface_mesh_geodesic_offset(const Triangle_mesh& tm, const Traits& traits = Traits(),
+                                        const ConcurrencyTag& tag = ConcurrencyTag());
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_offset(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                               const ConcurrencyTag& tag = ConcurrencyTag());
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_offset(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
+                               Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                               const ConcurrencyTag& tag = ConcurrencyTag());
+  /// @}
+#else
   using Base::Base;
+#endif
 
   /// \name Offset Curves
   /// @{
 
-  /// does what `build()` does and at once cuts the offset curves at the given levels, in one propagation. A selection by
-  /// inside and outside takes one more for each closed polyline: over the whole surface, on the calling thread, and with all
-  /// windows in memory.
+  /// builds the field as `build()` does and cuts the offset curves at the given levels in the same propagation.
   ///
-  /// Curves come by increasing distance, as soon as the front has passed them, so memory is that of the front and of the
-  /// curves it crosses. Without `distance_limit`, distances beyond the largest level are computed, too. Levels beyond
-  /// the distance limit give no curves.
+  /// Curves come by increasing distance, as soon as the front has passed them: memory is that of the front and of the
+  /// curves that the front crosses. Without `distance_limit`, distances beyond the largest level are computed, too. With a
+  /// limit that is equal to the largest level, the curves are the same up to rounding, and nothing beyond is computed. Levels
+  /// beyond the distance limit give no curves. A selection by inside or outside takes one more propagation per closed
+  /// polyline: over the whole surface, on the calling thread, and with all windows in memory.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`
   /// \param selection the side of polylines, and the form at their ends
   /// \param np optional named parameters, as those of `build()`
-  /// \throws std::invalid_argument if a distance is not a positive finite number, or the spacing of unlimited levels is less
-  ///         than the rounding of distances, or if a selection by inside and outside is asked for and there is an open
-  ///         polyline, or a closed one that does not divide the surface, or if there is a tolerance; and the exceptions of
-  ///         `build()`. Then the last build is still there.
+  /// \throws std::invalid_argument if a distance is not a positive finite number; if the spacing of unlimited levels is less
+  ///         than the rounding of distances; if the selection is inside or outside and a source is an open polyline, or a
+  ///         closed polyline that does not divide the surface; or if there is a tolerance; and the exceptions of `build()`.
+  ///         The last build is unchanged then.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
             class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out, const Offset_selection& selection,
@@ -106,18 +144,24 @@ public:
     return out;
   }
 
-  /// the same of everything.
+  /// Overload without a selection: all curves.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
-            class NamedParameters = parameters::Default_named_parameters, class = If_no_selection<NamedParameters>>
+            class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+            , class = If_no_selection<NamedParameters>
+#endif
+            >
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values())
   {
     return build_with_offset_curves<ConcurrencyTag>(levels, out, Offset_selection(), np);
   }
 
-  /// the same with a callback: `f(distance, curves)` is called once for each distance, in increasing order, with a
-  /// `const FT&` and a `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited,
-  /// it is called up to the largest one that has curves.
+  /// builds the field and passes the offset curves to a callback, distance by distance.
+  ///
+  /// `f(distance, curves)` is called once per distance, in increasing order, with a `const FT&` and a
+  /// `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited, the last call is
+  /// that of the largest level that has curves. All else is as in `build_with_offset_curves()`.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
             class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, Function&& f, const Offset_selection& selection,
@@ -131,17 +175,21 @@ public:
     m_built = fresh;
   }
 
-  /// the same of everything.
+  /// Overload without a selection: all curves.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
-            class NamedParameters = parameters::Default_named_parameters, class = If_no_selection<NamedParameters>>
+            class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+            , class = If_no_selection<NamedParameters>
+#endif
+            >
   void build_with_offset_curves_by_distance(const Levels& levels, Function&& f,
                                             const NamedParameters& np = parameters::default_values())
   {
     build_with_offset_curves_by_distance<ConcurrencyTag>(levels, f, Offset_selection(), np);
   }
 
-  /// the offset curves at one or several distances. From kept windows, if there are any; else distances are propagated
-  /// once more, up to the largest level and once for all levels.
+  /// cuts the offset curves at one or several distances of the last build. The curves are cut from the kept windows; if none
+  /// were kept, one more propagation up to the largest level cuts all of them.
   ///
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
@@ -161,7 +209,8 @@ public:
     return out;
   }
 
-  /// the same with a callback as that of `build_with_offset_curves_by_distance()`.
+  /// passes the offset curves of the last build to a callback as that of `build_with_offset_curves_by_distance()`.
+  /// All else is as in `offset_curves()`.
   template <class ConcurrencyTag = Sequential_tag, class Levels, class Function>
   void offset_curves_by_distance(const Levels& levels, Function&& f,
                                  const Offset_selection& selection = Offset_selection()) const

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The farthest point: closed forms in the plane and on polyhedra, and on generated and data meshes
-// no sample may be farther, and the distance must be taken at the point.
+// no sample may be farther, and the distance must be taken at the point. Each time from kept
+// windows, and as the front passes; that also with offsets, limits, targets, updates and tolerances.
 
 #include "closed_forms.h"
 #include "data_meshes.h"
@@ -24,12 +25,26 @@ Worst_error& error()
   return worst;
 }
 
-/// Builds, and checks what holds of every farthest point.
+std::size_t number_of_faces = 0, number_of_searched_faces = 0; // as the front passes, on larger meshes
+
+/// Builds in both ways, and checks what holds of every farthest point. Returns that from windows.
 Farthest farthest_point(Geodesic& geodesic, const test::Surface_mesh& mesh)
 {
+  geodesic.build(CGAL::parameters::compute_largest_distance(true));
+  const Farthest on_the_way = geodesic.farthest_point();
+  CHECK(on_the_way.second == geodesic.largest_distance());
+  CHECK(on_the_way.second >= geodesic.largest_vertex_distance());
+  if (mesh.number_of_faces() > 1000)
+  {
+    number_of_faces += mesh.number_of_faces();
+    number_of_searched_faces += geodesic.statistics().faces_searched;
+  }
   geodesic.build(CGAL::parameters::keep_windows(true));
+  CHECK(geodesic.statistics().faces_searched == 0);
   const Farthest result = geodesic.farthest_point();
   CHECK(result.second == geodesic.largest_distance());
+  CHECK_CLOSE(error(), on_the_way.second, result.second);
+  CHECK_CLOSE(error(), geodesic.distance_to_sources(on_the_way.first), result.second);
   for (const double w : result.first.second) CHECK(w >= -1e-13 && w <= 1 + 1e-13);
   CHECK_CLOSE(error(), geodesic.distance_to_sources(result.first), result.second);
   for (const auto v : vertices(mesh))
@@ -309,6 +324,140 @@ void data_meshes()
   std::cout << used << " meshes of the data directory used" << std::endl;
 }
 
+/// Plates whose border is the source: no vertex has a distance.
+void plates()
+{
+  const auto largest = [](const Soup& soup)
+  {
+    const Generated_mesh<test::Surface_mesh> plate(soup);
+    Geodesic geodesic(plate.mesh);
+    CHECK(!geodesic.add_source_boundary().empty());
+    const double result = farthest_point(geodesic, plate.mesh).second;
+    CHECK(geodesic.largest_vertex_distance() == 0);
+    return result;
+  };
+  Report::instance().set_context("plate");
+  const double width = 100, height = 60, a = 30, b = 20; // a and b: of the frame round the hole
+  const auto corner = [](double x, double y) { return Point_3(x, y, 0); };
+  Soup plate;
+  plate.points = {corner(0, 0), corner(width, 0), corner(width, height), corner(0, height)};
+  Soup with_hole = plate;
+  plate.add_triangle({{0, 1, 2}});
+  plate.add_triangle({{0, 2, 3}});
+  CHECK_CLOSE(error(), largest(plate), height / 2);
+  for (const Point_3& p :
+       {corner(a, b), corner(width - a, b), corner(width - a, height - b), corner(a, height - b)})
+    with_hole.points.push_back(p);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const std::size_t j = (i + 1) % 4;
+    with_hole.add_triangle({{i, j, i + 4}});
+    with_hole.add_triangle({{j, j + 4, i + 4}});
+  }
+  // as far from two sides of the plate as from a corner of the hole
+  const double t = a + b - std::sqrt(2 * a * b);
+  CHECK(t > a / 2 && t < b);
+  CHECK_CLOSE(error(), largest(with_hole), t);
+  CHECK_CLOSE(error(), largest(rotated(with_hole, 4)), t);
+}
+
+/// The largest distance as the front passes, in builds of all kinds.
+void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh,
+                         const Face_location& source, const Face_location& other)
+{
+  namespace parameters = CGAL::parameters;
+  const auto wanted = parameters::compute_largest_distance(true);
+  const auto context = [&](const char* what) { Report::instance().set_context(name + ", " + what); };
+  context("everywhere");
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(source);
+  const double full = farthest_point(geodesic, mesh).second;
+  const double at_vertices = geodesic.largest_vertex_distance();
+  const auto check = [&](double expected)
+  { CHECK_CLOSE(error(), geodesic.largest_distance(), expected); };
+
+  context("offsets");
+  std::vector<Geodesic::Offset_curve> curves, again;
+  const std::vector<double> levels = {0.3 * full, 0.9 * full};
+  geodesic.build_with_offset_curves(levels, std::back_inserter(curves));
+  CHECK_THROWS(geodesic.largest_distance(), std::logic_error);
+  geodesic.build_with_offset_curves(levels, std::back_inserter(again), wanted);
+  check(full);
+  CHECK(again.size() == curves.size() && !curves.empty());
+
+  for (const bool keep : {false, true})
+  {
+    context(keep ? "a limit, with windows" : "a limit");
+    for (const double limit : {0., 1e-6 * full, 0.2 * full, at_vertices, (at_vertices + full) / 2})
+      if (limit < full)
+      {
+        geodesic.build(wanted.distance_limit(limit).keep_windows(keep));
+        CHECK_DETAIL(geodesic.largest_distance() == limit,
+                     values(geodesic.largest_distance(), limit));
+        CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
+      }
+    geodesic.build(wanted.distance_limit(1.001 * full).keep_windows(keep));
+    check(full);
+    geodesic.build_with_offset_curves(levels, std::back_inserter(curves),
+                                      wanted.distance_limit(levels.back()).keep_windows(keep));
+    CHECK(geodesic.largest_distance() == levels.back());
+  }
+
+  context("a cancel");
+  geodesic.build(wanted.visitor([](double part) { return part < 0.4; }));
+  if (geodesic.is_cancelled()) CHECK(geodesic.largest_distance() == geodesic.covered_distance());
+  else CHECK(mesh.number_of_faces() < 20); // which are all passed at the end
+
+  context("targets");
+  const std::vector<Face_location> targets = {other};
+  geodesic.build(wanted.targets(targets));
+  const double covered = geodesic.covered_distance();
+  if (covered < at_vertices) CHECK(geodesic.largest_distance() == covered);
+  else check((std::min)(covered, full));
+
+  context("a tolerance");
+  geodesic.build(wanted.relative_tolerance(1e-3));
+  CHECK(geodesic.largest_distance() <= full * (1 + 1e-12));
+  CHECK(geodesic.largest_distance() >= full * (1 - 1e-12) - geodesic.statistics().error_bound);
+  CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
+
+  context("an update");
+  geodesic.add_source_point(other);
+  const double of_both = farthest_point(geodesic, mesh).second;
+  CHECK(of_both <= full);
+  for (const bool keep : {false, true})
+    for (const double limit : {infinity, 1.001 * of_both, 0.5 * of_both, 1e-6 * of_both})
+    {
+      Geodesic updated(mesh);
+      updated.add_source_point(source);
+      updated.build(wanted.distance_limit(limit).keep_windows(keep));
+      updated.add_source_point(other);
+      updated.update();
+      CHECK_CLOSE(error(), updated.largest_distance(), (std::min)(limit, of_both));
+    }
+}
+
+void builds_of_all_kinds()
+{
+  const std::pair<const char*, Soup> soups[] = {
+    {"jittered grid", jittered_grid(12, 9, 4)}, {"cube", cube_grid(5)},
+    {"icosphere", icosphere(3)},                {"torus", torus(24, 12)},
+    {"saddle", saddle_fan()},                   {"marching sphere", marching_sphere(8)}};
+  for (const auto& soup : soups)
+    for (unsigned seed = 1; seed <= 3; ++seed)
+    {
+      const Generated_mesh<test::Surface_mesh> data(rotated(soup.second, seed));
+      Random random(seed);
+      const auto point = [&](bool is_vertex)
+      {
+        const auto f = data.faces[uniform_index(random, data.faces.size())];
+        return Face_location(f, is_vertex ? std::array<double, 3>{{1, 0, 0}}
+                                          : random_barycentric(random));
+      };
+      builds_of_all_kinds(soup.first, data.mesh, point(seed == 1), point(seed == 2));
+    }
+}
+
 void unreached_parts()
 {
   Report::instance().set_context("unreached parts");
@@ -323,8 +472,14 @@ void unreached_parts()
     }());
   Geodesic geodesic(two.mesh);
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
-  geodesic.build(CGAL::parameters::keep_windows(true));
-  CHECK_THROWS(geodesic.farthest_point(), std::logic_error); // no source
+  CHECK_THROWS(geodesic.largest_vertex_distance(), std::logic_error);
+  for (const bool keep : {true, false})
+  {
+    geodesic.build(CGAL::parameters::keep_windows(keep).compute_largest_distance(!keep));
+    CHECK_THROWS(geodesic.farthest_point(), std::logic_error); // no source
+    CHECK_THROWS(geodesic.largest_distance(), std::logic_error);
+    CHECK_THROWS(geodesic.largest_vertex_distance(), std::logic_error);
+  }
 
   geodesic.add_source_point(two.vertices[0]);
   CHECK_CLOSE(error(), farthest_point(geodesic, two.mesh).second, std::sqrt(8.));
@@ -349,7 +504,11 @@ int main()
   polyhedra();
   generated_meshes();
   data_meshes();
+  plates();
+  builds_of_all_kinds();
   unreached_parts();
+  std::cout << number_of_searched_faces << " of " << number_of_faces << " faces searched as the front passed" << std::endl;
+  CHECK(number_of_searched_faces > 0 && number_of_searched_faces < number_of_faces / 20);
   std::cout << "worst relative error of the distance " << error().error() << std::endl;
   return Report::instance().finish("test_farthest_point");
 }

@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_ties.h>
 
@@ -26,6 +27,7 @@
 #include <limits>
 #include <map>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -282,6 +284,21 @@ void concept_archetype()
   std::vector<Geodesic_here::Offset_curve> curves;
   geodesic.offset_curves(std::vector<double>{0.3 * farthest.second}, std::back_inserter(curves));
   CHECK(!curves.empty());
+  std::ostringstream file;
+  CHECK(CGAL::IO::write_offset_curves(file, CGAL::IO::Offset_file_format::SVG, curves) &&
+        CGAL::IO::write_offset_curves(file, CGAL::IO::Offset_file_format::DXF, curves));
+  geodesic.build(CGAL::parameters::compute_largest_distance(true));
+  CHECK_CLOSE(worst, geodesic.largest_distance(), farthest.second);
+  CHECK_CLOSE(worst, geodesic.largest_vertex_distance(), expected.largest_vertex_distance());
+  const auto located = geodesic.locate_with_distance(Archetype::Point_3(p.x(), p.y(), p.z()));
+  CHECK(located.first == location && located.second < 1e-15);
+  const typename Geodesic_here::Ray_3 ray(Archetype::Point_3(0, 0, 9), Archetype::Point_3(p.x(), p.y(), p.z()));
+  CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(ray)), geodesic.distance_to_sources(location));
+  typename Archetype::Calls other_calls;
+  Geodesic_here borders(data.mesh, Archetype(other_calls));
+  CHECK(borders.add_source_boundary().size() == 1 && !borders.add_source_sharp_edges(1));
+  borders.add_source_points(data.vertices);
+  CHECK(borders.number_of_sources() == 1 + data.vertices.size());
   geodesic.add_source_point(data.vertices[7]);
   geodesic.update();
   CHECK(geodesic.distance_to_sources(data.vertices[7]) == 0);
@@ -319,6 +336,26 @@ void long_numbers()
     const CGAL::Gmpfr straight = CGAL::sqrt(CGAL::Gmpfr(x * x + y * y));
     CHECK(CGAL::abs(CGAL::Gmpfr(distances[i] - straight)) <= CGAL::Gmpfr(1e-55));
   }
+
+  // the largest distance, and points of the surface
+  typedef Geodesic_with<Long_kernel, test::Surface_mesh> Long_geodesic;
+  const Data torus_data(rotated(torus(7, 5), 1));
+  Geodesic short_numbers(torus_data.mesh);
+  Long_geodesic long_numbers(torus_data.mesh);
+  short_numbers.add_source_points(std::vector<Vertex_index>{torus_data.vertices[0]});
+  long_numbers.add_source_points(std::vector<Vertex_index>{torus_data.vertices[0]});
+  short_numbers.build(CGAL::parameters::compute_largest_distance(true));
+  long_numbers.build(CGAL::parameters::compute_largest_distance(true));
+  Worst_error largest(1e-13, 2);
+  CHECK_CLOSE(largest, CGAL::to_double(long_numbers.largest_distance()), short_numbers.largest_distance());
+  for (int i = 0; i < 20; ++i)
+  {
+    const double x = std::cos(double(i)), y = std::sin(double(i)), z = 0.1 * i;
+    const auto a = short_numbers.locate_with_distance(Point_3(x, y, z));
+    const auto b = long_numbers.locate_with_distance(Long_kernel::Point_3(x, y, z));
+    CHECK_CLOSE(largest, CGAL::to_double(b.second), a.second);
+  }
+  CHECK(long_numbers.add_source_sharp_edges(1) && long_numbers.add_source_boundary().empty());
 
   // with a tolerance, too
   const Data round(icosphere(2));
@@ -415,6 +452,19 @@ void short_numbers()
     const std::vector<double> expected = distances_from<Kernel>(data.mesh, data.vertices[0]);
     const std::vector<float> distances = distances_from<Short_kernel>(data.mesh, data.vertices[0]);
     Worst_error worst(1e-5, bounding_box_diagonal(data.mesh));
+    Geodesic geodesic(data.mesh);
+    Geodesic_with<Short_kernel, test::Surface_mesh> short_geodesic(data.mesh);
+    geodesic.add_source_point(data.vertices[0]);
+    short_geodesic.add_source_point(data.vertices[0]);
+    geodesic.build(CGAL::parameters::compute_largest_distance(true));
+    short_geodesic.build(CGAL::parameters::compute_largest_distance(true));
+    CHECK_CLOSE(worst, static_cast<double>(short_geodesic.largest_distance()), geodesic.largest_distance());
+    for (Vertex_index v : data.vertices) // floats are rounded, but not by as much as an edge is long
+    {
+      const Point_3& p = data.mesh.point(v);
+      const auto located = short_geodesic.locate_with_distance(Short_kernel::Point_3(float(p.x()), float(p.y()), float(p.z())));
+      CHECK(located.second < 1e-6);
+    }
     for (std::size_t i = 0; i < expected.size(); ++i)
       CHECK_CLOSE(worst, static_cast<double>(distances[i]), expected[i]);
   }

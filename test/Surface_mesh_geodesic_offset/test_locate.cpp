@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Points and rays are located on the surface: exactly at a vertex or on an edge where that is so up
-// to round-off, whatever face the tree returns, and within round-off elsewhere.
+// to round-off, whatever face the tree returns, and within round-off elsewhere. The tree and the
+// search through all faces give the same locations.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -10,8 +11,10 @@
 #include "locations.h"
 #include "test_check.h"
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedron_3.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <thread>
@@ -440,6 +443,142 @@ void isolated_vertex()
                      Point_3(2.5, 1.5 + 1e-9, 0));
 }
 
+// What the class locates with, by searches through all faces alone, or by the tree alone.
+template <class TriangleMesh>
+class Locators
+  : public CGAL::Surface_mesh_geodesic_sources<
+      CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>
+{
+  typedef CGAL::Surface_mesh_geodesic_sources<
+    CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>
+    Base;
+  typedef CGAL::Geodesic_offset::internal::Surface_locator<typename Base::Surface> Locator;
+
+public:
+  explicit Locators(const TriangleMesh& mesh) : Base(mesh), tree_(this->m_surface)
+  {
+    tree_.expect(1000000);
+  }
+
+  // The location by the tree, which must be that by a search.
+  template <class Query>
+  typename Base::Face_location operator()(const Query& q, double tolerance)
+  {
+    if (number_of_searches_++ % 50 == 0) search_ = std::make_unique<Locator>(this->m_surface);
+    const auto result = tree_.locate(q, tolerance);
+    CHECK(search_->locate(q, tolerance) == result);
+    return result;
+  }
+  double default_tolerance() const { return tree_.default_tolerance(); }
+
+private:
+  Locator tree_;
+  std::unique_ptr<Locator> search_; // a new one before it builds a tree
+  std::size_t number_of_searches_ = 0;
+};
+
+// Many faces are equally near to most of these points.
+template <class TriangleMesh>
+void check_search_and_tree(const TriangleMesh& mesh, unsigned seed)
+{
+  Locators<TriangleMesh> locate(mesh);
+  const Locations<TriangleMesh> locations(mesh);
+  Random random(seed);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const auto in_box = [&]
+  {
+    double c[3];
+    for (int i = 0; i < 3; ++i)
+      c[i] = uniform(random, 1.5 * (box.min)(i) - 0.5 * (box.max)(i),
+                     1.5 * (box.max)(i) - 0.5 * (box.min)(i));
+    return Point_3(c[0], c[1], c[2]);
+  };
+  const Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                       (box.zmin() + box.zmax()) / 2);
+  std::vector<Point_3> points = {center, CGAL::ORIGIN};
+  for (auto v : vertices(mesh)) points.push_back(get(CGAL::vertex_point, mesh, v));
+  for (auto e : edges(mesh))
+  {
+    const Point_3 a = get(CGAL::vertex_point, mesh, source(e, mesh)),
+                  b = get(CGAL::vertex_point, mesh, target(e, mesh));
+    const double t = uniform(random);
+    points.push_back(CGAL::midpoint(a, b));
+    points.push_back(CGAL::barycenter(a, t, b, 1 - t));
+  }
+  std::shuffle(points.begin(), points.end(), random);
+  points.resize((std::min)(points.size(), std::size_t(300)));
+  for (std::size_t i = 0, n = points.size(); i < n; ++i)
+  {
+    points.push_back(perturbed(points[i], random));
+    points.push_back(points[i] + 0.3 * (points[i] - center)); // above a vertex or an edge
+  }
+  for (int i = 0; i < 100; ++i) points.push_back(in_box());
+  for (const Point_3& p : points)
+  {
+    locate(p, locate.default_tolerance());
+    locate(p, 0);
+    locate(p, uniform(random) * CGAL::Polygon_mesh_processing::bbox(mesh).x_span());
+    locate(Ray_3(center, p + Vector_3(1e-3, 0, 0)), locate.default_tolerance());
+    locate(Ray_3(in_box(), p), locate.default_tolerance());
+  }
+  number_of_queries += 5 * points.size();
+}
+
+void search_and_tree()
+{
+  const Soup once = icosphere(1);
+  Soup twice = once; // two sheets in the same place
+  const std::size_t n = once.points.size();
+  for (const auto& t : once.triangles) twice.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
+  twice.points.insert(twice.points.end(), once.points.begin(), once.points.end());
+  const std::pair<const char*, Soup> soups[] = {
+    {"genus 5", marching_genus_5(12)},
+    {"cube", moved(cube_grid(6), 1, Vector_3(-0.5, -0.5, -0.5))},
+    {"turned cube", rotated(cube_grid(6), 2)},
+    {"plane", planar_grid(12, 9, Diagonals::alternating)},
+    {"two spheres", twice},
+    {"needle fan", rotated(needle_fan(300), 3)},
+    {"needles 1e-11", rotated(needles(1e-11), 5)},
+    {"far away", moved(marching_genus_5(8), 1, Vector_3(1e6, -1e6, 1e6))},
+    {"large", moved(rotated(torus(30, 12), 1), 1e9, Vector_3(0, 0, 0))},
+    {"tiny", moved(rotated(torus(30, 12), 1), 1e-30, Vector_3(0, 0, 0))}};
+  for (const auto& soup : soups)
+  {
+    Report::instance().set_context(std::string(soup.first) + ", search and tree");
+    check_search_and_tree(Mesh_data(soup.second).mesh, 1);
+    check_search_and_tree(Generated_mesh<CGAL::Polyhedron_3<Kernel>>(soup.second).mesh, 2);
+  }
+}
+
+// Distances of points from the surface.
+void distances()
+{
+  Report::instance().set_context("distances");
+  const Mesh_data data(planar_grid(6, 5));
+  const Geodesic geodesic(data.mesh);
+  Random random(1);
+  std::vector<Point_3> polyline;
+  double largest = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const double height = uniform(random, -2, 2);
+    const Point_3 p(uniform(random, 0, 6), uniform(random, 0, 5), height);
+    const auto located = geodesic.locate_with_distance(p);
+    CHECK(located.first == geodesic.locate(p));
+    CHECK(std::abs(located.second - std::abs(height)) <= 1e-14);
+    polyline.push_back(p);
+    largest = (std::max)(largest, std::abs(height));
+  }
+  CHECK(geodesic.locate_with_distance(Point_3(9, 9, 12)).second == 13);
+  CHECK(geodesic.locate_with_distance(Point_3(3, 2, 0)).second == 0);
+  CHECK(geodesic.locate_with_distance(Point_3(3.25, 2, 0), 0.5).second == 0.25);
+  const auto joined = geodesic.locate_polyline_with_distance(polyline);
+  CHECK(joined.first.locations == geodesic.locate_polyline(polyline).locations);
+  CHECK(std::abs(joined.second - largest) <= 1e-14);
+  CHECK(geodesic.locate_polyline_with_distance(std::vector<Point_3>{Point_3(1, 2, 0)}).second == 0);
+  CHECK_THROWS(geodesic.locate_polyline_with_distance(std::vector<Point_3>()), std::invalid_argument);
+}
+
 // The first queries of several threads build the tree.
 void several_threads()
 {
@@ -525,6 +664,8 @@ int main()
   rays_at_a_plane();
   custom_point_map();
   isolated_vertex();
+  search_and_tree();
+  distances();
   several_threads();
   bad_input();
   std::cout << number_of_queries << " points located, the worst off by " << worst

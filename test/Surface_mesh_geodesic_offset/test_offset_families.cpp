@@ -10,7 +10,9 @@
 #include "offset_tools.h"
 #include "plane_section.h"
 
+#include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <utility>
@@ -121,6 +123,116 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   check_received("callback while built, windows kept", while_built_and_kept);
 }
 
+// A part of a curve in one face, on one circle or line: the source and the numbers of pieces are left out, as segments of a
+// source on one line tie everywhere and rounding decides which one is named.
+struct Stroke
+{
+  std::size_t face;
+  Point_2 start, end, center;
+  double radius; // 0: a segment
+
+  Stroke(const Offset_piece& p)
+    : face(p.face()), start(p.start_2()), end(p.end_2()), center(p.is_arc() ? p.center() : start),
+      radius(p.is_arc() ? p.radius() : 0)
+  {}
+
+  static double distance(const Point_2& p, const Point_2& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+  bool is_continued(const Stroke& next, double rounding) const
+  {
+    if (face != next.face || (radius == 0) != (next.radius == 0)) return false;
+    if (radius > 0) return distance(center, next.center) <= rounding && std::abs(radius - next.radius) <= rounding;
+    return distance(start, end) + distance(next.start, next.end) <= distance(start, next.end) + rounding;
+  }
+  bool is_near(const Stroke& s, double rounding) const
+  {
+    return face == s.face && distance(start, s.start) <= rounding && distance(end, s.end) <= rounding &&
+           std::abs(radius - s.radius) <= rounding && (radius == 0 || distance(center, s.center) <= rounding);
+  }
+};
+
+std::vector<Stroke> strokes(const Offset_curves& curves, double rounding)
+{
+  std::vector<Stroke> result;
+  for (const Offset_curve& curve : curves)
+  {
+    std::vector<Stroke> all;
+    for (const Offset_piece& p : curve.pieces())
+      if (p.length() > rounding) all.push_back(p);
+    std::size_t first = 0; // where one begins
+    if (curve.is_closed())
+      while (first < all.size() && all[(first + all.size() - 1) % all.size()].is_continued(all[first], rounding)) ++first;
+    if (first < all.size()) std::rotate(all.begin(), all.begin() + std::ptrdiff_t(first), all.end());
+    const std::size_t begin = result.size();
+    for (const Stroke& s : all)
+      if (result.size() > begin && result.back().is_continued(s, rounding)) result.back().end = s.end;
+      else result.push_back(s);
+  }
+  return result;
+}
+
+// Whether each stroke has its own partner.
+bool same_strokes(const std::vector<Stroke>& a, const std::vector<Stroke>& b, double rounding)
+{
+  std::multimap<std::size_t, Stroke> left; // of b, by face
+  for (const Stroke& s : b) left.emplace(s.face, s);
+  for (const Stroke& s : a)
+  {
+    auto [partner, end] = left.equal_range(s.face);
+    while (partner != end && !s.is_near(partner->second, rounding)) ++partner;
+    if (partner == end) return false;
+    left.erase(partner);
+  }
+  return left.empty();
+}
+
+std::size_t windows_with_limit = 0, windows_without_limit = 0; // for levels in the nearer half
+std::size_t number_of_limited_strokes = 0;
+
+// With a distance limit equal to the largest level, the curves are those of the build without it, piece by piece up to
+// rounding, also at levels through vertices and through the farthest point.
+void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
+                                  unsigned seed)
+{
+  Geodesic geodesic(mesh);
+  add_sources(geodesic);
+  geodesic.build(CGAL::parameters::compute_largest_distance(true));
+  const double farthest = geodesic.largest_distance();
+  std::vector<double> at_vertices;
+  for (auto v : vertices(mesh))
+    if (const double d = geodesic.distance_to_sources(v); d > 0 && std::isfinite(d)) at_vertices.push_back(d);
+  std::sort(at_vertices.begin(), at_vertices.end());
+  Random random(seed);
+  std::vector<double> levels = {farthest, at_vertices.front(), at_vertices.back()};
+  for (int i = 0; i < 3; ++i)
+  {
+    levels.push_back(uniform(random, 0.02, 1) * farthest);
+    levels.push_back(at_vertices[uniform_index(random, at_vertices.size())]);
+  }
+  for (const double level : levels)
+    for (const double factor : {1., 1 + 1e-15, 1 - 1e-15})
+    {
+      const double largest = factor * level;
+      const std::vector<double> both = {0.4 * largest, largest};
+      Offset_curves limited, unlimited;
+      geodesic.build_with_offset_curves(both, std::back_inserter(unlimited));
+      const std::size_t all = geodesic.statistics().windows_propagated;
+      geodesic.build_with_offset_curves(both, std::back_inserter(limited), CGAL::parameters::distance_limit(largest));
+      const std::size_t windows = geodesic.statistics().windows_propagated;
+      CHECK(windows <= all);
+      if (largest < 0.5 * farthest)
+      {
+        windows_with_limit += windows;
+        windows_without_limit += all;
+      }
+      const std::string at = "at " + std::to_string(level / farthest) + " of the largest distance";
+      const double scale = bounding_box_diagonal(mesh), rounding = 1e-11 * scale;
+      CHECK_DETAIL(same_curves(limited, unlimited, scale, worst_length), at);
+      CHECK_DETAIL(same_strokes(strokes(limited, rounding), strokes(unlimited, rounding), rounding), at);
+      number_of_limited_strokes += strokes(limited, rounding).size();
+    }
+}
+
 void all_ways(const std::string& name, const test::Surface_mesh& mesh,
               const std::function<void(Geodesic&)>& add_sources)
 {
@@ -130,6 +242,7 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh,
     Geodesic geodesic(mesh);
     add_sources(geodesic);
     geodesic.build();
+    limited_to_the_largest_level(mesh, add_sources, unsigned(mesh.number_of_faces()));
     const double largest = largest_distance(mesh, geodesic);
     const auto part = [&](double x) { return x * largest; };
     compare(mesh, add_sources, part(0.37), {part(0.37)}, 1);
@@ -382,6 +495,9 @@ int main()
   streaming();
   threads(data.mesh, section, false);
   threads(data.mesh, section, true);
+  std::cout << number_of_limited_strokes << " pieces with a limit at their level; " << windows_with_limit
+            << " windows for levels in the nearer half, " << windows_without_limit << " without the limit" << std::endl;
+  CHECK(windows_with_limit > 0 && windows_with_limit < windows_without_limit / 2);
   std::cout << number_of_curves << " curves in families; lengths differ by at most " << worst_length
             << " of the length and the diagonal" << std::endl;
   return Report::instance().finish("test_offset_families");

@@ -12,13 +12,19 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iterator>
 #include <list>
+#include <locale>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -169,6 +175,200 @@ void curves_that_are_not_in_a_plane()
   }
 }
 
+// A folder for files that is removed in the end.
+class Folder
+{
+public:
+  Folder() : m_path(std::filesystem::temp_directory_path() / ("test_offset_files_" + std::to_string(std::random_device()())))
+  {
+    std::filesystem::create_directory(m_path);
+  }
+  ~Folder() { std::filesystem::remove_all(m_path); }
+  std::string operator()(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+  std::filesystem::path m_path;
+};
+
+std::string contents(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+}
+
+void files()
+{
+  namespace parameters = CGAL::parameters;
+  const Folder folder;
+  const Soup soup = jittered_grid(8, 8, 3);
+  const Example<Surface_mesh> example(soup, soup.points[4 * 9 + 4], {1, 2.5});
+  const auto& curves = example.curves;
+  const std::pair<std::string, std::string> names[] = {
+    {"polylines", "a.polylines.txt"}, {"vtk", "a.VTK"}, {"obj", "a.b.obj"}, {"dxf", "a.Dxf"}, {"svg", "a.svg"}};
+  for (const auto& [writer_name, function] : writers(curves))
+    for (const auto& [name, file_name] : names)
+    {
+      if (name != writer_name) continue;
+      Report::instance().set_context(file_name);
+      std::ostringstream expected, os;
+      CHECK(function(expected));
+      const std::string file = folder(file_name);
+      CHECK(CGAL::IO::write_offset_curves(file, curves, parameters::chord_tolerance(0.01)));
+      CHECK(contents(file) == expected.str());
+      CHECK(CGAL::IO::write_offset_curves(os, CGAL::IO::offset_file_format(file), curves, parameters::chord_tolerance(0.01)));
+      CHECK(os.str() == expected.str());
+      CHECK(CGAL::IO::write_offset_curves(file, curves)); // the default tolerance is finer
+      if (name == "dxf" || name == "svg") CHECK(contents(file) == expected.str());
+      else CHECK(contents(file).size() > expected.str().size());
+
+      CHECK(!CGAL::IO::write_offset_curves(folder("there is no such folder/" + file_name), curves));
+      CHECK_THROWS(CGAL::IO::write_offset_curves(file, curves, parameters::chord_tolerance(0.)), std::invalid_argument);
+      CHECK_DETAIL(!contents(file).empty(), "has not been touched");
+      os.setstate(std::ios_base::badbit);
+      CHECK(!CGAL::IO::write_offset_curves(os, CGAL::IO::offset_file_format(file), curves));
+    }
+  Report::instance().set_context("the default tolerance");
+  double box = 0; // of circles with the radius 2.5
+  std::vector<Point_3> points;
+  CHECK(CGAL::IO::write_offset_curves(folder("a.polylines.txt"), curves));
+  std::ifstream in(folder("a.polylines.txt"));
+  for (std::size_t count; in >> count;)
+    for (double x, y, z; count > 0 && in >> x >> y >> z; --count) points.push_back(Point_3(x, y, z));
+  for (const Point_3& p : points) box = (std::max)(box, 2 * std::abs(p.y() - soup.points[4 * 9 + 4].y()));
+  CHECK(std::abs(box - 5) < 1e-2);
+  CHECK_DETAIL(points.size() > 200 && points.size() < 2000, std::to_string(points.size()));
+
+  Report::instance().set_context("names");
+  for (const char* name : {"a", "a.txt", "polylines.txt", ".svg", "a.svg.gz", "svg", ""})
+  {
+    CHECK_THROWS(CGAL::IO::offset_file_format(name), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_curves(name, curves), std::invalid_argument);
+  }
+  CHECK_THROWS(CGAL::IO::write_offset_curves(folder("a.txt"), curves), std::invalid_argument);
+  CHECK(!std::filesystem::exists(folder("a.txt")));
+
+  Report::instance().set_context("no curves");
+  for (const auto& name : names)
+    CHECK(CGAL::IO::write_offset_curves(folder(name.second), std::vector<Geodesic::Offset_curve>()));
+
+  Report::instance().set_context("not in a plane");
+  const Soup sphere = icosphere(2);
+  const Example<Surface_mesh> on_sphere(sphere, sphere.points[0], {0.5});
+  std::ofstream(folder("old.svg")) << "old";
+  CHECK_THROWS(CGAL::IO::write_offset_curves(folder("old.svg"), on_sphere.curves), std::invalid_argument);
+  CHECK(contents(folder("old.svg")) == "old");
+}
+
+void units()
+{
+  namespace IO = CGAL::IO;
+  const Soup soup = jittered_grid(8, 8, 3);
+  const Example<Surface_mesh> example(soup, soup.points[4 * 9 + 4], {1, 2.5});
+  const auto text_after = [](const std::string& text, const std::string& key, std::size_t length)
+  {
+    const std::size_t at = text.find(key);
+    return at == std::string::npos ? std::string() : text.substr(at + key.size(), length);
+  };
+  struct Unit
+  {
+    IO::Length_unit unit;
+    std::string number, name;
+    double factor;
+  };
+  for (const Unit& u : {Unit{IO::Length_unit::NONE, "0", "", 1}, Unit{IO::Length_unit::MILLIMETER, "4", "mm", 1},
+                        Unit{IO::Length_unit::CENTIMETER, "5", "cm", 1}, Unit{IO::Length_unit::METER, "6", "mm", 1000},
+                        Unit{IO::Length_unit::INCH, "1", "in", 1}})
+  {
+    Report::instance().set_context("unit " + u.number);
+    std::ostringstream dxf, svg, plain_dxf, plain_svg, by_name;
+    CHECK(IO::write_offset_DXF(dxf, example.curves, 0.01, u.unit));
+    CHECK(IO::write_offset_SVG(svg, example.curves, u.unit));
+    CHECK(text_after(dxf.str(), "$INSUNITS\n70\n", 2) == u.number + "\n");
+    CHECK(IO::write_offset_curves(by_name, IO::Offset_file_format::SVG, example.curves,
+                                  CGAL::parameters::chord_tolerance(1.).unit(u.unit)));
+    CHECK(by_name.str() == svg.str());
+    by_name.str("");
+    CHECK(IO::write_offset_curves(by_name, IO::Offset_file_format::DXF, example.curves, CGAL::parameters::unit(u.unit)));
+    CHECK(by_name.str() == dxf.str());
+    CHECK(IO::write_offset_DXF(plain_dxf, example.curves, 0.01) && IO::write_offset_SVG(plain_svg, example.curves));
+    CHECK((dxf.str() == plain_dxf.str()) == u.name.empty());
+    CHECK((svg.str() == plain_svg.str()) == u.name.empty());
+
+    std::istringstream box(text_after(svg.str(), "viewBox=\"", 200));
+    double x, y, width, height;
+    CHECK(box >> x >> y >> width >> height);
+    for (const auto& [attribute, size] : {std::make_pair(std::string(" width=\""), width), {" height=\"", height}})
+    {
+      std::istringstream length(text_after(svg.str(), attribute, 40));
+      double number = 0;
+      std::string name;
+      if (u.name.empty()) CHECK(svg.str().find(attribute) == std::string::npos);
+      else
+      {
+        length >> number >> name;
+        CHECK(std::abs(number - u.factor * size) <= 1e-14 * number && name.substr(0, 3) == u.name + '"');
+      }
+    }
+  }
+}
+
+// Each coordinate with seven digits.
+Soup rounded(Soup soup)
+{
+  for (Point_3& p : soup.points)
+  {
+    double c[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      std::ostringstream text;
+      text.precision(7);
+      text << p[i];
+      c[i] = std::stod(text.str());
+    }
+    p = Point_3(c[0], c[1], c[2]);
+  }
+  return soup;
+}
+
+void planar_meshes()
+{
+  Report::instance().set_context("planar meshes");
+  const auto can_write = [](const Soup& soup)
+  {
+    Surface_mesh mesh;
+    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+    const bool result = CGAL::IO::can_write_offset_SVG(mesh);
+    Geodesic geodesic(mesh);
+    geodesic.add_source_point(*vertices(mesh).begin());
+    geodesic.build();
+    std::vector<Geodesic::Offset_curve> curves;
+    const double largest = geodesic.largest_vertex_distance();
+    geodesic.offset_curves(std::vector<double>{0.3 * largest, 0.6 * largest}, std::back_inserter(curves));
+    std::ostringstream os;
+    if (result) CHECK(CGAL::IO::write_offset_SVG(os, curves));
+    else CHECK_THROWS(CGAL::IO::write_offset_SVG(os, curves), std::invalid_argument);
+    return result;
+  };
+  for (unsigned seed = 1; seed <= 4; ++seed)
+  {
+    CHECK(can_write(jittered_grid(8, 8, seed)));
+    CHECK(can_write(rotated(jittered_grid(8, 8, seed), seed)));
+    CHECK(can_write(rounded(rotated(jittered_grid(90, 90, seed), seed)))); // small faces, whose normals are rounded
+    CHECK(!can_write(rotated(cube_grid(3), seed)));
+  }
+  CHECK(!can_write(icosphere(2)));
+  CHECK(!can_write(saddle_fan()));
+
+  const Surface_mesh empty;
+  CHECK(CGAL::IO::can_write_offset_SVG(empty));
+  Surface_mesh cube;
+  const Soup soup = cube_grid(2);
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, cube);
+  auto flat = cube.add_property_map<Surface_mesh::Vertex_index, Point_3>("v:flat").first;
+  for (auto v : cube.vertices()) flat[v] = Point_3(cube.point(v).x(), cube.point(v).y(), 7);
+  CHECK(CGAL::IO::can_write_offset_SVG(cube, CGAL::parameters::vertex_point_map(flat)));
+}
+
 } // namespace
 
 int main()
@@ -176,5 +376,8 @@ int main()
   kinds_of_meshes_and_ranges();
   streams();
   curves_that_are_not_in_a_plane();
+  files();
+  units();
+  planar_meshes();
   return Report::instance().finish("test_offset_files");
 }

@@ -90,7 +90,7 @@ public:
 
   Curve put_together(const Parts& parts) const
   {
-    return Curve(context_, parts.distance, parts.closed, parts.pieces);
+    return Context::make_curve(context_, parts.distance, parts.closed, parts.pieces);
   }
 
 private:

@@ -76,12 +76,14 @@ public:
   {
     m_points = m_case.random_points(m_random, points);
     add(1);
-    m_geodesic.template build<Tag>();
+    m_geodesic.template build<Tag>(CGAL::parameters::compute_largest_distance(true));
+    m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     compare_with_envelopes();
     add(2); // polylines among them
     m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true));
     take_down(true);
+    m_out.distances.push_back(m_geodesic.largest_distance());
     const double largest = largest_vertex_distance(m_geodesic, m_case.mesh);
     const std::vector<double> levels = {0.07 * largest, 0.31 * largest, 0.66 * largest};
     take_curves([&](auto out) { m_geodesic.template offset_curves<Tag>(levels, out); });
@@ -89,12 +91,16 @@ public:
     m_geodesic.template update<Tag>();
     take_down(true);
     add(1);
-    m_geodesic.template build<Tag>(CGAL::parameters::distance_limit(0.37 * largest));
+    m_geodesic.template build<Tag>(CGAL::parameters::distance_limit(0.37 * largest).compute_largest_distance(true));
+    m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     m_geodesic.template update<Tag>();
+    m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     take_curves([&](auto out) { m_geodesic.template offset_curves<Tag>(0.2 * largest, out); });
-    take_curves([&](auto out) { m_geodesic.template build_with_offset_curves<Tag>(levels, out); });
+    const auto largest_too = CGAL::parameters::compute_largest_distance(true);
+    take_curves([&](auto out) { m_geodesic.template build_with_offset_curves<Tag>(levels, out, largest_too); });
+    m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     const auto equal = CGAL::Offset_levels<double>::equally_spaced(0.05 * largest, 12);
     take_curves(

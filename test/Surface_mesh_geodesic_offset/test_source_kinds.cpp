@@ -10,6 +10,12 @@
 #include "geodesic_types.h"
 #include "test_check.h"
 
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -511,6 +517,184 @@ void scales()
   }
 }
 
+// Several points at once: each is a source of its own.
+void sets_of_points()
+{
+  Report::instance().set_context("sets of points");
+  const Data data(rotated(random_rectangle(2, 1, 60, 5, 3), 3));
+  Random random(1);
+  const std::vector<Vertex_index> some = {data.vertices[3], data.vertices[7], data.vertices[3]};
+  std::vector<Face_location> locations;
+  for (int i = 0; i < 4; ++i)
+    locations.push_back(Face_location(data.faces[uniform_index(random, data.faces.size())], random_barycentric(random)));
+
+  Geodesic at_once(data.mesh), one_by_one(data.mesh);
+  CHECK((at_once.add_source_points(some) == std::vector<std::size_t>{0, 1, 2}));
+  CHECK(at_once.add_source_points(std::vector<Face_location>()).empty());
+  CHECK((at_once.add_source_points(locations) == std::vector<std::size_t>{3, 4, 5, 6}));
+  for (Vertex_index v : some) one_by_one.add_source_point(v);
+  for (const Face_location& l : locations) one_by_one.add_source_point(l);
+  CHECK(at_once.number_of_sources() == 7);
+  at_once.build();
+  one_by_one.build();
+  for (Vertex_index v : data.vertices)
+    CHECK(at_once.distance_to_sources(v) == one_by_one.distance_to_sources(v) &&
+          at_once.nearest_source(v)->source == one_by_one.nearest_source(v)->source);
+
+  // all or none
+  CHECK_THROWS(at_once.add_source_points(std::vector<Vertex_index>{some[0], Vertex_index(100000)}), std::invalid_argument);
+  locations.push_back(Face_location(data.faces[0], {{2, -0.5, -0.5}}));
+  CHECK_THROWS(at_once.add_source_points(locations), std::invalid_argument);
+  CHECK(at_once.number_of_sources() == 7);
+}
+
+// A square ring, and apart from it a square and a tetrahedron; with edges that have no face.
+void boundaries()
+{
+  Report::instance().set_context("boundaries");
+  test::Surface_mesh mesh;
+  const auto square = [&mesh](double x, double low, double high)
+  {
+    std::vector<Vertex_index> v;
+    for (const auto& p : {Point_2(low, low), Point_2(high, low), Point_2(high, high), Point_2(low, high)})
+      v.push_back(mesh.add_vertex(Point_3(x + p.x(), p.y(), 0)));
+    return v;
+  };
+  const std::vector<Vertex_index> outer = square(0, -4, 4), inner = square(0, -1, 1), apart = square(20, -1, 1);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const std::size_t j = (i + 1) % 4;
+    mesh.add_face(outer[i], outer[j], inner[i]);
+    mesh.add_face(outer[j], inner[j], inner[i]);
+  }
+  mesh.add_face(apart[0], apart[1], apart[2]);
+  mesh.add_face(apart[0], apart[2], apart[3]);
+  CGAL::make_tetrahedron(Point_3(40, 0, 0), Point_3(41, 0, 0), Point_3(40, 1, 0), Point_3(40, 0, 1), mesh);
+  const auto border_at = [&](Vertex_index v)
+  {
+    for (Halfedge_index h : CGAL::halfedges_around_target(v, mesh))
+      if (is_border(h, mesh)) return h;
+    return Halfedge_index();
+  };
+  const auto zeros = [&](const Geodesic& g)
+  {
+    std::vector<Vertex_index> result;
+    for (Vertex_index v : mesh.vertices())
+      if (g.distance_to_sources(v) == 0) result.push_back(v);
+    return result;
+  };
+  const auto check = [&]
+  {
+    Geodesic geodesic(mesh);
+    const std::vector<std::size_t> ids = geodesic.add_source_boundary();
+    CHECK((ids == std::vector<std::size_t>{0, 1, 2}) && geodesic.number_of_sources() == 3);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    CHECK(zeros(geodesic).size() == 12);
+    std::set<std::size_t> sources;
+    for (const auto& cycle : {outer, inner, apart})
+    {
+      const std::size_t source = geodesic.nearest_source(cycle[0])->source;
+      sources.insert(source);
+      for (Vertex_index v : cycle) CHECK(geodesic.nearest_source(v)->source == source);
+    }
+    CHECK(sources.size() == 3);
+    // as far from two sides of the ring as from a corner inside
+    CHECK(std::abs(geodesic.largest_distance() - (6 - std::sqrt(18.))) < 1e-14);
+
+    Geodesic one(mesh);
+    CHECK(one.add_source_boundary(border_at(inner[2])) == 0);
+    one.build();
+    CHECK((zeros(one) == inner));
+    CHECK(std::isinf(one.distance_to_sources(apart[0])));
+    CHECK_THROWS(one.add_source_boundary(opposite(border_at(inner[2]), mesh)), std::invalid_argument);
+    CHECK(one.number_of_sources() == 1);
+  };
+  check();
+
+  // an edge that hangs on the ring, and one for itself
+  const auto add_edge = [&mesh](Vertex_index a, Vertex_index b)
+  {
+    const Halfedge_index h = mesh.add_edge(a, b), g = mesh.opposite(h);
+    mesh.set_next(h, g);
+    mesh.set_next(g, h);
+    mesh.set_halfedge(b, h);
+    return h;
+  };
+  const Vertex_index end = mesh.add_vertex(Point_3(-9, -9, 0)), a = mesh.add_vertex(Point_3(-9, 9, 0)),
+                     b = mesh.add_vertex(Point_3(-9, 10, 0));
+  const Halfedge_index before = border_at(outer[0]), after = mesh.next(before), hanging = add_edge(outer[0], end);
+  mesh.set_next(before, hanging);
+  mesh.set_next(mesh.opposite(hanging), after);
+  const Halfedge_index alone = add_edge(a, b);
+  mesh.set_halfedge(a, mesh.opposite(alone));
+  CHECK(mesh.is_valid());
+  check();
+  Geodesic geodesic(mesh);
+  CHECK_THROWS(geodesic.add_source_boundary(alone), std::invalid_argument);
+
+  const Data closed(icosphere(1));
+  Geodesic on_closed(closed.mesh);
+  CHECK(on_closed.add_source_boundary().empty() && on_closed.number_of_sources() == 0);
+}
+
+void sharp_edges()
+{
+  Report::instance().set_context("sharp edges");
+  const auto edges_of = [](const test::Surface_mesh& mesh, double angle)
+  {
+    std::vector<Edge_index> edges;
+    Geodesic(mesh).sharp_edges(angle, std::back_inserter(edges));
+    return edges;
+  };
+  const auto number = [&](const Soup& soup, double angle) { return edges_of(Data(soup).mesh, angle).size(); };
+
+  // closed forms
+  CHECK(number(cube_grid(3), 90) == 0 && number(cube_grid(3), 0) == 36);
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    const double margin = 1e-11;
+    CHECK(number(rotated(cube_grid(3), seed), 90 + margin) == 0);
+    CHECK(number(rotated(cube_grid(3), seed), 90 - margin) == 36);
+    CHECK(number(rotated(cube_grid(3), seed), margin) == 36);
+    CHECK(number(rotated(icosphere(0), seed), 41.810314895778598 - margin) == 30);
+    CHECK(number(rotated(icosphere(0), seed), 41.810314895778598 + margin) == 0);
+    CHECK(number(rotated(planar_grid(5, 4), seed), margin) == 0); // borders are not sharp
+  }
+  for (const double angle : {1e-9, 1e-5, 0.1, 30., 89., 91., 179.9999, 180 - 1e-9})
+    for (const double height : {1., 1e-6, 1e3})
+    {
+      // two faces with the common edge from (0, 0, 0) to (1, 0, 0)
+      const double a = angle * CGAL_PI / 180;
+      Soup soup;
+      soup.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.3, -height, 0),
+                     Point_3(0.6, height * std::cos(a), height * std::sin(a))};
+      soup.add_triangle({{1, 0, 2}});
+      soup.add_triangle({{0, 1, 3}});
+      CHECK(number(soup, angle * (1 - 1e-4)) == 1);
+      CHECK(number(soup, (std::min)(angle * (1 + 1e-4), (180 + angle) / 2)) == 0);
+    }
+
+  // as sources
+  const Data box(rotated(cube_grid(4), 2));
+  Geodesic geodesic(box.mesh);
+  CHECK(!geodesic.add_source_sharp_edges(91) && geodesic.number_of_sources() == 0);
+  CHECK(geodesic.add_source_sharp_edges(60) == std::size_t(0) && geodesic.number_of_sources() == 1);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  Geodesic by_edges(box.mesh);
+  by_edges.add_source_edges(edges_of(box.mesh, 60));
+  by_edges.build();
+  for (Vertex_index v : box.vertices) CHECK(geodesic.distance_to_sources(v) == by_edges.distance_to_sources(v));
+  CHECK(std::abs(geodesic.largest_distance() - 0.5) < 1e-14);
+
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double angle : {-1e-9, 180., 1e9, nan, infinity, -infinity})
+  {
+    CHECK_THROWS(geodesic.add_source_sharp_edges(angle), std::invalid_argument);
+    CHECK_THROWS(edges_of(box.mesh, angle), std::invalid_argument);
+  }
+  CHECK(geodesic.number_of_sources() == 1);
+}
+
 void run_guarded(void (*test)())
 {
   try
@@ -550,7 +734,8 @@ int main()
       }
   }
   for (void (*body)() :
-       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &points_with_two_names, &scales})
+       {&boundary_sources, &removal, &distance_limit, &unreachable, &bad_arguments, &points_with_two_names, &scales,
+        &sets_of_points, &boundaries, &sharp_edges})
     run_guarded(body);
   return Report::instance().finish("test_source_kinds");
 }

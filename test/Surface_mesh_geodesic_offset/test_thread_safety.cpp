@@ -147,7 +147,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   for (std::size_t i = 0; i < 60; ++i)
     points.push_back(random_location(locations, mesh, random, i % 3));
 
-  // two threads are the first to locate points, which builds a tree
+  // two threads are the first to locate points: at first without a tree, which is built on the way
   const std::size_t turns[] = {0, 3, 3, 4}, number = 4;
   std::vector<std::vector<Answers>> answers(number);
   std::vector<std::thread> threads;

@@ -66,7 +66,7 @@ std::vector<double> distances(const Mesh& mesh, const Geodesic& geodesic)
 
 bool smooth_shape(std::size_t first, std::size_t limit)
 {
-  std::printf("| relative tolerance | vertices | windows propagated | a vertex | of the exact ones | relative error bound | "
+  std::printf("| relative tolerance | vertices | windows propagated | per vertex | of the exact ones | relative error bound | "
               "largest relative error |\n|---|---|---|---|---|---|---|\n");
   bool ok = true;
   std::vector<double> sizes;
@@ -100,7 +100,7 @@ bool smooth_shape(std::size_t first, std::size_t limit)
 bool noisy_grids()
 {
   const double tolerance = 1e-9;
-  std::printf("\n| grid 100 x 100, noise in z | windows a vertex, exactly | with merging tolerance %.0e | error bound | "
+  std::printf("\n| grid 100 x 100, noise in z | windows per vertex, exactly | with merging tolerance %.0e | error bound | "
               "largest error |\n|---|---|---|---|---|\n",
               tolerance);
   bool ok = true;

@@ -67,7 +67,7 @@ bool run(const std::string& name, const Soup& soup, const ClosedForm& closed_for
 int main()
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  std::cout << "| mesh | vertices | source | seconds | MB | windows propagated | a vertex | worst "
+  std::cout << "| mesh | vertices | source | seconds | MB | windows propagated | per vertex | worst "
                "relative error |\n"
                "|---|---|---|---|---|---|---|---|\n";
   bool ok = true;

@@ -121,7 +121,7 @@ int main(int argc, char* argv[])
     section(mesh, CGAL::Polygon_mesh_processing::bbox(mesh));
   const double farthest = farthest_vertex(mesh, sections);
   std::cout << argv[1] << ": " << num_vertices(mesh) << " vertices, " << sections.size()
-            << " polylines\n\n| distances | curves | pieces | propagation s | offsets s | us a piece | MB |\n"
+            << " polylines\n\n| distances | curves | pieces | propagation s | offsets s | us per piece | MB |\n"
                "|---|---|---|---|---|---|---|\n";
   std::vector<std::size_t> numbers;
   bool wants_validation = false;

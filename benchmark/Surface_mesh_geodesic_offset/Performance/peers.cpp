@@ -141,7 +141,7 @@ public:
     {
       run_smsp(smsp_limit, middles(m_mesh, m_source.curve));
       for (std::size_t k : {1, 2, 4, 8, 16})
-        run("ours, " + std::to_string(k) + (k == 1 ? " point" : " points") + " a segment",
+        run("ours, " + std::to_string(k) + (k == 1 ? " point" : " points") + " per segment",
             [&](std::vector<double>& distances, std::uint64_t& windows)
             {
               Geodesic geodesic(m_mesh);

@@ -138,7 +138,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   std::cout << "| mesh | vertices | faces | SMSP s | ours s | times faster | several threads s | "
-               "times faster | SMSP MB | ours MB | times less | windows propagated | a vertex | "
+               "times faster | SMSP MB | ours MB | times less | windows propagated | per vertex | "
                "worst relative difference |\n"
                "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   bool ok = true;

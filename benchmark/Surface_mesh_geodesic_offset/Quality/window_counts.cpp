@@ -136,7 +136,7 @@ int main(int argc, char* argv[])
     std::cerr << "usage: window_counts [--vertex I] MESH...\n";
     return 2;
   }
-  std::puts("| mesh | vertices | windows propagated | in the envelope | ratio | set-up, bytes a vertex | peak | front | "
+  std::puts("| mesh | vertices | windows propagated | in the envelope | ratio | set-up, bytes per vertex | peak | front | "
             "without front |\n|---|---|---|---|---|---|---|---|---|");
   bool ok = true;
   for (const std::string& file : files) try

@@ -4,16 +4,17 @@
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetConcepts
 
-\brief The types, predicates and constructions that `CGAL::Surface_mesh_geodesic_offset` and its bases need.
+\brief The concept `SurfaceMeshGeodesicOffsetTraits` describes the types, predicates and constructions that
+`CGAL::Surface_mesh_geodesic_offset` and its base classes need.
 
 All geometry is in the plane, in the frame of a halfedge: the origin is the source of the halfedge, the \f$x\f$ axis points to
-its target, and the face, with its apex \f$(a_x, a_y)\f$, is above. The image of a window's source is \f$(X : Y : W)\f$: the point
+its target, and the face, with its apex \f$(a_x, a_y)\f$, is above the axis. The image of a window's source is \f$(X : Y : W)\f$: the point
 \f$(X, Y)\f$ if \f$W = 1\f$, for an interval window, whose distance at \f$p\f$ is \f$\sigma + |p - (X, Y)|\f$; the unit vector
 \f$(X, Y)\f$ if \f$W = 0\f$, for a parallel-source window, whose distance at \f$p\f$ is \f$\sigma - (X, Y) \cdot p\f$. An argument
 `is_parallel` says that \f$W = 0\f$.
 
-Objects of a model are copied; one that is default constructible need not be given. With `CGAL::Parallel_tag` the functors are
-called by several threads at once.
+Objects of a model are copied; if the model is default constructible, the argument `traits` is optional. With
+`CGAL::Parallel_tag` several threads call the functors concurrently.
 
 \cgalConcept
 
@@ -27,7 +28,7 @@ public:
   /// \name Types
   /// @{
 
-  /// A \cgal kernel, of which `FT`, `Point_3` and `Vector_3` are.
+  /// A \cgal kernel, with the types `FT`, `Point_3` and `Vector_3`.
   typedef unspecified_type Kernel;
 
   /// The mesh: a model of `FaceListGraph`. Its points may be of another kernel: their coordinates are converted by
@@ -35,8 +36,8 @@ public:
   typedef unspecified_type Triangle_mesh;
 
   /// The number type of distances and of coordinates in the unfolded faces: a model of `FieldWithSqrt` and `RealEmbeddable`.
-  /// If it is not exact (`CGAL::Algebraic_structure_traits<FT>::Is_exact` is `CGAL::Tag_false`), the algorithm makes allowance
-  /// for rounding; otherwise, equal means equal.
+  /// If it is not exact (`CGAL::Algebraic_structure_traits<FT>::Is_exact` is `CGAL::Tag_false`), the algorithm allows for
+  /// rounding in comparisons; otherwise comparisons are exact.
   typedef unspecified_type FT;
 
   /// The point type.
@@ -51,7 +52,7 @@ public:
   for the face with the halfedges from `p` to `q`, from `q` to `r` and from `r` to `p`. For each of them, with the vectors
   \f$u\f$ along it and \f$v\f$ from its source to the third vertex, it computes the length \f$|u|\f$ and the apex
   \f$(u \cdot v,\ |u \times v|) / |u|\f$ in its frame. A length or a `y` that is not positive means that the face is
-  degenerate; then the numbers that follow need not be set, which are 0 before.
+  degenerate; then the remaining numbers, which are initially 0, need not be set.
   */
   typedef unspecified_type Construct_apices_2;
 
@@ -85,19 +86,20 @@ public:
 
   \pre \f$a_y > 0\f$ and \f$Y \le 0\f$, with \f$Y < 0\f$ unless the source lies on the halfedge itself
 
-  With numbers that are not exact it is asked only where the sign is not clear by \f$2^{-36}\f$ of the products in it.
+  With numbers that are not exact, the functor is called only where the magnitude of the value is at most \f$2^{-36}\f$ of the
+  products in it.
   */
   typedef unspecified_type Compare_entry_with_apex_2;
 
   /*!
-  Finds an end of a child's interval. An object of this type must provide the operator
+  Computes an end of a child's interval. An object of this type must provide the operator
   `bool operator()(FT x, FT y, FT sigma, bool is_parallel, FT b, FT d, FT c, FT s, FT length, FT& t, FT& distance, bool& is_rough) const`
   for the ray through \f$(b, 0)\f$, where the distance is `d`, and the edge of the given length from the origin in the unit
   direction \f$(c, s)\f$. With \f$D = s (X - bW) - c Y\f$ it returns whether \f$D > 0\f$, that is, whether the ray meets the line of
   the edge; if so, it sets `t` to the smaller of the length and \f$-bY / D\f$, `distance` to the distance there, which is
-  \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$ otherwise, and `is_rough` to whether it should be found anew
-  by `Compute_distance_2`, because of rounding. If so, `distance` need not be set. With exact numbers `t` need not be cut down to
-  the length: the functor is asked only for rays that meet the edge itself.
+  \f$d + (d - \sigma) s b / D\f$ if \f$W = 1\f$ and \f$d + s b / D\f$ otherwise, and `is_rough` to whether the caller should
+  compute the distance anew by `Compute_distance_2`, because of rounding. If so, `distance` need not be set. With exact numbers
+  `t` need not be limited to the length: the functor is called only for rays that meet the edge itself.
   */
   typedef unspecified_type Construct_exit_2;
 
@@ -111,8 +113,8 @@ public:
   /*!
   Compares the distances that two windows give to one point. An object of this type must provide the operator
   `CGAL::Comparison_result operator()(FT d, FT e, FT scale) const`
-  which returns `CGAL::EQUAL` if `d` and `e` can't be told apart, being results of `Compute_distance_2` of the magnitude `scale`
-  at most.
+  which returns `CGAL::EQUAL` if `d` and `e`, results of `Compute_distance_2` of a magnitude of at most `scale`, differ by no
+  more than rounding.
   */
   typedef unspecified_type Compare_distance_2;
 
@@ -121,17 +123,17 @@ public:
   /// \name Operations
   /// @{
 
-  /// @return an object of the type `Construct_apices_2`
+  /// returns a functor of type `Construct_apices_2`.
   Construct_apices_2 construct_apices_2_object() const;
-  /// @return an object of the type `Change_frame_2`
+  /// returns a functor of type `Change_frame_2`.
   Change_frame_2 change_frame_2_object() const;
-  /// @return an object of the type `Compare_entry_with_apex_2`
+  /// returns a functor of type `Compare_entry_with_apex_2`.
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const;
-  /// @return an object of the type `Construct_exit_2`
+  /// returns a functor of type `Construct_exit_2`.
   Construct_exit_2 construct_exit_2_object() const;
-  /// @return an object of the type `Compute_distance_2`
+  /// returns a functor of type `Compute_distance_2`.
   Compute_distance_2 compute_distance_2_object() const;
-  /// @return an object of the type `Compare_distance_2`
+  /// returns a functor of type `Compare_distance_2`.
   Compare_distance_2 compare_distance_2_object() const;
 
   /// @}

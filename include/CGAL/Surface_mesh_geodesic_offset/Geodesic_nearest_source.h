@@ -15,8 +15,8 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief says which source is nearest to a point of the surface, and which point of it. Where several are nearest, it is one of
-them.
+\brief describes the nearest source of a point of the surface, and the nearest point of that source. If there are several,
+one of them.
 
 \tparam FT_ a number type
 \tparam FaceLocation the type of locations
@@ -25,10 +25,10 @@ template <class FT_, class FaceLocation>
 struct Geodesic_nearest_source
 {
   std::size_t source;    ///< id of the source, as returned when it was added
-  std::size_t part;      ///< number of the point, or the segment, within the source; of a set of edges: of the edge in the
-                         ///< range, or the index of the vertex
+  std::size_t part;      ///< index of the point, or of the segment, within the source; for a set of edges: index of the edge
+                         ///< in the range, or index of the vertex
   bool is_segment;       ///< whether the nearest point lies inside a segment (or an edge), and not at one of its ends
-  Source_side side;      ///< side of the source from which it is reached
+  Source_side side;      ///< side of the source from which the shortest path starts
   FT_ distance;          ///< length of the shortest path
   FaceLocation location; ///< the nearest point of the source
 };

@@ -11,23 +11,24 @@
 namespace CGAL {
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetClasses
-/// \brief Counts and times of a propagation and of the offsets that were cut during it.
+/// \brief holds counts and times of a propagation and of the offsets that were cut during it.
 struct Geodesic_offset_statistics
 {
   std::size_t windows_created = 0;    ///< windows put into the list of a halfedge
-  std::size_t windows_propagated = 0; ///< windows unfolded across a face; mostly one in a thousand more where windows are
-                                      ///< neither kept nor cut by offsets
+  std::size_t windows_propagated = 0; ///< windows unfolded across a face; some 0.1 % more if the build neither keeps windows
+                                      ///< nor cuts offsets
   std::size_t windows_peak = 0;       ///< largest number of windows held at one time
   std::size_t kept_bytes = 0;         ///< memory of the windows that were kept
   std::size_t windows_merged = 0;     ///< with a tolerance: windows that were merged into others, and so not propagated
-  double error_bound = 0;             ///< with a tolerance: none is smaller than the exact one by more, but for rounding
-  double relative_error_bound = 0;    ///< with a tolerance: the same as a part of the distance that was computed
+  double error_bound = 0;             ///< with a tolerance: bound of exact minus computed distance; excludes rounding error
+  double relative_error_bound = 0;    ///< with a tolerance: bound of that difference divided by the computed distance
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
-  std::size_t forced_joints = 0;      ///< pieces of offset curves that had to be joined across more than rounding
-  std::size_t sign_decisions = 0;     ///< with exact square roots: signs and comparisons of numbers that were asked for
-  std::size_t exact_decisions = 0;    ///< those of them that intervals, of up to 256 bits, did not decide
+  std::size_t forced_joints = 0;      ///< joints of offset pieces whose ends differ by more than rounding
+  std::size_t faces_searched = 0;     ///< faces in which the largest distance was searched, if the build computes it
+  std::size_t sign_decisions = 0;     ///< with exact square roots: number of evaluated signs and comparisons
+  std::size_t exact_decisions = 0;    ///< number of these that intervals of up to 256 bits did not decide
   double propagation_seconds = 0;     ///< time of the propagation alone
-  double offset_seconds = 0;          ///< time of cutting offsets, without what the caller does with them
+  double offset_seconds = 0;          ///< time of cutting offsets, without the time of the caller's output iterator or callback
 };
 
 } // namespace CGAL

@@ -14,21 +14,21 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief a polyline on a surface.
+\brief represents a polyline on a surface.
 
 \tparam FaceLocation the type of locations
 */
 template <class FaceLocation>
 struct Geodesic_polyline
 {
-  std::vector<FaceLocation> locations; ///< its points; two that follow each other have a face in common
+  std::vector<FaceLocation> locations; ///< the points; consecutive points have a face in common
   bool is_closed = false;              ///< whether the last point is joined to the first one, which is not repeated
 };
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief the section of a mesh by a plane.
+\brief represents the section of a mesh by a plane.
 
 \tparam FaceLocation the type of locations
 \tparam VertexDescriptor the type of vertices
@@ -36,11 +36,11 @@ struct Geodesic_polyline
 template <class FaceLocation, class VertexDescriptor>
 struct Geodesic_plane_section
 {
-  /// runs over the surface, with the positive side of the plane on the left where the surface passes through the plane.
-  /// Polylines end where the surface does, or where several of them meet.
+  /// the curves of the section. The positive side of the plane is on their left where the surface passes through the plane.
+  /// A polyline ends at the boundary of the surface, or where several of them meet.
   std::vector<Geodesic_polyline<FaceLocation>> polylines;
-  std::vector<VertexDescriptor> touched_vertices; ///< where the plane only touches the surface
-  std::size_t number_of_faces_in_plane = 0;       ///< instead of these there is the border of the part that they make
+  std::vector<VertexDescriptor> touched_vertices; ///< vertices where the plane only touches the surface
+  std::size_t number_of_faces_in_plane = 0;       ///< faces within the plane; the section has the border of their union instead
 };
 
 } // namespace CGAL

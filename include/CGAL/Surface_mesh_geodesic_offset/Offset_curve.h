@@ -23,18 +23,18 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief An offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
+\brief represents an offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
 
-The curve is closed, or its ends lie on the border of the mesh; one that was cut where an `Offset_selection` ends may end
-inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside of the
-surface. No curve meets itself or another one of the same distance.
+The curve is closed, or its ends lie on the border of the mesh; an `Offset_selection` may cut it, so that it ends inside the
+surface. The smaller distances are on the left of the direction of travel, seen from the outside of the surface. No curve
+meets itself or another one of the same distance.
 
-The curve is exact, but for its number type; polylines are made of it only on output. Points on arcs, angles and lengths of
-arcs are rounded to `double` whatever the number type. It refers to the mesh, which must outlive it, and shares the unfolded
-mesh, which nothing changes, with its copies; the `Surface_mesh_geodesic_offset` need not outlive it. All member functions
+The curve is exact up to the rounding of its number type; it becomes a polyline only on output. Points on arcs, angles and
+lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
+`Surface_mesh_geodesic_offset` need not. Copies of the curve share the unfolded mesh, which is immutable. All member functions
 are const and, with floating point numbers, may be called from several threads.
 
-\tparam Surface_ internal
+\tparam Surface_ an implementation detail; `Surface_mesh_geodesic_offset::Offset_curve` names the type
 */
 template <class Surface_>
 class Geodesic_offset_curve
@@ -42,28 +42,36 @@ class Geodesic_offset_curve
   typedef Geodesic_offset::internal::Level_piece<typename Surface_::Number> Level_piece;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
-public:
-  typedef typename Surface_::FT FT;
-  typedef typename Surface_::Point_3 Point_3;
-  typedef typename Surface_::Face_location Face_location;
+  friend Context; // makes curves
 
-  /// a piece of the curve
-  typedef Geodesic_offset_piece<Surface_> Piece;
-
-  Geodesic_offset_curve(std::shared_ptr<const Context> context, const FT& distance, bool closed,
+  Geodesic_offset_curve(std::shared_ptr<const Context> context, const typename Surface_::FT& distance, bool closed,
                         std::vector<Level_piece> pieces)
     : m_context(std::move(context)), m_distance(distance), m_closed(closed), m_pieces(std::move(pieces))
   {
   }
 
-  /// the distance from the sources that was asked for. With an inexact number type all points of the curve are at 1024
-  /// units in the last place less: \f$1 - 2^{-42}\f$ times that with `double`.
+public:
+  /// \name Types
+  /// @{
+
+  /// the number type of distances and of coordinates
+  typedef typename Surface_::FT FT;
+  /// a point in space
+  typedef typename Surface_::Point_3 Point_3;
+  /// a point of the surface, see `Surface_mesh_geodesic_sources::Face_location`
+  typedef typename Surface_::Face_location Face_location;
+  /// a piece of the curve
+  typedef Geodesic_offset_piece<Surface_> Piece;
+  /// @}
+
+  /// the requested distance from the sources. With an inexact number type, all points of the curve are nearer by 1024 units
+  /// in the last place: with `double`, at \f$1 - 2^{-42}\f$ times this distance.
   const FT& distance() const { return m_distance; }
 
   /// whether the curve is closed.
   bool is_closed() const { return m_closed; }
 
-  /// the side on which the points lie that are nearer to the sources than the curve: always the left one.
+  /// the side of the points that are nearer to the sources than the curve: always the left side.
   Orientation enclosed_side() const { return LEFT_TURN; }
 
   /// \name Pieces
@@ -90,11 +98,11 @@ public:
   /// @}
 
   /// \name Measure and Points
-  /// `length()`, and points at a way along the curve, take time linear in the number of pieces; the others in that of the
-  /// points that they write, which grows without a bound as the tolerance goes to 0.
+  /// `length()`, and points at a given arc length, take time linear in the number of pieces. The functions that write points
+  /// take time linear in the number of points, which grows without a bound as the tolerance goes to 0.
   /// @{
 
-  /// the length: of arcs as arcs, not of a polyline.
+  /// the length of the curve itself, with arcs as arcs, not of a polyline.
   FT length() const
   {
     FT sum(0);
@@ -102,7 +110,7 @@ public:
     return sum;
   }
 
-  /// the point at a way along the curve from its start; 0 and less is the start, `length()` and more the end.
+  /// the point at a given arc length from the start, as a location. 0 and less is the start, `length()` and more is the end.
   Face_location location(const FT& way) const
   {
     FT rest = way;
@@ -115,14 +123,15 @@ public:
     return piece(m_pieces.size() - 1).end();
   }
 
-  /// the same as a point in space.
+  /// the point at a given arc length from the start, as a point in space.
   Point_3 point(const FT& way) const { return m_context->surface->point(location(way)); }
 
-  /// calls `f(location, i)` for points along the curve, where `i` is the number of the piece that the point is taken from.
+  /// calls `f(location, i)` for points along the curve, where `i` is the index of the piece that contains the point.
+  ///
   /// The polyline through the points is nowhere farther from the curve than `chord_tolerance`: an arc of radius
-  /// \f$ r \f$ is divided into equal parts of angle \f$ s \f$ with \f$ 2 r \sin^2 (s/4) \f$, the height of the arc over the
-  /// chord, at most the tolerance, and both lie in the plane of one face. All points are on the curve. A closed curve
-  /// repeats its first point at the end.
+  /// \f$ r \f$ is divided into equal parts of an angle \f$ s \f$ such that the height of the arc over its chord,
+  /// \f$ 2 r \sin^2 (s/4) \f$, is at most the tolerance; an arc and its chords lie in the plane of one face. All points are on
+  /// the curve. A closed curve repeats its first point at the end.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
   template <class Function>
   void discretize(const FT& chord_tolerance, const Function& f) const
@@ -137,7 +146,7 @@ public:
     }
   }
 
-  /// writes points as by `discretize()`.
+  /// writes the points of `discretize()` as locations.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
   /// \param out an output iterator for `Face_location`
   template <class OutputIterator>
@@ -147,7 +156,7 @@ public:
     return out;
   }
 
-  /// the same as points in space.
+  /// writes the points of `discretize()` as points in space.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
   /// \param out an output iterator for `Point_3`
   template <class OutputIterator>
@@ -157,7 +166,7 @@ public:
     return out;
   }
 
-  /// a location as a point in space.
+  /// the point in space of a location.
   Point_3 point(const Face_location& location) const { return m_context->surface->point(location); }
   /// @}
 

@@ -21,19 +21,19 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief The distances at which offset curves are asked for: any finite set, or the multiples of a spacing.
+\brief holds the distances at which offset curves are requested: any finite set, or the multiples of a spacing.
 
-\tparam FT a number type, model of `FieldNumberType` and `RealEmbeddable`, that can be made of a `double`: the `FT` of the
-        traits, or one that this can be made of
+\tparam FT a number type, model of `FieldNumberType` and `RealEmbeddable`, constructible from `double`: the `FT` of the
+        traits, or a type that is convertible to it
 */
 template <class FT>
 class Offset_levels
 {
 public:
-  /// as many levels as it takes to cover the surface.
+  /// the count of levels that stands for as many levels as the surface has.
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-  /// the distances of a range, in any order; repeated ones count once.
+  /// the distances of a range, in any order; repeated distances count once.
   /// \throws std::invalid_argument if a distance is not a positive finite number.
   template <class Range>
   explicit Offset_levels(const Range& distances)
@@ -62,7 +62,7 @@ public:
   /// the i-th smallest level.
   FT operator[](std::size_t i) const { return m_count == 0 ? m_distances[i] : FT(m_spacing * FT(double(i + 1))); }
 
-  /// the index of the first level that is larger than `d`; `size()` if there is none. Logarithmic at most.
+  /// the index of the first level that is larger than `d`; `size()` if there is none. Takes logarithmic time at most.
   std::size_t first_above(const FT& d) const
   {
     if (m_count == 0)

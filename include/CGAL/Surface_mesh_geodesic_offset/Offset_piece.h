@@ -24,32 +24,44 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief A piece of an offset curve: a circular arc or a straight segment inside one face.
+\brief represents a piece of an offset curve: a circular arc or a straight segment inside one face.
 
-Its geometry is given in the face's own isometric frame: a point of the plane of the face is the same distance from others
-there as in space; the origin is the source of `halfedge(f, tm)`, the x-axis runs along this halfedge, and the face is above
-it. `Face_location`s have their coordinates with respect to the source of that halfedge, its target, and the third vertex.
+The geometry is given in the isometric frame of the face `f`, in which distances are those in space: the origin is the source
+of `halfedge(f, tm)`, the x-axis runs along this halfedge, and the face is above the x-axis. The coordinates of a
+`Face_location` are those with respect to the source of this halfedge, its target, and the third vertex.
 
-Arcs run counterclockwise round their center and are shorter than a half turn; so every piece has the smaller distances on
-its left. The center is the image of the nearest source point, or of the vertex where the shortest paths bend last, unfolded
-into the plane of the face; it may lie outside of the face.
+Arcs run counterclockwise round their center and are shorter than a half turn, so that every piece has the smaller distances
+on its left. The center is the image of the nearest source point, or of the vertex where the shortest paths bend last,
+unfolded into the plane of the face; it may lie outside the face.
 
-A piece is a view: it is valid as long as the curve that it comes from.
+A piece is a view of its curve, and valid as long as the curve is.
 
-\tparam Surface_ internal
+\tparam Surface_ an implementation detail; `Geodesic_offset_curve::Piece` names the type
 */
 template <class Surface_>
 class Geodesic_offset_piece
 {
 public:
+  /// \name Types
+  /// @{
+
+  /// the number type of distances and of coordinates
   typedef typename Surface_::FT FT;
+  /// a point in the frame of the face
   typedef typename Surface_::Kernel::Point_2 Point_2;
+  /// a line in the frame of the face
   typedef typename Surface_::Kernel::Line_2 Line_2;
+  /// a point in space
   typedef typename Surface_::Point_3 Point_3;
+  /// a point of the surface, see `Surface_mesh_geodesic_sources::Face_location`
   typedef typename Surface_::Face_location Face_location;
+  /// the mesh
   typedef typename Surface_::Triangle_mesh Triangle_mesh;
+  /// a vertex of the mesh
   typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor vertex_descriptor;
+  /// a face of the mesh
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
+  /// @}
 
 private:
   typedef typename Surface_::Number Number;
@@ -57,17 +69,21 @@ private:
   typedef Geodesic_offset::internal::Point_in_face<Number> Point_in_face;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
-public:
+  template <class>
+  friend class Geodesic_offset_curve;
+
   Geodesic_offset_piece(const Context& context, const Level_piece& piece) : m_context(&context), m_piece(&piece) {}
 
+public:
   /// \name Geometry
   /// @{
 
-  /// the face that the piece lies in, or on whose edge.
+  /// the face whose interior or boundary contains the piece.
   face_descriptor face() const { return m_context->surface->face_of[m_piece->face]; }
 
-  /// whether it is a straight segment, or else an arc.
+  /// whether the piece is a straight segment.
   bool is_segment() const { return m_piece->is_straight; }
+  /// whether the piece is an arc.
   bool is_arc() const { return !is_segment(); }
 
   /// the center of an arc. \pre `is_arc()`
@@ -93,41 +109,48 @@ public:
                   Surface_::exported(m_piece->radius));
   }
 
-  /// where the piece starts and ends, in the frame of the face, and as locations.
+  /// the start of the piece in the frame of the face.
   Point_2 start_2() const { return public_point(m_piece->start); }
+  /// the end of the piece in the frame of the face.
   Point_2 end_2() const { return public_point(m_piece->end); }
+  /// the start of the piece as a location.
   Face_location start() const { return location_of(m_piece->start, m_piece->start_edge); }
+  /// the end of the piece as a location.
   Face_location end() const { return location_of(m_piece->end, m_piece->end_edge); }
 
-  /// the angle that an arc turns by, counterclockwise, from 0 to pi, but for rounding; 0 for a segment.
+  /// the angle of an arc, counterclockwise, from 0 to pi up to rounding; 0 for a segment.
   FT angle() const
   {
     if (is_segment()) return FT(0);
     return FT(std::atan2(CGAL::to_double(m_piece->turn_sine()), CGAL::to_double(m_piece->turn_cosine())));
   }
 
-  /// the length: of an arc as an arc.
+  /// the length of the piece, with an arc as an arc.
   FT length() const
   {
     if (is_segment()) return Surface_::exported(Geodesic_offset::internal::length(m_piece->end - m_piece->start));
     return radius() * angle();
   }
 
-  /// the point at a parameter that runs from 0 at the start to 1 at the end, in proportion to length.
+  /// the point at the parameter `t` in the frame of the face; `t` runs from 0 at the start to 1 at the end, in proportion to
+  /// length.
   Point_2 point_2(const FT& t) const { return public_point(at(t, angle())); }
+  /// the point at the parameter `t` as a location; see `point_2()`.
   Face_location location(const FT& t) const
   {
     if (!(t > FT(0))) return start();
     if (!(t < FT(1))) return end();
     return location_of(at(t, angle()), 3);
   }
+  /// the point at the parameter `t` as a point in space; see `point_2()`.
   Point_3 point(const FT& t) const { return m_context->surface->point(location(t)); }
 
-  /// the number of chords of equal length that stay nowhere farther than `tolerance` from the piece.
+  /// the number of chords of equal length that are nowhere farther than `tolerance` from the piece.
   /// \throws std::invalid_argument unless `tolerance > 0`
   std::size_t number_of_chords(const FT& tolerance) const { return number_of_chords(tolerance, angle()); }
 
-  /// calls `f(location)` for the ends of these chords between the start and the end of the piece.
+  /// calls `f(location)` for the end points of the `number_of_chords()` chords that are strictly between the start and the
+  /// end of the piece.
   /// \throws std::invalid_argument unless `tolerance > 0`
   template <class Function>
   void for_each_inner_location(const FT& tolerance, const Function& f) const
@@ -144,19 +167,22 @@ public:
   /// the id of the source that all points of the piece are nearest to.
   std::size_t source() const { return primitive().source; }
 
-  /// whether the nearest source points are those of a segment; otherwise they are one point.
+  /// whether the nearest source points are inside a segment; otherwise all points of the piece have one nearest point.
   bool is_nearest_to_segment() const { return primitive().is_segment; }
 
-  /// of a polyline: the number of the nearest segment, or of the nearest point, in the order given, from 0. Segment i
-  /// begins at point i. Segments that follow each other in a straight line, unfolded, act as one: then it is the number of
-  /// one of them. Of a set of edges: the number of the edge; if `!is_nearest_to_segment()`, the index of the vertex.
-  /// 0 for a source point.
+  /// the part of the source that the piece is nearest to.
+  /// - For a polyline: the index of the segment or of the point, from 0 in the order of the polyline. Segment i begins at point
+  ///   i. Consecutive segments that are collinear after unfolding count as one; the index is that of one of them.
+  /// - For a set of edges: the index of the edge in the range; if `!is_nearest_to_segment()`, the index of the vertex.
+  /// - For a point: 0.
   std::size_t source_part() const { return primitive().part; }
 
-  /// the side of the polyline.
+  /// the side of the polyline on which the piece lies; `Source_side::NONE` for points and sets of edges,
+  /// `Source_side::CAP` beyond an end of an open polyline.
   Source_side side() const { return m_piece->root.side(); }
 
-  /// the vertex where the shortest paths to all points of the piece bend last; `null_vertex()` if they are straight.
+  /// the vertex where the shortest paths from the source to the points of the piece bend last; `null_vertex()` if these paths
+  /// are straight.
   vertex_descriptor pseudo_source() const
   {
     if (m_piece->pseudo_source == Geodesic_offset::internal::no_index)

@@ -30,35 +30,36 @@ namespace CGAL {
 \brief computes exact geodesic distances and shortest paths on a triangle mesh, from any number of points, polylines and
 edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
-The distance of a point of the surface is the length of the shortest path on the surface from it to the nearest source.
-Sources are added, then `build()` propagates the distances, then the const member functions answer. With floating point
-numbers they may be called from several threads at once. Points that no path reaches are at `infinity()`. Lengths and
-distances are in the units of the mesh's points.
+The distance of a point of the surface is the length of the shortest path on the surface from the point to the nearest
+source. The use has three steps: add the sources, call `build()`, which propagates the distances, and call the const member
+functions. With floating point numbers the const member functions may be called from several threads at once. Points that no
+path reaches are at `infinity()`. Lengths and distances are in the units of the mesh's points.
 
-Adding or removing sources leaves the result of the last build as it is until `build()` or `update()` is called.
+Adding or removing sources does not change the result of the last build; only `build()` and `update()` replace it.
 
+\anchor Surface_mesh_geodesic_distance_threads
 \cgalHeading{Several Threads}
 
 Functions that propagate take a concurrency tag as their first template parameter, as in `build<CGAL::Parallel_tag>()`:
-- `Sequential_tag`, the default: by the calling thread.
-- `Parallel_tag`: also by the threads that TBB may use where the function is called, which `tbb::global_control` and
-  `tbb::task_arena` say. \cgal must be linked with TBB (`CGAL_LINKED_WITH_TBB`), otherwise it does not compile.
-- `Parallel_if_available_tag`: the second one with TBB, the first one without.
+- `Sequential_tag`, the default: the calling thread works alone.
+- `Parallel_tag`: the threads work that TBB may use where the function is called, as limited by `tbb::global_control` and
+  `tbb::task_arena`. \cgal must be linked with TBB (`CGAL_LINKED_WITH_TBB`), otherwise the call does not compile.
+- `Parallel_if_available_tag`: `Parallel_tag` with TBB, `Sequential_tag` without.
 
-Constructors, which set the mesh up, take such a tag as their last argument, as in
-`geodesic(mesh, Traits(), CGAL::Parallel_tag())`; what they set up does not depend on it.
+Constructors, which set up the mesh, take such a tag as their last argument, as in
+`geodesic(mesh, Traits(), CGAL::Parallel_tag())`; what they set up does not depend on the tag.
 
-With `Parallel_tag` results are the same to the last bit for any number of threads, one included, and in each run. They
-differ from those with `Sequential_tag` by rounding alone: distances by no more than \f$10^{-13}\f$ of themselves in all
-tests. Where a build stops, at its targets or because the visitor cancels it, may differ, and so may the counts of the
-statistics; memory is larger by some percent. The visitor and the functions that take offset curves are called by the calling
-thread alone; TBB's threads are kept until the function returns.
+With `Parallel_tag` the results are the same to the last bit for any number of threads, one included, and in each run. They
+differ from the results with `Sequential_tag` by rounding alone: distances by no more than a relative \f$10^{-13}\f$ in all
+tests. The distance at which a build stops, at its targets or because the visitor cancels it, may differ, and so may the
+counts of the statistics; memory is larger by some percent. The calling thread alone calls the visitor and the callbacks that
+receive offset curves; TBB's threads remain occupied until the function returns.
 
-The functors of the traits are called by several threads at once, and so are the functions and maps that read the mesh, while
-it is set up. This is done for `float`, `double` and `long double` only: with other number types, whose operations may share
+Several threads call the functors of the traits concurrently, and, during construction, the functions and maps that read the
+mesh. All this holds for `float`, `double` and `long double` only: with other number types, whose operations may share
 memory, `Parallel_tag` does what `Sequential_tag` does.
 
-The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`.
+The template parameters are those of `Surface_mesh_geodesic_sources`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_distance
@@ -69,6 +70,8 @@ class Surface_mesh_geodesic_distance
 public:
   /// \name Types
   /// @{
+
+#ifndef DOXYGEN_RUNNING // documented in the base class
   typedef typename Base::vertex_descriptor vertex_descriptor;
   typedef typename Base::halfedge_descriptor halfedge_descriptor;
   typedef typename Base::face_descriptor face_descriptor;
@@ -76,8 +79,9 @@ public:
   typedef typename Base::Point_3 Point_3;
   typedef typename Base::Vector_3 Vector_3;
   typedef typename Base::Face_location Face_location;
+#endif
 
-  /// the answer of `nearest_source()`
+  /// the result of `nearest_source()`
   typedef Geodesic_nearest_source<FT, Face_location> Nearest_source;
 
   /// counts and times of a build
@@ -102,33 +106,55 @@ protected:
   using Base::unfolded;
 
 public:
+#ifdef DOXYGEN_RUNNING
+  /// \name Construction
+  /// @{
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  explicit Surface_mesh_geodesic_distance(const Triangle_mesh& tm, const Traits& traits = Traits(),
+                                          const ConcurrencyTag& tag = ConcurrencyTag());
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_distance(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                                 const ConcurrencyTag& tag = ConcurrencyTag());
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_distance(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
+                                 Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                                 const ConcurrencyTag& tag = ConcurrencyTag());
+  /// @}
+#else
   using Base::Base;
+#endif
 
   /// \name Building
   /// @{
 
   /// propagates the distances from the sources over the surface. Without any source, all points are at infinity.
   ///
-  /// On most meshes the number of windows that are propagated grows like n^1.5; in the worst case that of all envelopes
-  /// is O(n^2) \cgalCite{MMP87}. Each takes constant time, on average; all that does not depend on the windows takes linear
-  /// time in the size of the mesh, also with a distance limit. Memory is that of the front, and some 40 bytes a window if
-  /// windows are kept.
+  /// On most meshes of n vertices the number of windows that are propagated grows like n^1.5; in the worst case the lower
+  /// envelopes together have O(n^2) windows \cgalCite{MMP87}. A window takes constant time on average. All other work takes
+  /// time linear in the size of the mesh, also with a distance limit. Memory is that of the front, and some 40 bytes per
+  /// window if windows are kept.
   ///
-  /// With a tolerance distances may be smaller than the exact ones, within bounds that `statistics()` tells, but not larger,
-  /// and a few windows a vertex are propagated on smooth fine meshes, however fine; see \ref
-  /// SurfaceMeshGeodesicOffsetTolerance. Then a point has a distance also if the exact one is beyond the distance limit
-  /// by no more than the bound; paths, nearest points, the farthest point and offset curves need an exact build, and throw
-  /// `std::logic_error`.
+  /// With a tolerance, distances may be smaller than the exact ones, within the bounds that `statistics()` reports, but not
+  /// larger, and a few windows per vertex are propagated on smooth fine meshes, however fine; see \ref
+  /// SurfaceMeshGeodesicOffsetTolerance. A point whose exact distance exceeds the distance limit by no more than the bound
+  /// may then have a distance, too. Paths, nearest points, the farthest point and offset curves need an exact build, and
+  /// throw `std::logic_error`.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `distance_limit(d)`, `keep_windows(b)`,
-  ///        `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
+  ///        `compute_largest_distance(b)`, `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
   /// \throws std::invalid_argument if the distance limit is negative or not a number, or a target is not a valid location,
   ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
-  ///         number, or one of them is not 0 and the number type is exact.
+  ///         number, or one of the tolerances is not 0 and the number type is exact.
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh, as in needle faces thinner than some
-  ///         1e-9, where rounding does not let windows be told apart and their number grows without a bound.
-  ///         After all these exceptions, and those of the visitor, the last build is still there.
+  ///         1e-9, where windows differ by less than rounding and their number grows without a bound.
+  ///         After all these exceptions, and those of the visitor, the last build is unchanged.
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
   {
@@ -137,11 +163,12 @@ public:
     m_built = fresh;
   }
 
-  /// brings the last build up to date with the sources: only what the sources that were added since then improve is
-  /// propagated. The result is that of `build()` with the parameters `distance_limit` and `keep_windows` of the last
-  /// build. If sources were removed since then, or if it was cancelled or stopped at its targets, or had a tolerance, all is
-  /// computed anew, with that tolerance. While it runs there are two fields in memory; kept windows of the last build are
-  /// copied, which takes time linear in their number. If the visitor cancels it, the last build is still there.
+  /// brings the last build up to date with the sources. Only the distances that the sources added since then improve are
+  /// propagated. The result is that of `build()` with the parameters `distance_limit`, `keep_windows` and
+  /// `compute_largest_distance` of the last build. If sources were removed since then, or if the last build was cancelled,
+  /// stopped at its targets, had a tolerance, or computed the largest distance without kept windows, all distances are
+  /// computed anew, with that tolerance. During the update there are two fields in memory; kept windows of the last build are
+  /// copied, which takes time linear in their number. If the visitor cancels the update, the last build is unchanged.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
   /// \param np an optional named parameter, `visitor(f)`
   /// \throws std::logic_error if `!is_built()`, and std::runtime_error as `build()`
@@ -154,39 +181,38 @@ public:
     r.maximum = b.request().maximum;
     r.keeps_windows = b.kept;
     r.tolerance = b.request().tolerance;
-    const bool grows = b.is_whole() && !b.is_approximate() && m_sources.extends(b.sources);
+    r.finds_farthest = b.request().finds_farthest;
+    const bool can_grow = b.is_whole() && !b.is_approximate() && (b.kept || !r.finds_farthest);
+    const bool grows = can_grow && m_sources.extends(b.sources);
     const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
     fresh->template propagate<ConcurrencyTag>(m_traits);
     if (!fresh->is_cancelled) m_built = fresh;
   }
 
-  /// the distance of points that no path reaches. `std::numeric_limits<FT>::infinity()`, or, for number types that have no
-  /// infinity, as exact ones, a number that is larger than any distance on a mesh.
-  static FT infinity() { return Surface::exported(Policy::infinity()); }
-
   /// whether distances have been computed.
   bool is_built() const { return m_built != nullptr; }
 
-  /// whether the visitor has cancelled the last build. Then distances up to `covered_distance()` are there nevertheless.
+  /// whether the visitor has cancelled the last build. Distances up to `covered_distance()` are valid nevertheless.
   /// \throws std::logic_error if `!is_built()`, like all queries.
   bool is_cancelled() const { return built().is_cancelled; }
 
   /// the distance up to which the distances were computed, inclusive: the distance limit, or less if the build was
-  /// cancelled or has stopped at its targets; infinity if all is known. All points farther away are at infinity.
+  /// cancelled or has stopped at its targets; infinity if all distances were computed. All points farther away are at
+  /// infinity.
   FT covered_distance() const { return Surface::exported(built().maximum); }
 
-  /// counts of the last build.
+  /// counts and times of the last build.
   const Statistics& statistics() const { return built().statistics; }
   /// @}
 
   /// \name Queries
   /// A `Location` is a `vertex_descriptor` or a `Face_location`. At vertices these functions take constant time.
   /// Elsewhere they need kept windows, and take time linear in the number of windows of a face. They throw
-  /// `std::invalid_argument` if the location is not valid, and `std::logic_error` if the windows that they need were not
-  /// kept.
+  /// `std::invalid_argument` if the location is not valid, and `std::logic_error` if they need windows that were not kept.
   /// @{
 
-  /// the distance of a point from the nearest source; infinity if it is unreachable or farther than `covered_distance()`.
+  /// the distance of a point from the nearest source; infinity if the point is unreachable or farther than
+  /// `covered_distance()`.
   template <class Location>
   FT distance_to_sources(const Location& location) const
   {
@@ -196,9 +222,9 @@ public:
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
-  /// by how much the distance of a vertex may be smaller than the exact one: 0 if the build had no tolerance. For all other
-  /// points, `statistics()` has the largest such bound. Rounding is not contained.
-  /// \throws std::invalid_argument if the vertex is not of the mesh.
+  /// the amount by which the distance of a vertex may be smaller than the exact distance: 0 if the build had no tolerance.
+  /// For all other points, `statistics()` has the largest such bound. Excludes rounding error.
+  /// \throws std::invalid_argument if the vertex does not belong to the mesh.
   FT error_bound(vertex_descriptor v) const
   {
     const Build& b = built();
@@ -206,9 +232,10 @@ public:
     return b.is_approximate() ? FT(Surface::exported(Number(b.field.error[p.element]))) : FT(0);
   }
 
-  /// the distance, rounded to `double`, with a sign: negative on the left of polylines, that is inside of counterclockwise
-  /// ones, and positive on their right. Infinity if the point is unreachable or farther than `covered_distance()`. Not a
-  /// number where the nearest source has no sides: points, sets of edges, and beyond the ends of open polylines.
+  /// the distance, rounded to `double`, with a sign: negative on the left of polylines, which is the inside of
+  /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
+  /// `covered_distance()`. Not a number if the nearest source is a point or a set of edges, which have no sides, or if the
+  /// nearest point is an end of an open polyline.
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
@@ -223,7 +250,7 @@ public:
     }
   }
 
-  /// the nearest source and the nearest point of it; nothing if the point is unreachable or farther than
+  /// the nearest source and the nearest point of it; empty if the point is unreachable or farther than
   /// `covered_distance()`. Takes, in addition, time linear in the number of edges that the shortest path crosses.
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
@@ -238,9 +265,9 @@ public:
                           start.root.side(), Surface::exported(start.distance), m_surface->location(end.point)};
   }
 
-  /// the gradient of the distance: the unit vector that points straight away from where the shortest path goes first, in the
-  /// plane of the face in which it starts. The null vector at sources and at points that have no distance. Where there are
-  /// several shortest paths, it belongs to one of them.
+  /// the gradient of the distance: the unit vector opposite to the direction in which the shortest path to the nearest source
+  /// starts, in the plane of the face in which the path starts. The null vector at sources and at points that have no
+  /// distance. If there are several shortest paths, the gradient is that of one of them.
   template <class Location>
   Vector_3 gradient(const Location& location) const
   {
@@ -251,7 +278,7 @@ public:
     return m_surface->vector(start.halfedge, (Number(1) / length(way)) * way);
   }
 
-  /// puts the distances of all vertices into a map.
+  /// writes the distances of all vertices to a map.
   /// \tparam VertexDistanceMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `FT` as value
   template <class VertexDistanceMap>
   void vertex_distances(VertexDistanceMap map) const
@@ -261,10 +288,7 @@ public:
       put(map, v, FT(Surface::exported(b.field.distance[m_surface->index_of(v)])));
   }
 
-  /// what `source_labels()` says of vertices that have no distance.
-  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
-
-  /// puts the id of the nearest source of all vertices into a map: the geodesic Voronoi diagram of the sources.
+  /// writes the id of the nearest source of each vertex to a map: the geodesic Voronoi diagram of the sources.
   /// \tparam VertexLabelMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `std::size_t` as value
   template <class VertexLabelMap>
   void source_labels(VertexLabelMap map) const
@@ -278,35 +302,63 @@ public:
     }
   }
 
-  /// the largest distance of the surface, not counting points that have none, and a point at that distance. It may lie
-  /// inside a face. Needs kept windows; takes time linear in the size of the mesh and little more, on most meshes.
-  /// \throws std::logic_error if the windows were not kept, or no point has a distance, or `covered_distance()` is finite
+  /// the largest distance of the vertices that have a distance. Points between vertices may be farther, see
+  /// `largest_distance()`. Takes linear time.
+  /// \throws std::logic_error if no vertex has a distance
+  FT largest_vertex_distance() const
+  {
+    const Number* largest = nullptr;
+    for (const Number& d : built().field.distance)
+      if (Policy::is_finite(d) && (largest == nullptr || *largest < d)) largest = &d;
+    if (largest == nullptr) throw std::logic_error("Surface_mesh_geodesic_offset: no vertex has a distance");
+    return Surface::exported(*largest);
+  }
+
+  /// the largest distance of the points of the surface that have a distance, and a point at that distance, which may lie
+  /// inside a face. After a build with `compute_largest_distance(true)` this takes constant time; from kept windows it takes
+  /// time linear in the size of the mesh and little more, on most meshes.
+  /// \throws std::logic_error if the build had neither of these parameters, or no point has a distance, or
+  ///         `covered_distance()` is finite
   std::pair<Face_location, FT> farthest_point() const
   {
     built_exactly();
-    const Build& b = built_with_windows();
-    Index face;
-    std::array<Number, 3> weights;
-    Number distance;
-    if (Policy::is_finite(b.maximum) ||
-        !Geodesic_offset::internal::Farthest_point<Number>(unfolded(), b.initial, b.field)(face, weights, distance))
+    if (Policy::is_finite(built().maximum))
       throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
-                             "everywhere, or there is no source");
-    return {Face_location(m_surface->face_of[face], Surface::exported(weights)), Surface::exported(distance)};
+                             "everywhere");
+    const auto farthest = this->farthest();
+    return {Face_location(m_surface->face_of[farthest.face], Surface::exported(farthest.weights)),
+            Surface::exported(farthest.distance)};
   }
 
-  /// the same without the point.
-  FT largest_distance() const { return farthest_point().second; }
+  /// the largest distance of the points of the surface that have a distance; `covered_distance()` if other points are farther
+  /// away. With a tolerance it may be smaller than the exact one, as all distances. Takes time as `farthest_point()`.
+  /// \throws std::logic_error if the build had none of the parameters that `farthest_point()` needs, or no point has a
+  ///         distance
+  FT largest_distance() const { return Surface::exported(farthest().distance); }
+  /// @}
+
+  /// \name Special Values
+  /// @{
+
+  /// the distance of points that no path reaches: `std::numeric_limits<FT>::infinity()`, or, for number types without an
+  /// infinity, such as exact ones, a number that is larger than any distance on a mesh.
+  static FT infinity() { return Surface::exported(Policy::infinity()); }
+
+  /// the label that `source_labels()` gives to vertices that have no distance.
+  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
   /// @}
 
   /// \name Shortest Paths
-  /// From a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source: the point itself, a point on each
-  /// edge that is crossed, the vertices that are passed, and the source point. Nothing if the point has no distance; only
-  /// the point if it lies on a source. Two consecutive points have a face in common. The time is linear in the number of
-  /// points, and the exceptions are those of the queries. What many paths have in common, the straight ways from vertex to
-  /// vertex, is remembered, in up to 264 bytes a vertex of the mesh for paths as points, and as many for the other forms.
+  /// A path from a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source consists of the point
+  /// itself, a point on each edge that it crosses, the vertices through which it passes, and the source point. It is empty if
+  /// the point has no distance, and only the point if the point lies on a source. Two consecutive points have a face in
+  /// common. The time is linear in the number of points, and the exceptions are those of the queries. The straight parts from
+  /// vertex to vertex, which many paths have in common, are cached: in up to 264 bytes per vertex of the mesh for paths as
+  /// points, and as many for the other forms.
   /// @{
 
+  /// writes a shortest path to the nearest source as locations.
+  /// \param location the start of the path
   /// \param out an output iterator for `Face_location`
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_to_sources(const Location& location, OutputIterator out) const
@@ -315,6 +367,8 @@ public:
     return out;
   }
 
+  /// writes a shortest path to the nearest source as points in space.
+  /// \param location the start of the path
   /// \param out an output iterator for `Point_3`
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
@@ -334,9 +388,11 @@ public:
     }
   }
 
-  /// \param visitor is called with what the path meets, as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)`
-  ///        for a point on an edge, at the part `t` of the way from the source of the halfedge to its target;
-  ///        `visitor(vertex)`; `visitor(face, barycentric_coordinates)` for a point inside a face.
+  /// calls a visitor for each point of a shortest path to the nearest source.
+  /// \param location the start of the path
+  /// \param visitor is called as that of `Surface_mesh_shortest_path`: `visitor(halfedge, t)` for a point on an edge, at the
+  ///        fraction `t` of the way from the source of the halfedge to its target; `visitor(vertex)`;
+  ///        `visitor(face, barycentric_coordinates)` for a point inside a face.
   template <class Location, class Visitor>
   void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
   {
@@ -363,6 +419,23 @@ protected:
     if (!built().kept)
       throw std::logic_error("Surface_mesh_geodesic_offset: this query needs build(parameters::keep_windows(true))");
     return *m_built;
+  }
+
+  Geodesic_offset::internal::Farthest<Number> farthest() const
+  {
+    const Build& b = built();
+    std::optional<Geodesic_offset::internal::Farthest<Number>> result = b.farthest;
+    if (!b.request().finds_farthest)
+    {
+      if (!b.kept)
+        throw std::logic_error("Surface_mesh_geodesic_offset: this query needs "
+                               "build(parameters::compute_largest_distance(true))");
+      Geodesic_offset::internal::Farthest_point<Number> search(unfolded(), b.initial, b.field);
+      search.add_all();
+      result = search.result();
+    }
+    if (!result) throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: no point has a distance");
+    return *result;
   }
 
   const Build& built_for(const Surface_point& p) const

@@ -28,21 +28,20 @@ namespace CGAL {
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
 \brief computes certified bounds of the geodesic distances from points, polylines and edges: for every vertex, and for every
-point of the surface if the windows are kept, two numbers of which it is proven that the distance lies between them. An
-oracle for other methods.
+point of the surface if the windows are kept, a proven lower and a proven upper bound of the distance. An oracle for other
+methods.
 
-The coordinates of the vertices, rounded to `double` if they are not, are taken as exact. A source, or a point that is asked
-for, is the location as classified: coordinates that are zero up to round-off (1e-13) put it on the edge, or at the vertex.
-How the bounds are found, and why they are certain, says \ref SurfaceMeshGeodesicOffsetErrorAnalysis. Relative to the
-distance they are mostly within a few 1e-14 of each other. They are proven for sources from which every shortest path
-crosses fewer than 2^16 faces without a bend.
+The bounds are those of the mesh whose vertices have exactly the given coordinates, rounded to `double` if they are of another
+type. The location of a source or of a query is classified first: barycentric coordinates that are zero up to round-off
+(1e-13) put it on the edge, or at the vertex. \ref SurfaceMeshGeodesicOffsetErrorAnalysis says how the bounds are computed
+and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for sources from which
+every shortest path crosses fewer than 2^16 faces without a bend.
 
 The computation takes up to twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
-arithmetic with round to nearest, where every operation rounds to `double`: it does not compile with `-ffast-math`, nor for
-x87 registers.
+arithmetic with round to nearest, where every operation rounds to `double`: the header does not compile with `-ffast-math`,
+nor for x87 registers.
 
-The template parameters and the constructors are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be
-`double`.
+The template parameters are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be `double`.
 */
 template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_enclosure
@@ -53,23 +52,45 @@ class Surface_mesh_geodesic_enclosure
                 "Surface_mesh_geodesic_enclosure: the FT of the traits must be double, the type of the bounds");
 
 public:
+#ifdef DOXYGEN_RUNNING
+  /// \name Construction
+  /// @{
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, const Traits& traits = Traits(),
+                                           const ConcurrencyTag& tag = ConcurrencyTag());
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
+                                  const Traits& traits = Traits(), const ConcurrencyTag& tag = ConcurrencyTag());
+
+  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
+  template <class ConcurrencyTag = Sequential_tag>
+  Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
+                                  Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
+                                  const ConcurrencyTag& tag = ConcurrencyTag());
+  /// @}
+#else
   typedef typename Base::vertex_descriptor vertex_descriptor;
   typedef typename Base::Face_location Face_location;
 
   using Base::Base;
+#endif
 
   /// \name Building
   /// @{
 
   /// computes the bounds for the sources added so far. Without any source, all points are at infinity. In the worst case
   /// O(n^2) windows are propagated; on most meshes their number grows like n^1.5. Runs on the calling thread.
-  /// \param np an optional named parameter, `keep_windows(b)`: whether points other than vertices will be asked for; then
-  ///        some 100 bytes a window stay in memory. The bounds are always those of the whole surface, as near as they can
-  ///        be: other parameters, as a distance limit or a tolerance, are ignored.
+  /// \param np an optional named parameter, `keep_windows(b)`: whether the windows are kept for queries at points other than
+  ///        vertices; some 100 bytes per window stay in memory then. The bounds are always those of the whole surface, as
+  ///        tight as the algorithm gives them: other parameters, such as a distance limit or a tolerance, are ignored.
   /// \throws std::logic_error if the rounding mode is not to nearest, or the compiler has rearranged floating point
   ///         operations
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than some
-  ///         1e-4 it may be that no window is certainly nearer than another one, so that their number doubles in each face
+  ///         1e-4, no window may be certainly nearer than another one, so that the number of windows doubles in each face
   /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60
   template <class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
@@ -98,9 +119,9 @@ public:
   /// @{
 
   /// a lower and an upper bound of the distance from a `vertex_descriptor` or a `Face_location` to the nearest source; both
-  /// are infinite if it is unreachable. Takes constant time at vertices; elsewhere time linear in the number of windows of a
-  /// face.
-  /// \throws std::logic_error if `!is_built()`, or if the location is no vertex and the windows were not kept
+  /// are infinite if the point is unreachable. Takes constant time at vertices; elsewhere time linear in the number of
+  /// windows of a face.
+  /// \throws std::logic_error if `!is_built()`, or if the location is not a vertex and the windows were not kept
   /// \throws std::invalid_argument if the location is not valid
   template <class Location>
   std::pair<double, double> distance_bounds(const Location& location) const

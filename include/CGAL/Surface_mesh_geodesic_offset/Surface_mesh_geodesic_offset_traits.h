@@ -24,17 +24,17 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetTraitsClasses
 
-\brief A model of the concept `SurfaceMeshGeodesicOffsetTraits`.
+\brief provides the types, predicates and constructions of `Surface_mesh_geodesic_offset` and its base classes.
 
-All constructions are those of the kernel's `FT`: rounded for a floating point type, exact for an exact number type with
-square roots, as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.
+All constructions use the arithmetic of the kernel's `FT`: they are rounded for a floating point type, and exact for an exact
+number type with square roots, such as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.
 
-With a kernel whose `FT` is `double` or `float` and whose predicates are exact, as
-`Exact_predicates_inexact_constructions_kernel`, the side tests are exact for the coordinates given, behind a floating point
+With a kernel whose `FT` is `double` or `float` and whose predicates are exact, such as
+`Exact_predicates_inexact_constructions_kernel`, the side tests are exact for the given coordinates, behind a floating point
 filter. With `Simple_cartesian<double>` they are rounded and unguarded: rays that pass an apex within rounding may be sent
 through the wrong edge.
 
-The points of the mesh may belong to another kernel, as an exact one: their coordinates are converted, with
+The points of the mesh may belong to another kernel, for example an exact one: their coordinates are converted, with
 `CGAL::to_double()` if `FT` is `double`.
 
 If `CGAL_PROFILE` is defined, the number of side tests, and of those that the filter left undecided, is printed when the
@@ -56,10 +56,18 @@ class Surface_mesh_geodesic_offset_traits
                 "roots, as Exact_predicates_exact_constructions_kernel_with_sqrt; the mesh's points may be of any kernel.");
 
 public:
+  /// \name Types
+  /// @{
+
+  /// the kernel
   typedef K Kernel;
+  /// the mesh
   typedef TriangleMesh Triangle_mesh;
+  /// the number type of distances and of coordinates
   typedef typename K::FT FT;
+  /// a point in space
   typedef typename K::Point_3 Point_3;
+  /// a vector in space
   typedef typename K::Vector_3 Vector_3;
 
   /*!
@@ -73,6 +81,7 @@ public:
   class Construct_apices_2
   {
   public:
+    /// computes the lengths and apices of the face with the vertices `p`, `q`, `r`.
     void operator()(const Point_3& p, const Point_3& q, const Point_3& r, FT (&length)[3], FT (&x)[3], FT (&y)[3]) const
     {
       const FT u[3][3] = {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()},
@@ -112,6 +121,7 @@ public:
   class Change_frame_2
   {
   public:
+    /// changes the image `(x, y)` and `sigma` to those in the new frame.
     BOOST_FORCEINLINE void operator()(FT& x, FT& y, FT& sigma, bool is_parallel, const FT& ox, const FT& oy, const FT& c,
                                       const FT& s) const
     {
@@ -151,7 +161,7 @@ public:
   };
 
   /*!
-  Compares where a ray of a window enters a face with where the ray to the face's apex enters it.
+  Compares the entry point of a ray of a window into a face with that of the ray to the apex of the face.
 
   In the frame of a halfedge (origin at its source, \f$x\f$ axis along it, face above) the source image of the window is
   \f$(X : Y : W)\f$ with \f$Y < 0\f$ for \f$W = 1\f$. The ray through \f$(b, 0)\f$ has direction \f$(bW - X, -Y)\f$. The sign
@@ -159,13 +169,14 @@ public:
   \f$(b,0)\f$ to the apex \f$(a_x, a_y)\f$: `POSITIVE` if the apex is to the left of the ray (the ray passes to the right of
   the apex), `ZERO` if the ray hits it.
 
-  Exact for the coordinates given if `FT` is exact, and if it is `double` or `float` and the kernel has exact predicates:
-  what the filter, in `double`, leaves undecided goes to the kernel's `Orientation_2` for interval windows, and to exact
-  arithmetic for parallel-source windows.
+  Exact for the given coordinates if `FT` is exact, or if `FT` is `double` or `float` and the kernel has exact predicates:
+  where the filter, in `double`, does not decide, the kernel's `Orientation_2` does for interval windows, and exact arithmetic
+  for parallel-source windows.
   */
   class Compare_entry_with_apex_2
   {
   public:
+    /// returns the sign of the cross product.
     Sign operator()(const FT& x, const FT& y, bool is_parallel, const FT& b, const FT& ax, const FT& ay) const
     {
       if constexpr (is_filtered)
@@ -216,18 +227,20 @@ public:
   };
 
   /*!
-  Finds where the ray of a window through \f$(b, 0)\f$ leaves the face through the edge from the origin in the unit direction
-  \f$(c, s)\f$, the left one of the two others: an end of the child's interval. (For the right one all is mirrored.)
+  Finds the exit of the ray of a window through \f$(b, 0)\f$ from the face, an end of the child's interval, on the left one of
+  the two other edges: that from the origin in the unit direction \f$(c, s)\f$. (The right edge is the mirror image.)
 
-  With \f$D = s (X - bW) - c Y\f$ it does if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin, after growing by the
-  part \f$sb / D\f$ of its length so far (of the unit for \f$W = 0\f$). Exact if `FT` is. Else the distance is to be found
-  anew, from the image, if rounding has moved the exit beyond the end of the edge, or if the length has more than trebled, as
-  growing keeps the relative error of a point very near to the source.
+  Let \f$D = s (X - bW) - c Y\f$. The ray meets the edge if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin. Its
+  length grows by the fraction \f$sb / D\f$ (of its length up to \f$(b, 0)\f$ if \f$W = 1\f$, of the unit if \f$W = 0\f$).
+  Exact if `FT` is. Otherwise the caller computes the distance anew, from the image, if rounding has moved the exit beyond the
+  end of the edge, or if the length has more than trebled, since growth preserves the relative error of a point very near to
+  the source.
   */
   class Construct_exit_2
   {
   public:
-    // d: the distance at (b, 0). On success t is at most `length`, and `distance` belongs to t unless said to be rough.
+    /// returns whether the ray meets the edge and, if so, sets the exit: `t` is at most `length`, and `distance` is the distance
+    /// at `t` unless `is_rough`. `d` is the distance at `(b, 0)`.
     BOOST_FORCEINLINE bool operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& b, const FT& d,
                                       const FT& c, const FT& s, const FT& length, FT& t, FT& distance,
                                       bool& is_rough) const
@@ -266,12 +279,13 @@ public:
   };
 
   /*!
-  The distance that a window gives to a point \f$p\f$ in its rays: \f$\sigma + |p - (X, Y)|\f$ for \f$W = 1\f$,
+  Computes the distance of a point \f$p\f$ on a ray of a window: \f$\sigma + |p - (X, Y)|\f$ for \f$W = 1\f$,
   \f$\sigma - (X, Y) \cdot p\f$ for \f$W = 0\f$. Exact if `FT` is.
   */
   class Compute_distance_2
   {
   public:
+    /// returns the distance at the point `(px, py)`.
     BOOST_FORCEINLINE FT operator()(const FT& x, const FT& y, const FT& sigma, bool is_parallel, const FT& px,
                                     const FT& py) const
     {
@@ -291,12 +305,13 @@ public:
   };
 
   /*!
-  Compares the distances that two windows give to one point. For a floating point type distances tie that differ by at most
+  Compares the distances of one point in two windows. For a floating point type, distances are equal if they differ by at most
   four units in the last place of the given scale; otherwise the comparison is exact.
   */
   class Compare_distance_2
   {
   public:
+    /// compares the distances `d` and `e`.
     BOOST_FORCEINLINE Comparison_result operator()(const FT& d, const FT& e, const FT& scale) const
     {
       const FT difference = d - e, allowance = Geodesic_offset::internal::Number_policy<FT>::rounding(4) * scale;
@@ -304,12 +319,24 @@ public:
     }
   };
 
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// returns a functor of type `Construct_apices_2`.
   Construct_apices_2 construct_apices_2_object() const { return Construct_apices_2(); }
+  /// returns a functor of type `Change_frame_2`.
   Change_frame_2 change_frame_2_object() const { return Change_frame_2(); }
+  /// returns a functor of type `Compare_entry_with_apex_2`.
   Compare_entry_with_apex_2 compare_entry_with_apex_2_object() const { return Compare_entry_with_apex_2(); }
+  /// returns a functor of type `Construct_exit_2`.
   Construct_exit_2 construct_exit_2_object() const { return Construct_exit_2(); }
+  /// returns a functor of type `Compute_distance_2`.
   Compute_distance_2 compute_distance_2_object() const { return Compute_distance_2(); }
+  /// returns a functor of type `Compare_distance_2`.
   Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(); }
+  /// @}
 
 private:
   static FT root(const FT& x) { return Geodesic_offset::internal::square_root<FT>(x); }

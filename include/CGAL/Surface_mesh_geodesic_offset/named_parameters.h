@@ -15,6 +15,7 @@ namespace internal_np {
 
 enum geodesic_distance_limit_t { geodesic_distance_limit };
 enum geodesic_keep_windows_t { geodesic_keep_windows };
+enum geodesic_compute_largest_distance_t { geodesic_compute_largest_distance };
 enum geodesic_targets_t { geodesic_targets };
 enum geodesic_relative_tolerance_t { geodesic_relative_tolerance };
 enum geodesic_merging_tolerance_t { geodesic_merging_tolerance };
@@ -26,14 +27,16 @@ namespace parameters {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 
-\brief what a build takes: any number of these in any order, joined by dots, as in
+\brief holds the named parameters of a build: any number of the functions below, in any order, joined by dots, as in
 `parameters::distance_limit(2.).keep_windows(true)`.
 */
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
 {
+#ifndef DOXYGEN_RUNNING
   typedef Named_function_parameters<T, Tag, Base> Named_parameters;
   using Named_parameters::Named_parameters;
+#endif
 
   /// the largest distance that is computed, inclusive. Points farther away are at infinity. %Default: infinity.
   template <class FT>
@@ -46,42 +49,51 @@ struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
   /// %Default: `false`.
   auto keep_windows(bool keep) const { return and_also<internal_np::geodesic_keep_windows_t>(keep); }
 
-  /// points whose distances are wanted: the propagation stops once all of them are final.
-  /// \tparam Range a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type; it is not copied, and
-  ///         must live until the build has ended. An empty one stops nothing.
+  /// whether the largest distance of the surface is computed while the front advances, for `largest_distance()` and
+  /// `farthest_point()`. Takes little time, and memory for one face. %Default: `false`; these functions need kept windows then.
+  auto compute_largest_distance(bool compute) const
+  {
+    return and_also<internal_np::geodesic_compute_largest_distance_t>(compute);
+  }
+
+  /// the points whose distances are requested: the propagation stops once all of these distances are final.
+  /// \tparam Range a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type. The range is not copied,
+  ///         and must outlive the build. An empty range has no effect.
   template <class Range>
   auto targets(const Range& range) const
   {
     return and_also<internal_np::geodesic_targets_t>(std::cref(range));
   }
 
-  /// a function object `bool(double)`. It is told, every now and then, which part of the surface the front has passed: from
-  /// 0 to 1, never decreasing, and 1 at the end alone. If it returns `false` the build is cancelled. It is copied:
-  /// `std::ref` hands on an object with a state.
-  /// (`parameters::visitor()` is that of \cgal; it can be given alone, or behind one of these.)
+  /// a function object `bool(double)`, called periodically with the completed fraction of the surface: a number from 0 to 1
+  /// that never decreases and is 1 at the end only. If the visitor returns `false`, the build is cancelled. The function object
+  /// is copied; `std::ref` passes an object with a state. A chain of parameters cannot begin with a visitor:
+  /// `parameters::visitor(f)` is \cgal's, and none of the functions of this class can follow it.
   template <class Visitor>
   auto visitor(const Visitor& function) const
   {
     return and_also<internal_np::visitor_t>(function);
   }
 
-  /// the part of the distance by which every distance may be smaller than the exact one: a number from 0 to 0.5, in practice
-  /// from 1e-9 to 1e-3. On smooth fine meshes this takes much less time and memory: neighbouring windows are merged where
-  /// that keeps all distances within the tolerance, so that a few windows a vertex are propagated. `statistics()` tells
-  /// the error bound that was reached. %Default: 0, exact distances.
+  /// the largest relative amount by which a distance may be smaller than the exact distance: a number from 0 to 0.5, in
+  /// practice from 1e-9 to 1e-3. %Default: 0, exact distances.
   ///
-  /// Distances, gradients, sides and labels can be had then; there are no paths, offset curves, nearest points, and no
-  /// farthest point. Needs a floating point number type.
+  /// On smooth fine meshes a tolerance saves much time and memory: neighbouring windows are merged if all distances stay within
+  /// the tolerance, so that a few windows per vertex are propagated. `statistics()` reports the error bound that was reached.
+  /// Distances, signed distances, gradients and labels are available then; paths, offset curves, nearest points and the
+  /// farthest point are not. Needs a floating point number type.
   template <class FT>
   auto relative_tolerance(const FT& t) const
   {
     return and_also<internal_np::geodesic_relative_tolerance_t>(t);
   }
 
-  /// a length by which every distance may be smaller than the exact one, in the units of the mesh's points: finite, and not
-  /// negative. With a length far below the size of the faces, windows that only noise in the coordinates keeps apart are
-  /// merged, for instance in the planes of a CAD model. Otherwise as `relative_tolerance()`; if both are given, a distance
-  /// may be smaller by the sum, but never by more than a half of itself. %Default: 0.
+  /// the largest length by which a distance may be smaller than the exact distance, in the units of the mesh's points: finite,
+  /// and not negative. %Default: 0.
+  ///
+  /// A length far below the size of the faces merges windows that differ only by noise in the coordinates, for instance in the
+  /// planes of a CAD model. Otherwise as `relative_tolerance()`; if both are given, a distance may be smaller by the sum, but
+  /// never by more than half of the exact distance.
   template <class FT>
   auto merging_tolerance(const FT& t) const
   {
@@ -97,7 +109,8 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Geodesic_parameters::distance_limit()`.
+/// sets the largest distance that is computed, see `Geodesic_parameters::distance_limit()`.
+/// \param d a distance, not negative
 template <class FT>
 auto distance_limit(const FT& d)
 {
@@ -105,14 +118,24 @@ auto distance_limit(const FT& d)
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Geodesic_parameters::keep_windows()`.
+/// sets whether the windows are kept after the propagation, see `Geodesic_parameters::keep_windows()`.
+/// \param keep whether the windows are kept
 inline auto keep_windows(bool keep)
 {
   return Geodesic_parameters<bool, internal_np::geodesic_keep_windows_t>(keep);
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Geodesic_parameters::targets()`.
+/// sets whether the largest distance of the surface is computed, see `Geodesic_parameters::compute_largest_distance()`.
+/// \param compute whether the largest distance is computed
+inline auto compute_largest_distance(bool compute)
+{
+  return Geodesic_parameters<bool, internal_np::geodesic_compute_largest_distance_t>(compute);
+}
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
+/// sets the points whose distances are requested, see `Geodesic_parameters::targets()`.
+/// \param range a range of `vertex_descriptor` or `Face_location`, which must outlive the build
 template <class Range>
 auto targets(const Range& range)
 {
@@ -120,7 +143,8 @@ auto targets(const Range& range)
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Geodesic_parameters::relative_tolerance()`.
+/// sets the relative tolerance of distances, see `Geodesic_parameters::relative_tolerance()`.
+/// \param t a number from 0 to 0.5
 template <class FT>
 auto relative_tolerance(const FT& t)
 {
@@ -128,7 +152,8 @@ auto relative_tolerance(const FT& t)
 }
 
 /// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// see `Geodesic_parameters::merging_tolerance()`.
+/// sets the absolute tolerance of distances, see `Geodesic_parameters::merging_tolerance()`.
+/// \param t a length, finite and not negative
 template <class FT>
 auto merging_tolerance(const FT& t)
 {

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/dxf_document.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
@@ -175,24 +176,26 @@ private:
 \brief writes offset curves as a DXF file (ASCII, AutoCAD 2000), in three dimensions.
 
 - A curve that lies in a horizontal plane becomes one `LWPOLYLINE` at the elevation of the plane, with the true arcs as
-  bulges; an arc is there in one piece (or two, if it is longer than a half turn) however many faces it crosses.
+  bulges; an arc is one bulge (or two, if it is longer than a half turn) however many faces it crosses.
 - A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE`.
 - Any other curve is split where its arcs enter and leave a horizontal plane, into polylines of both kinds. Each
   ends at the very point at which the next one begins, so they can be joined again.
 
-A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate). It may
-look up or down. Closed curves have the flag for it. All curves of one distance are on one layer, named `offset_` and
-the distance. The file has no unit; one unit of it is one of the mesh.
+A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate). Its
+normal may point up or down. Polylines of closed curves have the flag "closed". There is one layer per distance, named
+`offset_` and the distance. One unit of the file is one unit of the mesh.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
 \param chord_tolerance the largest distance of a 3D polyline from the curve that it stands for; positive
+\param unit the unit of the mesh, for `$INSUNITS`; without one, the file is unitless
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
 */
 template <class OffsetCurveRange, class FT>
-bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance,
+                      Length_unit unit = Length_unit::NONE)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
   Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
@@ -214,7 +217,7 @@ bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT
   if (polylines.empty()) box = Bbox_3(0, 0, 0, 0, 0, 0);
 
   const internal::Full_precision precision(os);
-  internal::Dxf_document(os).write(layers, polylines, box);
+  internal::Dxf_document(os).write(layers, polylines, box, unit);
   return os.good();
 }
 

@@ -20,8 +20,8 @@ namespace IO {
 
 \brief writes offset curves as line elements of an `.obj` file.
 
-All curves of one distance are in one group, named `offset_` and the distance, if the range has them in sequence. A closed
-line ends with the index of its first point.
+There is one group per distance, named `offset_` and the distance, if the curves of each distance are consecutive in the
+range. A closed line ends with the index of its first point.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream

@@ -16,7 +16,7 @@ namespace IO {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
-\brief writes offset curves in %CGAL's `.polylines.txt` format: one line a curve, `n x1 y1 z1 ... xn yn zn`.
+\brief writes offset curves in %CGAL's `.polylines.txt` format: one line per curve, `n x1 y1 z1 ... xn yn zn`.
 
 A closed curve repeats its first point.
 

@@ -6,13 +6,17 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -85,7 +89,54 @@ inline void write_path(std::ostream& os, const Svg_path& path)
   os << (path.is_closed ? " Z\"/>\n" : "\"/>\n");
 }
 
+// A length as an attribute. The format has no meters.
+inline void write_length(std::ostream& os, const char* attribute, double length, Length_unit unit)
+{
+  os << ' ' << attribute << "=\"" << (unit == Length_unit::METER ? 1000 * length : length)
+     << (unit == Length_unit::INCH ? "in" : unit == Length_unit::CENTIMETER ? "cm" : "mm") << '"';
+}
+
 } // namespace Surface_mesh_geodesic_offset_internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief whether a mesh lies in one plane, up to 1e-6 of its extent, so that `write_offset_SVG()` can write its offset curves.
+
+Curves are checked again when they are written, against the extent of the faces that they cross: with coordinates that are
+rounded to fewer than some ten digits, a curve that crosses only few small faces of a planar mesh may be refused. The curves
+of another mesh can be written if all faces that they cross lie in one plane, which depends on the curves.
+
+Takes linear time.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NamedParameters a sequence of named parameters
+\param tm the mesh; all its faces are triangles
+\param np an optional named parameter, `vertex_point_map`: a model of `ReadablePropertyMap` with `vertex_descriptor` as key
+       and a 3D point as value. %Default: the mesh's `vertex_point`.
+*/
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+bool can_write_offset_SVG(const TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Surface_mesh_geodesic_offset_internal;
+  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                   get_const_property_map(vertex_point, tm));
+  const auto for_each_face = [&](const auto& f) {
+    for (const auto face : faces(tm))
+    {
+      const auto h = halfedge(face, tm);
+      f(std::array<internal::Coordinates, 3>{internal::coordinates(get(points, source(h, tm))),
+                                             internal::coordinates(get(points, target(h, tm))),
+                                             internal::coordinates(get(points, target(next(h, tm), tm)))});
+    }
+  };
+  const internal::Plane_of_faces plane(for_each_face);
+  bool is_planar = true;
+  for_each_face([&](const std::array<internal::Coordinates, 3>& corners) {
+    for (const internal::Coordinates& p : corners) is_planar = is_planar && plane.contains(p);
+  });
+  return is_planar;
+}
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
@@ -93,25 +144,27 @@ inline void write_path(std::ostream& os, const Svg_path& path)
 \brief writes offset curves that lie in one plane, such as those of a planar mesh, as an SVG file.
 
 Each curve is a `path` of lines and true circular arcs; an arc is not divided where it crosses edges of the mesh. Closed
-curves end with `Z`. All curves of one distance are in one group `g` with the distance as its attribute `data-distance`
-and as its title. One user unit is one unit of the mesh; the `viewBox` holds all curves and a margin.
+curves end with `Z`. There is one group `g` per distance, with the distance as its attribute `data-distance` and as its title.
+One user unit is one unit of the mesh; the `viewBox` holds all curves and a margin.
 
-The plane may have any position. If it rises by less than half a right angle, it is drawn as a map: seen from above, with
-the y axis pointing up. So in a horizontal plane the coordinates of the paths are \f$ (x, -y) \f$, as the y axis of the
-format points down. Other planes are drawn as seen from the outside of the surface, with the z axis pointing up.
+The plane may have any position. If its slope is less than 45 degrees, it is drawn as a map: seen from above, with the y axis
+pointing up. So in a horizontal plane the coordinates of the paths are \f$ (x, -y) \f$, as the y axis of the format points
+down. Other planes are drawn as seen from the outside of the surface, with the z axis pointing up.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
+\param unit the unit of the mesh. With a unit, the picture has a width and a height in this unit, or in millimeters for
+       meters; without, it fills the page or window in which it is shown.
 \return whether the stream is still good.
 \throws std::invalid_argument if the faces that the curves cross do not lie in one plane, up to 1e-6 of their extent. Then
         nothing has been written.
 */
 template <class OffsetCurveRange>
-bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves)
+bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves, Length_unit unit = Length_unit::NONE)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  const internal::Plane_of_curves plane(curves);
+  const internal::Plane_of_curves<OffsetCurveRange> plane(curves);
   std::map<double, std::vector<internal::Svg_path>> groups; // by distance
   internal::Plane_box box;
   for (const auto& curve : curves)
@@ -125,12 +178,16 @@ bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves)
   const internal::Full_precision precision(os);
   const double size = box.is_empty() ? 1 : std::hypot(box.size(0), box.size(1));
   const double stroke = 0.002 * size, margin = 0.02 * size;
-  os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" viewBox=\"";
-  if (box.is_empty())
-    os << "0 0 1 1";
-  else
-    os << box.low(0) - margin << ' ' << -box.high(1) - margin << ' ' << box.size(0) + 2 * margin << ' '
-       << box.size(1) + 2 * margin;
+  const bool empty = box.is_empty();
+  const double x = empty ? 0 : box.low(0) - margin, y = empty ? 0 : -box.high(1) - margin,
+               width = empty ? 1 : box.size(0) + 2 * margin, height = empty ? 1 : box.size(1) + 2 * margin;
+  os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"";
+  if (unit != Length_unit::NONE)
+  {
+    internal::write_length(os, "width", width, unit);
+    internal::write_length(os, "height", height, unit);
+  }
+  os << " viewBox=\"" << x << ' ' << y << ' ' << width << ' ' << height;
   os << "\">\n<title>geodesic offsets</title>\n<g fill=\"none\" stroke=\"black\" stroke-width=\"" << stroke
      << "\" stroke-linejoin=\"round\">\n";
   for (const auto& group : groups)

@@ -60,13 +60,13 @@ long long common_value(const std::vector<Number>& values)
 
 \brief writes offset curves as lines of a legacy VTK file (ASCII, polydata), for ParaView and other users of VTK.
 
-Each curve is one line. A closed one ends with the index of its first point. There are arrays
+Each curve is one line. A closed line ends with the index of its first point. The arrays are
 - of the lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
   as in `Source_side`). The last two are -1 where a curve belongs to several sources or sides;
-- of the points: `source` and `side`. The point between two pieces has the values of the one before it.
+- of the points: `source` and `side`. The point between two pieces has the values of the first of them.
 
-`distance` is the active array. The values of the lines serve to choose curves, as by a threshold; those of the points to
-colour them.
+`distance` is the active array. The arrays of the lines serve to select curves, for instance by a threshold; those of the
+points to colour the curves.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream

@@ -33,6 +33,7 @@ struct Build_request
   std::vector<Surface_point<FT>> targets;   // stop when all are final; none: don't
   std::function<bool(double)> goes_on = {}; // told the part of the work that is done
   Merging_tolerance<FT> tolerance = {};
+  bool finds_farthest = false; // whether it finds the largest distance, also inside faces, on the way
 
   // Reads the named parameters; locate(target) is the place of a target on the surface.
   // \throws std::invalid_argument if a number is out of its range
@@ -45,6 +46,7 @@ struct Build_request
     r.maximum = choose_parameter(get_parameter(np, internal_np::geodesic_distance_limit), Number_policy<FT>::infinity());
     require(r.maximum >= FT(0), "the distance limit is negative or not a number");
     r.keeps_windows = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
+    r.finds_farthest = choose_parameter(get_parameter(np, internal_np::geodesic_compute_largest_distance), false);
     typedef std::decay_t<decltype(get_parameter(np, internal_np::visitor))> Visitor;
     static_assert(std::is_same<Visitor, internal_np::Param_not_found>::value ||
                     std::is_invocable_r<bool, Visitor&, double>::value,

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <chrono>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -93,6 +95,7 @@ public:
   const bool kept;
   bool is_cancelled = false, has_all_targets = false;
   Geodesic_field<FT> field;
+  std::optional<Farthest<FT>> farthest; // if it was asked for, and there is one
   Geodesic_offset_statistics statistics;
   // of the paths that were asked for
   mutable Path_legs<FT, Path_crossing<FT>> legs;
@@ -138,6 +141,23 @@ private:
     }
   };
 
+  // Searches finished faces for the farthest point, if there is a search, and hands them on.
+  template <class Consumer>
+  struct Searching_consumer
+  {
+    static constexpr bool reads_lists = Consumer::reads_lists;
+    Farthest_point<FT>* search;
+    Consumer& consumer;
+
+    template <class Team>
+    void take(const std::vector<Index>& faces, Team& team)
+    {
+      if (search != nullptr) search->add(faces);
+      consumer.take(faces, team);
+    }
+    void settle(const FT& distance) { consumer.settle(distance); }
+  };
+
   template <class Concurrency_tag>
   void cut_all_faces(Offset_extraction<FT>& extraction) const
   {
@@ -169,7 +189,12 @@ private:
       is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
       return !is_cancelled;
     };
-    front.run(consumer, goes_on, m_first_new);
+    std::optional<Farthest_point<FT>> search;
+    if (m_request.finds_farthest) search.emplace(m_mesh, initial, field);
+    // an update hands over only the faces in which it improves something
+    const bool searches_on_the_way = search && m_first_new == 0;
+    Searching_consumer<Consumer> searching{searches_on_the_way ? &*search : nullptr, consumer};
+    front.run(searching, goes_on, m_first_new);
     maximum = front.maximum();
     if (front.merging().is_on()) take_errors(front.merging(), front.merging_counts());
     else if (front.has_bent_paths()) follow_ways_back();
@@ -179,6 +204,12 @@ private:
     statistics.windows_propagated = front.counts().windows_propagated;
     statistics.windows_peak = field.lists.peak();
     field.release_front();
+    if (search)
+    {
+      if (!searches_on_the_way) search->add_all();
+      farthest = search->result();
+      statistics.faces_searched = search->number_of_searched_faces();
+    }
     statistics.kept_bytes = field.kept.bytes();
     statistics.propagation_seconds = seconds_since(start);
     if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);

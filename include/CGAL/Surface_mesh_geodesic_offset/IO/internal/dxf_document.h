@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 
 #include <algorithm>
@@ -45,9 +46,9 @@ public:
   explicit Dxf_document(std::ostream& os) : m_os(os) {}
 
   void write(const std::vector<std::string>& layers, const std::vector<Dxf_polyline>& polylines,
-             const Bbox_3& box)
+             const Bbox_3& box, Length_unit unit)
   {
-    header(layers.size(), polylines, box);
+    header(layers.size(), polylines, box, unit);
     m_os << "0\nSECTION\n2\nCLASSES\n0\nENDSEC\n";
     tables(layers, box);
     m_os << "0\nSECTION\n2\nBLOCKS\n";
@@ -71,6 +72,19 @@ private:
                                model_space = 0x1F, paper_space = 0x1B, first_layer = 0x100;
 
   static std::size_t first_entity(std::size_t number_of_layers) { return first_layer + number_of_layers; }
+
+  // The value of $INSUNITS.
+  static int number_of(Length_unit unit)
+  {
+    switch (unit)
+    {
+    case Length_unit::INCH: return 1;
+    case Length_unit::MILLIMETER: return 4;
+    case Length_unit::CENTIMETER: return 5;
+    case Length_unit::METER: return 6;
+    default: return 0;
+    }
+  }
 
   static std::string hexadecimal(std::size_t n)
   {
@@ -101,11 +115,12 @@ private:
   }
 
   void header(std::size_t number_of_layers, const std::vector<Dxf_polyline>& polylines,
-              const Bbox_3& box)
+              const Bbox_3& box, Length_unit unit)
   {
     std::size_t next = first_entity(number_of_layers);
     for (const Dxf_polyline& p : polylines) next += p.is_horizontal ? 1 : p.vertices.size() + 2;
-    m_os << "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$DWGCODEPAGE\n3\nANSI_1252\n9\n$INSUNITS\n70\n0\n";
+    m_os << "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$DWGCODEPAGE\n3\nANSI_1252\n9\n$INSUNITS\n";
+    group(70, number_of(unit));
     group(9, "$HANDSEED");
     group(5, hexadecimal(next));
     group(9, "$EXTMIN");

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The point of the surface that is farthest from the sources, from kept windows: branch and bound over faces and over
-// triangles in them.
+// The point of the surface that is farthest from the sources: branch and bound over faces, all at once or as the front
+// finishes them, and over triangles in them.
 //
 // The distance in a face is the minimum of path lengths that are convex functions. So in a triangle it is at most the
 // minimum of the linear functions with the same values at the corners. The maximum of that minimum is a bound, too large by
@@ -20,12 +20,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
+
+// The largest distance of the surface, and a point where it is taken, of several a vertex; or the distance up to which
+// distances are known, if there are points beyond.
+template <class FT>
+struct Farthest
+{
+  FT distance;
+  Index face;                // no_index if there are points beyond
+  std::array<FT, 3> weights; // barycentric coordinates, exactly zero on edges
+};
 
 // The search in one face after another, with the farthest point so far.
 template <class FT>
@@ -37,6 +52,9 @@ public:
   typedef std::array<FT, 3> Row;
 
   explicit Farthest_in_face(const FT& distance) : m_best(distance) {}
+
+  // There is a point at this distance.
+  void raise(const FT& distance) { m_best = (std::max)(m_best, distance); }
 
   // Values up to this cannot be told from the largest distance so far. `size`: longest edge of the face.
   FT threshold(const FT& size) const { return m_best + allowance(size); }
@@ -226,106 +244,203 @@ private:
   Max_min<FT> m_max_min;
 };
 
+// The farthest point of faces that come one batch after another, as the front finishes them, or all at once.
+//
+// Few faces are searched. The distances of its corners give an upper bound for a face, and those of the corners of all faces
+// a lower bound of the largest distance. A face is finished when the front is at its upper bound, which is not much farther
+// than the farthest corners of the other faces that are finished then: most faces are excluded at once. The windows of the
+// others are copied, and wait: one or two buckets later the lower bound has grown beyond their upper bounds, unless they are
+// among the last.
 template <class FT>
 class Farthest_point
 {
 public:
   typedef Point_in_face<FT> Point;
+  typedef std::array<FT, 3> Weights;
 
   Farthest_point(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_initial(initial), m_field(field)
   {
   }
 
-  // The largest finite distance of the surface, and the barycentric coordinates of a point where it is taken, exactly zero
-  // on edges; of several, a vertex. False if no point is reached. All of the surface must have its distance: no maximum.
-  bool operator()(Index& face, std::array<FT, 3>& weights, FT& distance) const
+  // Takes faces with points up to field.maximum into account. All distances up to there must be final in these faces, and
+  // the windows of the faces must still be there.
+  void add(const std::vector<Index>& faces)
   {
-    face = no_index;
-    distance = FT(0);
-    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
-    {
-      const FT& d = m_field.distance[v];
-      const Index corner = m_mesh.corner(v);
-      if (corner == no_index || !Number_policy<FT>::is_finite(d) || (face != no_index && !(distance < d))) continue;
-      distance = d;
-      face = m_mesh.face(corner);
-      weights = {FT(0), FT(0), FT(0)};
-      weights[corner % 3] = FT(1);
-    }
-    if (face == no_index) return false;
-    search_faces(face, weights, distance);
-    return true;
+    for (const Index f : faces) add_corners(f);
+    leave_out_excluded();
+    for (const Index f : faces)
+      if (const NT bound = corner_bound(f); is_farther(bound)) wait(f, bound);
   }
+
+  // The same for all faces, from kept windows.
+  void add_all()
+  {
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (is_reached(f)) add_corners(f);
+    std::vector<std::pair<NT, Index>> farther;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (const NT bound = corner_bound(f); is_farther(bound)) farther.emplace_back(bound, f);
+    std::sort(farther.begin(), farther.end(), std::greater<std::pair<NT, Index>>());
+    for (const auto& [bound, f] : farther)
+      if (is_farther(bound)) wait(f, bound);
+  }
+
+  // Nothing if no point is reached.
+  std::optional<Farthest<FT>> result()
+  {
+    search();
+    if (m_is_beyond || m_distance > m_field.maximum) return Farthest<FT>{m_field.maximum, no_index, {}};
+    if (m_face == no_index) return std::nullopt;
+    return Farthest<FT>{m_distance, m_face, m_weights};
+  }
+
+  std::size_t number_of_searched_faces() const { return m_number_of_searched_faces; }
 
 private:
   // The search is for a place: with an exact number type, floating point numbers find it.
   typedef typename std::conditional<Number_policy<FT>::is_inexact, FT, double>::type NT;
 
+  // Faces that wait to be searched. Usually there are some ten, from the last two buckets; 64 faces have some 100 KB of
+  // windows.
+  static constexpr std::size_t largest_number_of_waiting = 64;
+
+  struct Waiting_face
+  {
+    std::unique_ptr<Face_field<FT>> field;
+    NT bound;
+  };
+
   struct Entry
   {
     NT bound;
-    Index face;
+    std::size_t waiting;
     bool is_from_windows;
     friend bool operator<(const Entry& a, const Entry& b) { return a.bound < b.bound; }
   };
 
-  void search_faces(Index& face, std::array<FT, 3>& weights, FT& distance) const
+  bool is_finite(Index v) const { return Number_policy<FT>::is_finite(m_field.distance[v]); }
+
+  bool is_reached(Index f) const
   {
-    Farthest_in_face<NT> search(approximate(distance));
-    Face_field<FT> field(m_mesh, m_initial, m_field);
-    std::vector<Face_window<NT>> windows;
-    std::vector<Entry> heap = entries(search);
-    while (!heap.empty())
+    if (m_mesh.source(3 * f) == no_index) return false;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (is_finite(m_mesh.source(h)) && m_field.distance[m_mesh.source(h)] <= m_field.maximum) return true;
+    if (!Number_policy<FT>::is_finite(m_field.maximum)) return false;
+    return !Face_field<FT>(m_mesh, m_initial, m_field, f).windows().empty(); // that end before they are at a corner
+  }
+
+  // Between a point within the maximum and one beyond there is one at the maximum.
+  void add_corners(Index f)
+  {
+    for (int k = 0; k < 3; ++k)
     {
-      std::pop_heap(heap.begin(), heap.end());
-      const Entry entry = heap.back();
-      heap.pop_back();
-      if (!(entry.bound > search.threshold(NT(0)))) break;
-      field.set_face(entry.face);
-      windows.clear();
-      for (const Face_window<FT>& w : field.windows()) windows.push_back(approximate(w));
-      const NT size = approximate(field.size());
-      bool farther;
-      const NT bound = search.start(corners(field.frame()), windows, size, farther);
-      if (entry.is_from_windows) farther = search.search() || farther;
-      else if (bound > search.threshold(size))
+      const FT& d = m_field.distance[m_mesh.source(3 * f + Index(k))];
+      if (d > m_field.maximum) m_is_beyond = true;
+      else if (Number_policy<FT>::is_finite(d) && (m_face == no_index || m_distance < d))
       {
-        // it may be the turn of other faces first
-        heap.push_back(Entry{bound, entry.face, true});
-        std::push_heap(heap.begin(), heap.end());
+        m_distance = d;
+        m_face = f;
+        m_weights = {FT(0), FT(0), FT(0)};
+        m_weights[k] = FT(1);
+        m_search.raise(approximate(d));
       }
-      if (!farther) continue;
-      const auto& w = search.weights();
-      const std::array<FT, 3> found{FT(w[0]), FT(w[1]), FT(w[2])};
-      std::size_t nearest;
-      const FT d = field.distance(field.frame().point(found), nearest);
-      if (!(distance < d)) continue;
-      face = entry.face;
-      weights = found;
-      distance = d;
     }
   }
 
-  // The faces that the distances of their corners do not exclude. Where these are infinite, no path leads.
-  std::vector<Entry> entries(Farthest_in_face<NT>& search) const
+  // No point of the face is farther. Infinite if no corner has a distance: then no point has one.
+  NT corner_bound(Index f)
   {
-    std::vector<Entry> result;
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+    if (m_mesh.source(3 * f) == no_index) return NT(0);
+    std::array<NT, 3> distances, lengths;
+    for (Index k = 0; k < 3; ++k)
     {
-      if (m_mesh.source(3 * f) == no_index) continue;
-      std::array<NT, 3> distances, lengths;
-      for (Index k = 0; k < 3; ++k)
-      {
-        const FT& d = m_field.distance[m_mesh.source(3 * f + k)];
-        distances[k] = Number_policy<FT>::is_finite(d) ? approximate(d) : Number_policy<NT>::infinity();
-        lengths[k] = approximate(m_mesh[3 * f + k].length);
-      }
-      const NT bound = search.bound(distances, lengths);
-      if (bound > search.threshold(NT(0)) && Number_policy<NT>::is_finite(bound)) result.push_back(Entry{bound, f, false});
+      const Index v = m_mesh.source(3 * f + k);
+      distances[k] = is_finite(v) ? approximate(m_field.distance[v]) : Number_policy<NT>::infinity();
+      lengths[k] = approximate(m_mesh[3 * f + k].length);
     }
-    std::make_heap(result.begin(), result.end());
-    return result;
+    NT bound = Number_policy<NT>::infinity();
+    for (int k = 0; k < 3; ++k) bound = (std::min)(bound, distances[k] + (std::max)(lengths[k], lengths[(k + 2) % 3]));
+    return is_farther(bound) ? m_search.bound(distances, lengths) : bound; // which takes longer
+  }
+
+  // Whether there may be points that are farther than all that were found so far, and within the maximum.
+  bool is_farther(const NT& bound) const
+  {
+    return !m_is_beyond && bound > m_search.threshold(NT(0)) && Number_policy<NT>::is_finite(bound);
+  }
+
+  void wait(Index f, const NT& bound)
+  {
+    if (m_number_of_waiting == largest_number_of_waiting) search();
+    if (m_number_of_waiting == m_waiting.size())
+      m_waiting.push_back({std::make_unique<Face_field<FT>>(m_mesh, m_initial, m_field), bound});
+    Waiting_face& w = m_waiting[m_number_of_waiting++];
+    w.field->set_face(f);
+    w.bound = bound;
+  }
+
+  void leave_out_excluded()
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < m_number_of_waiting; ++i)
+      if (is_farther(m_waiting[i].bound)) std::swap(m_waiting[kept++], m_waiting[i]);
+    m_number_of_waiting = kept;
+  }
+
+  // Searches the faces that wait.
+  void search()
+  {
+    leave_out_excluded();
+    for (std::size_t i = 0; i < m_number_of_waiting; ++i) push(Entry{m_waiting[i].bound, i, false});
+    while (!m_heap.empty())
+    {
+      const Entry entry = pop();
+      if (!(entry.bound > m_search.threshold(NT(0)))) break;
+      search_face(entry);
+    }
+    m_heap.clear();
+    m_number_of_waiting = 0;
+  }
+
+  void search_face(const Entry& entry)
+  {
+    const Face_field<FT>& field = *m_waiting[entry.waiting].field;
+    m_windows.clear();
+    for (const Face_window<FT>& w : field.windows()) m_windows.push_back(approximate(w));
+    const NT size = approximate(field.size());
+    bool farther;
+    const NT bound = m_search.start(corners(field.frame()), m_windows, size, farther);
+    if (entry.is_from_windows) farther = m_search.search() || farther;
+    else
+    {
+      ++m_number_of_searched_faces;
+      // it may be the turn of other faces first
+      if (bound > m_search.threshold(size)) push(Entry{bound, entry.waiting, true});
+    }
+    if (!farther) return;
+    const auto& w = m_search.weights();
+    const Weights found{FT(w[0]), FT(w[1]), FT(w[2])};
+    std::size_t nearest;
+    const FT d = field.distance(field.frame().point(found), nearest);
+    if (!(m_distance < d)) return;
+    m_face = field.face();
+    m_weights = found;
+    m_distance = d;
+  }
+
+  void push(const Entry& entry)
+  {
+    m_heap.push_back(entry);
+    std::push_heap(m_heap.begin(), m_heap.end());
+  }
+
+  Entry pop()
+  {
+    std::pop_heap(m_heap.begin(), m_heap.end());
+    const Entry entry = m_heap.back();
+    m_heap.pop_back();
+    return entry;
   }
 
   static NT approximate(const FT& x)
@@ -347,6 +462,16 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
+  std::vector<Waiting_face> m_waiting; // their memory is used again
+  std::size_t m_number_of_waiting = 0;
+  Farthest_in_face<NT> m_search{NT(0)};
+  std::vector<Face_window<NT>> m_windows;
+  std::vector<Entry> m_heap;
+  Index m_face = no_index;
+  Weights m_weights{};
+  FT m_distance = FT(0);
+  bool m_is_beyond = false;
+  std::size_t m_number_of_searched_faces = 0;
 };
 
 } // namespace internal

@@ -12,9 +12,14 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
+
+template <class>
+class Geodesic_offset_curve;
+
 namespace Geodesic_offset {
 namespace internal {
 
@@ -23,6 +28,13 @@ struct Curve_context
 {
   std::shared_ptr<const Surface> surface;
   std::vector<Source_primitive> primitives;
+
+  template <class FT, class Pieces>
+  static Geodesic_offset_curve<Surface> make_curve(const std::shared_ptr<const Curve_context>& context, const FT& distance,
+                                                   bool is_closed, Pieces&& pieces)
+  {
+    return Geodesic_offset_curve<Surface>(context, distance, is_closed, std::forward<Pieces>(pieces));
+  }
 };
 
 } // namespace internal

@@ -53,7 +53,8 @@ public:
     cut.for_each_curve([&](bool closed, auto&& pieces) {
       if (closed && m_is_shallow(pieces, m_levels[level])) return;
       m_select(shortest, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
-        curves.emplace_back(m_context, Surface::exported(m_levels[level]), is_closed, std::move(part));
+        curves.push_back(
+          Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed, std::forward<decltype(part)>(part)));
       });
     });
     m_next = (std::max)(m_next, level + 1);

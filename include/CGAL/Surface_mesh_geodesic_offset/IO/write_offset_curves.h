@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_OFFSET_CURVES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_OFFSET_CURVES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/named_parameters.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace IO {
+
+/// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
+/// \brief The formats of `write_offset_curves()`.
+enum class Offset_file_format
+{
+  POLYLINES, ///< `write_offset_polylines()`, file names end with `.polylines.txt`
+  VTK,       ///< `write_offset_VTK()`, `.vtk`
+  OBJ,       ///< `write_offset_OBJ()`, `.obj`
+  DXF,       ///< `write_offset_DXF()`, `.dxf`
+  SVG        ///< `write_offset_SVG()`, `.svg`
+};
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief the format that belongs to the extension of a file name, in upper or lower case.
+
+\throws std::invalid_argument if the name has none of the extensions of `Offset_file_format`
+*/
+inline Offset_file_format offset_file_format(const std::string& file_name)
+{
+  const std::pair<const char*, Offset_file_format> formats[] = {{".polylines.txt", Offset_file_format::POLYLINES},
+                                                                {".vtk", Offset_file_format::VTK},
+                                                                {".obj", Offset_file_format::OBJ},
+                                                                {".dxf", Offset_file_format::DXF},
+                                                                {".svg", Offset_file_format::SVG}};
+  const auto is_same = [](char a, char b) { return a == char(std::tolower((unsigned char)(b))); };
+  std::string extensions;
+  for (const auto& [extension, format] : formats)
+  {
+    const std::string e(extension);
+    if (file_name.size() > e.size() && std::equal(e.rbegin(), e.rend(), file_name.rbegin(), is_same)) return format;
+    extensions += extensions.empty() ? e : ", " + e;
+  }
+  throw std::invalid_argument("Surface_mesh_geodesic_offset: the extension of \"" + file_name + "\" is none of " + extensions);
+}
+
+namespace Surface_mesh_geodesic_offset_internal {
+
+// What write_offset_curves() is given, checked before a file is touched.
+template <class CurveRange>
+class Offset_curves_writer
+{
+public:
+  // \throws std::invalid_argument if these curves cannot be written in this format, or the tolerance is bad
+  template <class NamedParameters>
+  Offset_curves_writer(Offset_file_format format, const CurveRange& curves, const NamedParameters& np)
+    : m_curves(curves), m_format(format),
+      m_tolerance(CGAL::to_double(
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), 0.))),
+      m_unit(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_length_unit),
+                                          Length_unit::NONE))
+  {
+    typedef std::decay_t<decltype(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance))> Given;
+    if (std::is_same<Given, internal_np::Param_not_found>::value) m_tolerance = default_tolerance();
+    Geodesic_offset::internal::check_chord_tolerance(m_tolerance);
+    if (format == Offset_file_format::SVG) Plane_of_curves<CurveRange>{curves};
+  }
+
+  bool write(std::ostream& os) const
+  {
+    switch (m_format)
+    {
+    case Offset_file_format::VTK: return write_offset_VTK(os, m_curves, m_tolerance);
+    case Offset_file_format::OBJ: return write_offset_OBJ(os, m_curves, m_tolerance);
+    case Offset_file_format::DXF: return write_offset_DXF(os, m_curves, m_tolerance, m_unit);
+    case Offset_file_format::SVG: return write_offset_SVG(os, m_curves, m_unit);
+    default: return write_offset_polylines(os, m_curves, m_tolerance);
+    }
+  }
+
+private:
+  // The box of the points between pieces has the extent of the curves, or half of it at least: pieces are no longer than a
+  // half turn.
+  double default_tolerance() const
+  {
+    Bbox_3 box;
+    for (const auto& curve : m_curves)
+      for (std::size_t i = 0; i < curve.number_of_pieces(); ++i)
+        box += bbox(coordinates(curve.point(curve.piece(i).start()))) + bbox(coordinates(curve.point(curve.piece(i).end())));
+    const double size = std::hypot(box.x_span(), box.y_span(), box.z_span());
+    return std::isfinite(size) && size > 0 ? 1e-4 * size : 1;
+  }
+
+  const CurveRange& m_curves;
+  const Offset_file_format m_format;
+  double m_tolerance;
+  const Length_unit m_unit;
+};
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves to a stream, in a given format.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\tparam NamedParameters a sequence of named parameters
+\param os the stream
+\param format the format
+\param curves the curves
+\param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
+\return whether the stream is still good.
+\throws std::invalid_argument if the chord tolerance is not positive, or if the format is SVG and the curves do not lie in one
+        plane; nothing has been written then
+*/
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_curves(std::ostream& os, Offset_file_format format, const OffsetCurveRange& curves,
+                         const NamedParameters& np = parameters::default_values())
+{
+  return Surface_mesh_geodesic_offset_internal::Offset_curves_writer<OffsetCurveRange>(format, curves, np).write(os);
+}
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes offset curves to a file, in the format of its extension: `.polylines.txt`, `.vtk`, `.obj`, `.dxf` or `.svg`.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\tparam NamedParameters a sequence of named parameters
+\param file_name the name of the file, which is overwritten
+\param curves the curves
+\param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
+\return `false` if the file cannot be opened, or if writing fails.
+\throws std::invalid_argument as `offset_file_format()`, and as the overload for streams; the file is unchanged then
+*/
+template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
+bool write_offset_curves(const std::string& file_name, const OffsetCurveRange& curves,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const Surface_mesh_geodesic_offset_internal::Offset_curves_writer<OffsetCurveRange> writer(offset_file_format(file_name),
+                                                                                             curves, np);
+  std::ofstream os(file_name, std::ios::binary);
+  if (!os || !writer.write(os)) return false;
+  os.close(); // which writes the last part
+  return os.good();
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif
