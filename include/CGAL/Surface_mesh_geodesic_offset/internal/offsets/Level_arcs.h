@@ -65,8 +65,9 @@ public:
     m_boxes.build();
   }
 
-  // Paths that bend at an end of a window close the gaps between neighbouring windows of an edge; in theory, there are none,
-  // but the front drops windows of the width of rounding. Rarely needed, so this is done on demand.
+  // Paths that bend at an end of a window or at a corner. They close the gaps between neighbouring windows of an edge; in
+  // theory there are none, but the front drops windows of the width of rounding, and those that begin at the distance limit
+  // up to rounding. Rarely needed, so this is done on demand.
   void add_fans()
   {
     if (m_fans.empty()) make_fans();
@@ -158,26 +159,33 @@ private:
     m_boxes.push_back(box);
   }
 
-  // At each end of a window: all directions into the face.
+  // At each end of a window, and at each corner: all directions into the face.
   void make_fans()
   {
     const std::vector<Face_window<FT>>& windows = m_field->windows();
     m_fans.reserve(2 * windows.size());
     for (const Face_window<FT>& w : windows)
     {
-      if (w.origin >= STARTS_IN_FACE) continue;
-      const Point along = m_field->size() * m_field->frame().direction(w.origin);
-      for (const Point& end : {w.left, w.right})
-      {
+      if (w.origin == STARTS_IN_FACE) continue;
+      const int side = w.origin == STARTS_AT_CORNER ? int(w.edge) : int(w.origin);
+      const Point along = m_field->size() * m_field->frame().direction(side);
+      const auto add = [&](const Point& p) {
         Face_window<FT> fan = w;
-        fan.x = end.x;
-        fan.y = end.y;
-        fan.sigma = w.distance_at(end);
-        fan.left = end - along;
-        fan.right = end + along;
+        fan.x = p.x;
+        fan.y = p.y;
+        fan.sigma = w.distance_at(p);
+        fan.left = p - along;
+        fan.right = p + along;
         fan.bits = Window<FT>::make_bits(false, w.pseudo_source());
         fan.origin = STARTS_AT_CORNER;
-        m_fans.push_back(fan);
+        this->m_fans.push_back(fan);
+      };
+      if (w.origin == STARTS_AT_CORNER)
+        add(w.image());
+      else
+      {
+        add(w.left);
+        add(w.right);
       }
     }
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
