@@ -49,7 +49,7 @@ public:
       const Face_window<FT>& w = field.windows()[i];
       if (w.is_empty()) continue;
       const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + field.size() + m_margin;
-      if (field.lowest(i) < highest_level && bound >= lowest_level)
+      if (field.lowest(i) < highest_level + m_margin && bound >= lowest_level)
         m_cones.push_back({&w, field.lowest(i), {w, field.frame(), m_margin}});
     }
   }
@@ -151,7 +151,9 @@ private:
 
   void add_arc(const Cone& c)
   {
-    if (!(c.lowest < m_level && c.cone.highest() >= m_level)) return;
+    // windows that only touch the level count, too: it may run along the edge by which they enter
+    if (!(c.lowest < m_level + m_margin && c.cone.highest() >= m_level)) return;
+    if (!c.window->is_parallel() && !CGAL::is_positive(FT(m_level - c.window->sigma))) return;
     const Arc arc(*c.window, c.cone, m_level);
     const Box box = arc.box(m_margin);
     if (box.is_empty()) return;
