@@ -248,7 +248,7 @@ private:
     run.end = a.end();
     FT farthest = a.advance(start, run.end);
     // a gate at the start is that of a chain which leaves the cell there before this one enters
-    FT nearest = is_first ? FT(0) : FT(-tolerance.tie);
+    FT nearest = -(is_first ? tolerance.error : tolerance.tie);
     for (std::size_t g = 0; g < m_cell->gates.size(); ++g)
     {
       const Gate& gate = m_cell->gates[g];
