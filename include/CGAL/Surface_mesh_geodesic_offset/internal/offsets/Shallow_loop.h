@@ -30,16 +30,18 @@ public:
 
   explicit Shallow_loop(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh), m_edge(mesh.mean_edge_length()) {}
 
-  // Is the closed curve such a loop? The distance inside a small one is the smallest of the functions of its pieces. At
-  // this scale they are linear, so a point in the middle rises above the level by a third of the largest rise, at least.
-  bool operator()(const Pieces& pieces, const FT& level) const
+  // Is the curve such a loop? The distance inside a small one is the smallest of the functions of its pieces. At this scale
+  // they are linear, so a point in the middle rises above the level by a third of the largest rise, at least. An open curve
+  // is half of one: it cuts off such a vertex of the border.
+  bool operator()(bool closed, const Pieces& pieces, const FT& level) const
   {
     FT sum(0);
     for (const Piece& p : pieces) sum += length(p.end - p.start);
-    if (sum > Offset_tolerances<FT>::longest_shallow_loop(level + m_edge)) return false;
-    if (pieces.size() == 1) return true; // without extent
-    const FT rise = rise_inside(pieces);
-    return Number_policy<FT>::is_finite(rise) && rise <= FT(2) * Offset_tolerances<FT>::level_shift(level + m_edge);
+    const FT magnitude = level + m_edge;
+    if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
+    if (closed && pieces.size() == 1) return true; // without extent
+    const FT rise = closed ? rise_inside(pieces) : rise_at_vertex(pieces);
+    return Number_policy<FT>::is_finite(rise) && rise <= FT(2) * Offset_tolerances<FT>::level_shift(magnitude);
   }
 
 private:
@@ -57,14 +59,8 @@ private:
       for (const Piece& p : pieces) sum = sum + p.start;
       return rise_at(pieces, [&](Index) { return (FT(1) / FT(double(pieces.size()))) * sum; });
     }
-    for (Index h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      const Index v = m_mesh.source(h);
-      if (!std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return this->corner_of(p.face, v) < 3; }))
-        continue;
-      const FT at_vertex = rise_at(pieces, [&](Index f) { return Face_frame<FT>(this->m_mesh, f).corner(this->corner_of(f, v)); });
-      if (CGAL::is_positive(at_vertex)) return at_vertex;
-    }
+    const FT at_vertex = rise_at_vertex(pieces);
+    if (Number_policy<FT>::is_finite(at_vertex)) return at_vertex;
     // in two faces: the middle of the ends on their common edge
     return rise_at(pieces, [&](Index f) {
       Point sum{FT(0), FT(0)};
@@ -83,6 +79,22 @@ private:
         }
       return (FT(1) / FT(double((std::max)(n, 1)))) * sum;
     });
+  }
+
+  // At a vertex that all faces of the loop share and that is farther than the level; infinite if there is none.
+  FT rise_at_vertex(const Pieces& pieces) const
+  {
+    const Index face = pieces.front().face;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      const Index v = m_mesh.source(h);
+      if (!std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return this->corner_of(p.face, v) < 3; }))
+        continue;
+      const auto corner = [&](Index f) { return Face_frame<FT>(this->m_mesh, f).corner(this->corner_of(f, v)); };
+      const FT rise = rise_at(pieces, corner);
+      if (!CGAL::is_negative(rise)) return rise;
+    }
+    return Number_policy<FT>::infinity();
   }
 
   // The smallest rise of the pieces' functions at a point, which `point(face)` gives in the frame of a face.
