@@ -39,7 +39,7 @@ public:
     for (const Piece& p : pieces) sum += length(p.end - p.start);
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
-    if (closed && pieces.size() == 1) return true; // without extent
+    if (sum <= Offset_tolerances<FT>(magnitude).error) return true; // the distance rises by less than the length
     const FT rise = closed ? rise_inside(pieces) : rise_at_vertex(pieces);
     return Number_policy<FT>::is_finite(rise) && rise <= FT(2) * Offset_tolerances<FT>::level_shift(magnitude);
   }
