@@ -122,13 +122,7 @@ public:
   FT angle() const
   {
     if (is_segment()) return FT(0);
-    const Point_in_face a = m_piece->start - m_piece->center, b = m_piece->end - m_piece->center;
-    const double s = CGAL::to_double(Geodesic_offset::internal::cross(a, b));
-    const double c = CGAL::to_double(Geodesic_offset::internal::dot(a, b));
-    const double angle = std::atan2(s, c);
-    // arcs are no longer than a half turn, so a negative angle is rounding: mostly of zero
-    if (angle >= 0) return FT(angle);
-    return angle > -1e-3 ? FT(0) : FT(angle + 2 * CGAL_PI);
+    return FT(std::atan2(CGAL::to_double(m_piece->turn_sine()), CGAL::to_double(m_piece->turn_cosine())));
   }
 
   /// the length of the piece, with an arc as an arc.

@@ -65,6 +65,8 @@ public:
   // To be followed by build() once all boxes are there.
   void clear() { m_boxes.clear(); }
   void push_back(const Box& b) { m_boxes.push_back(b); }
+  // Back to the first n boxes, for more of them.
+  void pop_tree(std::size_t n) { m_boxes.erase(m_boxes.begin() + std::ptrdiff_t(n), m_boxes.end()); }
 
   void build()
   {

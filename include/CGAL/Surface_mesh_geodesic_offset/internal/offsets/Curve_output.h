@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Shallow_loop.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Side_selection.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ public:
                const Offset_levels<FT>& levels, const Offset_selection& selection, std::map<Index, Source_side> inside,
                Function& f)
     : m_context(std::make_shared<Context>(Context{surface, primitives})), m_levels(levels),
-      m_select(selection, m_context->primitives, std::move(inside)), m_edge(surface->unfolded.mean_edge_length()),
+      m_select(selection, m_context->primitives, std::move(inside)), m_is_shallow(surface->unfolded),
+      m_edge(surface->unfolded.mean_edge_length()),
       m_function(f)
   {
   }
@@ -47,9 +49,10 @@ public:
   {
     pass_to(level);
     std::vector<Curve> curves;
-    const FT scale = m_levels[level] + m_edge;
-    cut.for_each_curve(scale, [&](bool closed, auto&& pieces) {
-      m_select(scale, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
+    const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
+    cut.for_each_curve([&](bool closed, auto&& pieces) {
+      if (m_is_shallow(closed, pieces, m_levels[level])) return;
+      m_select(shortest, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
         curves.push_back(
           Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed, std::forward<decltype(part)>(part)));
       });
@@ -72,6 +75,7 @@ private:
   std::shared_ptr<const Context> m_context;
   const Offset_levels<FT>& m_levels;
   Side_selection m_select;
+  Shallow_loop<FT> m_is_shallow;
   FT m_edge; // mean length
   Function& m_function;
   mutable std::size_t m_next = 0; // level

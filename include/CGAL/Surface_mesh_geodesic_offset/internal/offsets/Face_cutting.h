@@ -37,7 +37,7 @@ template <class FT>
 struct Crossing
 {
   std::size_t level;
-  FT position; // along the halfedge of the face that is cut first
+  FT position; // along the smaller one of the two halfedges
   bool falling;
   Index gate;
 };
@@ -65,12 +65,17 @@ struct Face_cut
   {
   }
 
-  // A crossing with the halfedge k, on its own or on the other side.
-  void add_gate(int k, const Crossing<FT>& c, bool of_other_side)
+  // The crossings with halfedge k, which are along it or, `reversed`, along its twin. Gates come counterclockwise.
+  void add_gates(int k, const std::vector<Crossing<FT>>& edge, bool reversed)
   {
-    const FT t = of_other_side ? FT(field.frame().edge_length(k) - c.position) : c.position;
-    gates.push_back(
-      {c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.falling == of_other_side, c.gate}});
+    for (std::size_t i = 0; i < edge.size(); ++i)
+    {
+      const Crossing<FT>& c = edge[reversed ? edge.size() - 1 - i : i];
+      const FT t = reversed ? FT(field.frame().edge_length(k) - c.position) : c.position;
+      gates.push_back({c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.falling == reversed, c.gate}});
+      levels.first = (std::min)(levels.first, c.level);
+      levels.last = (std::max)(levels.last, c.level + 1);
+    }
   }
 
   Level_range levels{0, 0};
@@ -108,15 +113,16 @@ public:
     cut.chains.clear();
     cut.pieces.clear();
     cut.field.set_face(face);
-    l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack(far_end_of(face)))));
+    l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - Offset_tolerances<FT>::bound_slack(far_end_of(face)))));
     for (Index k = 0; k < 3; ++k)
     {
       std::vector<Crossing<FT>>& found = cut.crossings[k];
       found.clear();
       const Index h = 3 * face + k;
       if (l.is_empty() || !looks_at(h)) continue;
+      const Index smaller = (std::min)(h, m_mesh.twin(h));
       for (std::size_t i = l.first; i < l.last; ++i)
-        m_crossings(h, cut.field, cut_level(i),
+        m_crossings(smaller, cut.field, cut_level(i),
                     [&](const FT& t, bool falling) { found.push_back({i, t, falling, no_index}); });
     }
   }
@@ -129,12 +135,20 @@ public:
     std::stable_sort(cut.gates.begin(), cut.gates.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     auto next = cut.gates.begin();
     m_tracer.set_face(cut.field, cut_level(cut.levels.first), cut_level(cut.levels.last - 1));
+    const Face_frame<FT>& frame = cut.field.frame();
+    for (int k = 0; k < 3; ++k)
+    {
+      m_cell.corner[k] = frame.corner(k);
+      m_cell.direction[k] = frame.direction(k);
+    }
     for (std::size_t i = cut.levels.first; i < cut.levels.last; ++i)
     {
-      m_gates.clear();
-      for (; next != cut.gates.end() && next->level <= i; ++next) m_gates.push_back(next->gate);
-      if (m_gates.empty() && !loops) continue;
-      m_tracer(cut_level(i), m_gates, loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
+      m_cell.gates.clear();
+      for (; next != cut.gates.end() && next->level == i; ++next) m_cell.gates.push_back(next->gate);
+      if (m_cell.gates.empty() && !loops) continue;
+      const FT level = cut_level(i);
+      for (Index k = 0; k < 3; ++k) m_cell.is_near[k] = m_field.distance[m_mesh.source(3 * cut.field.face() + k)] < level;
+      m_tracer(level, m_cell, loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
         const std::size_t first = cut.pieces.size();
         cut.pieces.insert(cut.pieces.end(), pieces.begin(), pieces.end());
         cut.chains.push_back({i, start, end, first, cut.pieces.size()});
@@ -143,16 +157,12 @@ public:
   }
 
   std::size_t number_of_forced_joints() const { return m_tracer.number_of_forced_joints(); }
+  std::size_t number_of_crossed_cells() const { return m_tracer.number_of_crossed_cells(); }
 
 private:
-  // A point at exactly the level counts as farther. So a level is cut infinitesimally below; with rounded numbers, by a
-  // distance that is above rounding: then levels that go through vertices and along edges, as they often do on CAD
-  // meshes, are as good as any.
-  FT cut_level(std::size_t i) const
-  {
-    const FT level = m_levels[i];
-    return level - Number_policy<FT>::rounding(1024) * level;
-  }
+  // A point at exactly the level counts as farther: so a level is cut below itself, exact numbers aside. Levels that go
+  // through vertices and along edges, as they often do on CAD meshes, are then as good as any.
+  FT cut_level(std::size_t i) const { return m_levels[i] - Offset_tolerances<FT>::level_shift(m_levels[i]); }
 
   FT far_end_of(Index face) const
   {
@@ -182,13 +192,10 @@ private:
       far = FT(0);
     else
     {
-      near -= slack(far);
-      far += slack(far);
+      near -= Offset_tolerances<FT>::bound_slack(far);
+      far += Offset_tolerances<FT>::bound_slack(far);
     }
   }
-
-  // The faces beside an edge must agree on the levels that may cross it, whatever rounding does to their bounds.
-  static FT slack(const FT& far) { return Number_policy<FT>::rounding(1 << 14) * far; }
 
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
@@ -196,7 +203,7 @@ private:
   const std::size_t m_end; // of the levels up to the distance limit
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;
-  std::vector<Level_gate<FT>> m_gates; // of one level
+  Level_cell<FT> m_cell; // the face, with the gates of one level
 };
 
 } // namespace internal

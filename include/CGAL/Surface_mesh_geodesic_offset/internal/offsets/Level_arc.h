@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The level of one window inside a face: an arc round the window's image, or, for a parallel-source window, a straight
-// segment; traversed with the smaller distances on the left, that is from the window's right ray to its left one.
+// The level of one window in the plane of a face: an arc about the window's image, or, for a parallel-source window, a
+// straight segment. It runs with the smaller distances on the left, that is from the window's right ray to its left ray,
+// and turns by less than a half turn.
+//
+// Points of an arc are ordered by the side tests of their directions from the image, which need no parameter.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARC_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARC_H
@@ -26,6 +29,16 @@ public:
   Level_arc(const Face_window<FT>& w, const Window_cone<FT>& cone, const FT& level)
     : m_window(&w), m_cone(&cone), m_radius(level - w.sigma)
   {
+    if (is_straight())
+    {
+      m_start = foot(w.right);
+      m_end = foot(w.left);
+    }
+    else
+    {
+      m_start = image() + m_radius * cone.right_direction();
+      m_end = image() + m_radius * cone.left_direction();
+    }
   }
 
   const Face_window<FT>& window() const { return *m_window; }
@@ -35,57 +48,19 @@ public:
   Point forward() const { return FT(-1) * m_window->image(); } // direction of a parallel-source window's rays
   const Half_plane<FT>& left() const { return m_cone->left(); }
   const Half_plane<FT>& right() const { return m_cone->right(); }
-
-  // The parameter runs along the chord, or the directions of a wide cone, 0 on the right ray and 1 on the left one.
-  Point point(const FT& t) const
-  {
-    if (m_cone->is_wide()) return image() + m_radius * m_cone->direction(t);
-    const Face_window<FT>& w = *m_window;
-    const Point c = w.right + t * (w.left - w.right);
-    if (is_straight()) return c + (m_radius - dot(forward(), c)) * forward();
-    const Point u = c - image();
-    return image() + (m_radius / length(u)) * u;
-  }
-
-  Point start() const
-  {
-    if (is_straight()) return point(FT(0));
-    return image() + m_radius * m_cone->right_direction();
-  }
-  Point end() const
-  {
-    if (is_straight()) return point(FT(1));
-    return image() + m_radius * m_cone->left_direction();
-  }
+  const Point& start() const { return m_start; } // on the right ray
+  const Point& end() const { return m_end; }     // on the left ray
 
   // The bounding box of the part in the face, with a margin.
   Box_in_face<FT> box(const FT& margin) const
   {
-    Box_in_face<FT> b(start());
-    b.add(end());
+    Box_in_face<FT> b(m_start);
+    b.add(m_end);
     // an arc of less than a half turn rises over its chord c by at most c^2 / (4 r)
-    const Point c = end() - start();
+    const Point c = m_end - m_start;
     b.widen(is_straight() ? margin : FT(margin + dot(c, c) / (FT(4) * m_radius)));
     b.intersect(m_cone->box());
     return b;
-  }
-
-  FT parameter(const Point& p) const
-  {
-    if (m_cone->is_wide()) return m_cone->parameter(p - image());
-    const Face_window<FT>& w = *m_window;
-    const Point u = is_straight() ? forward() : p - image();
-    const Point o = is_straight() ? p : image();
-    const FT r = cross(u, w.right - o), l = cross(u, w.left - o);
-    return r / (r - l);
-  }
-
-  // For a point of the circle: is it on the side of the cone, or behind the image?
-  bool is_ahead(const Point& p) const
-  {
-    if (is_straight()) return true;
-    const Face_window<FT>& w = *m_window;
-    return CGAL::is_positive(cross(p - image(), w.left - w.right));
   }
 
   Point tangent(const Point& p) const
@@ -94,71 +69,135 @@ public:
     return (FT(1) / m_radius) * quarter_turn(p - image());
   }
 
+  // How far q is ahead of p, for points that are less than a half turn apart: its sign is exact up to rounding of the
+  // points; for near points it is the length between them.
+  FT advance(const Point& p, const Point& q) const
+  {
+    if (is_straight()) return dot(quarter_turn(forward()), q - p);
+    return cross(p - image(), q - p) / m_radius;
+  }
+
+  // Is q between p and r, which are less than a half turn apart? Not, if it is behind the image.
+  bool is_between(const Point& p, const Point& q, const Point& r) const
+  {
+    if (is_straight())
+    {
+      const Point t = quarter_turn(forward());
+      return CGAL::is_positive(dot(t, q - p)) && CGAL::is_positive(dot(t, r - q));
+    }
+    const Point u = q - image();
+    return CGAL::is_positive(cross(p - image(), u)) && CGAL::is_positive(cross(u, r - image()));
+  }
+
+  // The point in the middle between two of its points.
+  Point middle(const Point& p, const Point& q) const
+  {
+    if (is_straight()) return foot(FT(0.5) * (p + q));
+    const Point a = p - image(), b = q - image();
+    // across the chord, if the arc is wide: then the sum is short
+    const Point u = CGAL::is_positive(dot(a, b)) ? a + b : quarter_turn(a - b);
+    return image() + (m_radius / length(u)) * u;
+  }
+
   // How far a point p is from the cone (negative inside).
   FT outside_cone(const Point& p) const
   {
     FT out = (std::max)(left().value(p), right().value(p));
-    if (is_straight() && m_window->origin == STARTS_IN_FACE) out = (std::max)(out, FT(-m_window->distance_at(p)));
+    if (starts_in_strip()) out = (std::max)(out, FT(-m_window->distance_at(p)));
     return out;
   }
 
-  // Distance given to p, less the level.
+  bool is_in_cone(const Point& p) const
+  {
+    return CGAL::is_negative(left().value(p)) && CGAL::is_negative(right().value(p)) &&
+           (!starts_in_strip() || !CGAL::is_negative(m_window->distance_at(p)));
+  }
+
+  // Distance of p by this window, less the level.
   FT excess(const Point& p) const
   {
     if (is_straight()) return dot(forward(), p) - m_radius;
     return length(p - image()) - m_radius;
   }
 
-  // Where the whole circle or line enters, or leaves, a disk.
-  bool meet_disk(const Point& center, const FT& radius, bool leave, Point& p) const
+  // Where the whole circle or line enters, and leaves, the region nearer than another arc's level less a depth. False if
+  // it does not cross the region's boundary.
+  bool meet(const Level_arc& b, const FT& depth, Point& enter, Point& leave) const
   {
-    if (is_straight())
-    {
-      const FT delta = dot(forward(), center) - m_radius;
-      const FT h2 = radius * radius - delta * delta;
-      if (!CGAL::is_positive(h2)) return false;
-      const Point t = quarter_turn(forward());
-      p = center - delta * forward() + (leave ? square_root<FT>(h2) : FT(-square_root<FT>(h2))) * t;
-      return true;
-    }
-    const Point u = center - image();
-    const FT uu = dot(u, u);
-    if (!CGAL::is_positive(uu)) return false;
-    // In units of u: a along u, h across. From the centre of the smaller circle: h is small where the circles touch, and
-    // would lose its digits otherwise.
-    const bool from_disk = radius < m_radius;
-    const FT own = from_disk ? radius : m_radius, other = from_disk ? m_radius : radius, d = length(u);
-    const FT a = FT(0.5) * ((d - other) * (d + other) + own * own) / uu;
-    const FT h2 = own * own / uu - a * a;
-    if (!CGAL::is_positive(h2)) return false;
-    p = (from_disk ? center - a * u : image() + a * u) +
-        (leave ? square_root<FT>(h2) : FT(-square_root<FT>(h2))) * quarter_turn(u);
-    return true;
+    if (b.is_straight()) return meet({b.forward(), FT(b.m_radius - depth)}, enter, leave);
+    return meet_disk(b.image(), FT(b.m_radius - depth), enter, leave);
   }
 
-  // Where it enters a half-plane; leaving is entering the opposite one.
-  bool enter_half_plane(const Half_plane<FT>& s, Point& p) const
+  // The same for a half-plane. A line has one point in common with its boundary, which is given for both.
+  bool meet(const Half_plane<FT>& s, Point& enter, Point& leave) const
   {
     if (is_straight())
     {
       const Point t = quarter_turn(forward());
       const FT q = dot(s.n, t);
-      if (!CGAL::is_negative(q)) return false;
+      if (CGAL::is_zero(q)) return false;
       const Point o = m_radius * forward();
-      p = o - (s.value(o) / q) * t;
+      enter = leave = o - (s.value(o) / q) * t;
       return true;
     }
     const FT m = -s.value(image());
     const FT h2 = (m_radius - m) * (m_radius + m);
     if (!CGAL::is_positive(h2)) return false;
-    p = image() + m * s.n + square_root<FT>(h2) * quarter_turn(s.n);
+    const Point foot = image() + m * s.n, half = square_root<FT>(h2) * quarter_turn(s.n);
+    enter = foot + half;
+    leave = foot - half;
     return true;
   }
 
+  // The largest distance by which the part from p to q is on the outer side of a half-plane (negative: none is).
+  FT largest_value(const Half_plane<FT>& s, const Point& p, const Point& q) const
+  {
+    FT value = (std::max)(s.value(p), s.value(q));
+    if (is_straight()) return value;
+    // the farthest point of the circle, if it is on the part
+    if (CGAL::is_positive(cross(p - image(), s.n)) && CGAL::is_positive(cross(s.n, q - image())))
+      value = (std::max)(value, FT(s.value(image()) + m_radius));
+    return value;
+  }
+
 private:
+  bool starts_in_strip() const { return is_straight() && m_window->origin == STARTS_IN_FACE; }
+
+  // Of a straight one: the nearest point of the line.
+  Point foot(const Point& p) const { return p + (m_radius - dot(forward(), p)) * forward(); }
+
+  bool meet_disk(const Point& center, const FT& radius, Point& enter, Point& leave) const
+  {
+    if (!CGAL::is_positive(radius)) return false;
+    if (is_straight())
+    {
+      const FT delta = dot(forward(), center) - m_radius;
+      const FT h2 = (radius - delta) * (radius + delta);
+      if (!CGAL::is_positive(h2)) return false;
+      const Point half = square_root<FT>(h2) * quarter_turn(forward()), middle = center - delta * forward();
+      enter = middle - half;
+      leave = middle + half;
+      return true;
+    }
+    const Point u = center - image();
+    const FT uu = dot(u, u), sum = m_radius + radius, difference = m_radius - radius;
+    // Heron's formula: 16 times the squared area of the triangle of both images and a common point
+    const FT area2 = (sum * sum - uu) * (uu - difference * difference);
+    if (!CGAL::is_positive(area2)) return false;
+    // from the centre of the smaller circle: small terms keep their digits where the circles touch
+    const bool from_disk = radius < m_radius;
+    const FT along = (uu - CGAL::abs(difference) * sum) / (FT(2) * uu);
+    const Point half = (square_root<FT>(area2) / (FT(2) * uu)) * quarter_turn(u);
+    const Point foot = from_disk ? center - along * u : image() + along * u;
+    enter = foot - half;
+    leave = foot + half;
+    return true;
+  }
+
   const Face_window<FT>* m_window;
   const Window_cone<FT>* m_cone;
   FT m_radius;
+  Point m_start, m_end;
 };
 
 } // namespace internal

@@ -58,9 +58,9 @@ public:
     m_links.push_back({start, end, Index(first), Index(m_pieces.size())});
   }
 
-  // Calls out(closed, pieces) for each curve that is more than a point; those that start on the border come first.
+  // Calls out(closed, pieces) for each curve; those that start on the border come first.
   template <class Function>
-  void for_each_curve(const FT& scale, const Function& out) const
+  void for_each_curve(const Function& out) const
   {
     std::vector<char> used(m_links.size(), 0), entered(m_link_at.size(), 0);
     for (const Link& l : m_links)
@@ -82,7 +82,7 @@ public:
         pieces.reserve(number);
         for (const Index j : order)
           pieces.insert(pieces.end(), m_pieces.begin() + m_links[j].first, m_pieces.begin() + m_links[j].last);
-        if (!is_point(pieces, scale)) out(!open, std::move(pieces));
+        out(!open, std::move(pieces));
       }
   }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a level leaves in a face: pieces of offset curves, and the gates through which they come and go.
+// A piece of an offset curve.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_PIECE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_PIECE_H
@@ -9,14 +9,19 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
-#include <vector>
+#include <algorithm>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A part of an offset curve in one face, in the face's frame: an arc round `center`, counterclockwise, or a segment.
+// A part of an offset curve in one face, in the face's frame: an arc about `center`, counterclockwise, or a segment.
+//
+// The directions of its ends from the center are the interval of an arc: the tracer orders them by the same side tests by
+// which it ends the piece, so the arc turns by 0 to a half turn. Where rounding has moved an end behind the other one, the
+// piece is a point.
 template <class FT>
 struct Level_piece
 {
@@ -28,28 +33,17 @@ struct Level_piece
   Index pseudo_source; // no_index if none
   bool is_straight;
   unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
-};
 
-// A level that just touches a vertex, or a point where the distance is largest, is cut as a loop without extent: up to some
-// 1e-8 of the level or of the edges of the mesh, since the cut below the level is that much wider where the distance is
-// flat. `scale`: the level and the mean edge length, together.
-template <class FT>
-bool is_point(const std::vector<Level_piece<FT>>& pieces, const FT& scale)
-{
-  FT sum(0);
-  for (const Level_piece<FT>& p : pieces) sum += length(p.end - p.start);
-  return sum <= Number_policy<FT>::rounding(1 << 26) * scale;
-}
+  // Distance of a point from the circle or line.
+  FT off(const Point_in_face<FT>& p) const
+  {
+    return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
+  }
 
-// A crossing of the level with an edge of the face. The level's curve starts in this face where, counterclockwise along
-// the face's boundary, the distance rises above the level.
-template <class FT>
-struct Level_gate
-{
-  Point_in_face<FT> point;
-  unsigned char edge; // halfedge of the face
-  bool is_start;
-  Index id;
+  // Twice the area of the triangle of the center and the ends of an arc, and the product that goes with it: the tangent of
+  // the turn is the first one divided by the second one.
+  FT turn_sine() const { return (std::max)(FT(0), FT(cross(start - center, end - center))); }
+  FT turn_cosine() const { return dot(start - center, end - center); }
 };
 
 } // namespace internal

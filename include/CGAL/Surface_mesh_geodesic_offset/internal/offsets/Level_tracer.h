@@ -1,16 +1,29 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One level inside one face: chains of runs from gate to gate, and loops.
+// One level inside one face: chains of pieces from gate to gate, and loops.
+//
+// A chain follows an arc while it is visible, goes on with the arc that covers it, or that begins where its cone ends, and
+// ends at the first gate that lies on its arc. What is found is accepted if every gate has its chain, and no chain leaves
+// the cell. Otherwise the cell is divided, with gates on the dividing segment that both parts share. A cell of the size of
+// rounding is crossed straight from gate to gate. So chains always fit together, and what rounding leaves undecided
+// concerns cells of its own size.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_runs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_arcs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_cell.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Near_intervals.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,223 +37,427 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Level_piece<FT> Piece;
   typedef Level_gate<FT> Gate;
+  typedef Level_cell<FT> Cell;
 
   // The face to be cut, and bounds of the levels.
   void set_face(const Face_field<FT>& field, const FT& lowest, const FT& highest)
   {
-    m_runs.set_face(field, lowest, highest);
+    m_arcs.set_face(field, lowest, highest);
   }
 
   // Calls out(start gate, end gate, pieces) for the chains of pieces that connect all gates, and with no_index for all
-  // loops.
+  // loops. `face`: the face as a cell, with its gates.
   template <class Function>
-  void operator()(const FT& level, std::vector<Gate>& gates, bool search_loops, const Function& out)
+  void operator()(const FT& level, const Cell& face, bool search_loops, const Function& out)
   {
-    m_gates = &gates;
-    m_runs.set_level(level, gates);
-    m_point = Number_policy<FT>::rounding(1 << 12) * (m_runs.face_size() + level);
-    m_traversed.clear();
-    m_last_traversed.assign(m_runs.arcs().size(), none);
-    for (std::size_t i = 0; i < gates.size(); ++i)
-      if (gates[i].is_start) trace_from_gate(i, out);
-    if (search_loops) trace_loops(out);
+    CGAL_precondition(face.is_consistent());
+    m_arcs.set_level(level);
+    m_chains.clear();
+    m_pieces.clear();
+    m_inner_gates = 0;
+    m_divisions = 0;
+    m_face = face;
+    for (std::size_t i = 0; i < m_face.gates.size(); ++i) m_face.gates[i].id = Index(i);
+    trace(m_face, search_loops);
+    const auto give_out = [&](Index start, Index end) {
+      drop_points();
+      if (start != no_index)
+      {
+        m_chain.front().start_edge = face.gates[start].side;
+        m_chain.back().end_edge = face.gates[end].side;
+        start = face.gates[start].id;
+        end = face.gates[end].id;
+      }
+      out(start, end, m_chain);
+    };
+    if (m_inner_gates == 0)
+      for (const Chain& c : m_chains)
+      {
+        m_chain.assign(pieces_at(c.first), pieces_at(c.last));
+        give_out(c.start, c.end);
+      }
+    else
+      link(give_out);
   }
 
+  // Cells that were crossed straight although they are larger than rounding: 0, unless a window is missing.
   std::size_t number_of_forced_joints() const { return m_forced; }
+  // Cells of the size of rounding that were crossed straight.
+  std::size_t number_of_crossed_cells() const { return m_crossed; }
 
 private:
-  typedef Level_run<FT> Run;
+  typedef Level_arc<FT> Arc;
 
   static constexpr std::size_t none = std::size_t(-1);
+  static constexpr Index inner_gate = Index(1) << 31; // flag of the number of a gate between cells
 
-  struct Traversed
+  // A part of an arc. It ends where the arc is covered, at the end of the window's cone, or at a gate.
+  struct Run
   {
-    FT from, to;
-    std::size_t previous; // of the same arc
+    std::size_t arc = none, gate = none;
+    Point start{FT(0), FT(0)}, end{FT(0), FT(0)};
+    FT length = FT(0);
+    bool is_covered = false;
+    bool is_valid() const { return arc != none; }
   };
 
-  void add_piece(const Run& run, const Point& start)
+  struct Chain
   {
-    m_traversed.push_back({run.from, run.to, m_last_traversed[run.arc]});
-    m_last_traversed[run.arc] = m_traversed.size() - 1;
-    const Level_arc<FT>& a = m_runs.arcs()[run.arc];
-    const Face_window<FT>& w = a.window();
-    m_chain.push_back(Piece{w.is_parallel() ? a.forward() : w.image(), a.radius(), start, run.end,
-                            m_runs.field().face(), w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
+    Index start, end;        // gates; no_index for a loop
+    std::size_t first, last; // pieces
+  };
+
+  void trace(const Cell& cell, bool search_loops)
+  {
+    if (cell.gates.empty() && !search_loops) return;
+    if (walk_with_some_tie(cell, search_loops)) return;
+    if (!m_arcs.has_fans())
+    {
+      m_arcs.add_fans();
+      if (walk_with_some_tie(cell, search_loops)) return;
+    }
+    if (cell.diameter() <= m_arcs.tolerances().smallest_cell || m_divisions == Offset_tolerances<FT>::most_divisions)
+    {
+      cross_straight(cell);
+      return;
+    }
+    const auto crossings = [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end,
+                                  const auto& out) {
+      m_near.start(length, m_arcs.level());
+      m_arcs.for_each_window([&](const Face_window<FT>& w) {
+        if (w.origin == STARTS_AT_CORNER) this->m_near.add_disk(w.image(), this->m_arcs.level() - w.sigma, o, u);
+        else this->m_near.add_window(w, o, u, false);
+      });
+      m_near.for_each_end(near_at_o, near_at_end, out);
+    };
+    const std::pair<Cell, Cell> parts = cell.divided(crossings, [this] { return inner_gate | m_inner_gates++; });
+    ++m_divisions;
+    trace(parts.first, search_loops);
+    trace(parts.second, search_loops);
   }
 
-  bool is_traversed(std::size_t arc, const FT& t) const
+  // The far intervals of the boundary are cut off one by one: every start is joined with the end that follows it.
+  void cross_straight(const Cell& cell)
   {
-    for (std::size_t i = m_last_traversed[arc]; i != none; i = m_traversed[i].previous)
-      if (m_traversed[i].from - FT(1e-7) <= t && t < m_traversed[i].to + FT(1e-7)) return true;
+    const std::size_t n = cell.gates.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Gate &s = cell.gates[i], &e = cell.gates[(i + 1) % n];
+      if (!s.is_start) continue;
+      m_chains.push_back({s.id, e.id, m_pieces.size(), m_pieces.size() + 1});
+      m_pieces.push_back(straight_piece(s, e));
+    }
+    if (cell.diameter() <= m_arcs.tolerances().smallest_cell) ++m_crossed;
+    else ++m_forced;
+  }
+
+  // A piece between two gates at the distance of rounding, on the arc that passes nearest to the first one.
+  Piece straight_piece(const Gate& s, const Gate& e) const
+  {
+    std::size_t nearest = none;
+    FT least = Number_policy<FT>::infinity();
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    {
+      const FT off = (std::max)(CGAL::abs(m_arcs[i].excess(s.point)), m_arcs[i].outside_cone(s.point));
+      if (!(off < least)) continue;
+      least = off;
+      nearest = i;
+    }
+    if (nearest != none && least <= m_arcs.tolerances().smallest_cell)
+      return piece(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point);
+    // none: a segment, with the smaller distances on the left
+    m_arcs.field().distance(s.point, nearest);
+    Piece p = piece(m_arcs.field().windows()[nearest], FT(0), s.point, e.point);
+    const Point v = e.point - s.point;
+    const FT l = length(v);
+    p.is_straight = true;
+    p.center = CGAL::is_positive(l) ? (FT(1) / l) * Point{v.y, -v.x} : Point{FT(1), FT(0)};
+    p.radius = dot(p.center, s.point);
+    return p;
+  }
+
+  Piece piece(const Face_window<FT>& w, const FT& radius, const Point& start, const Point& end) const
+  {
+    return {w.is_parallel() ? FT(-1) * w.image() : w.image(), radius, start, end, m_arcs.field().face(), w.root,
+            w.pseudo_source(), w.is_parallel(), 3, 3};
+  }
+
+  bool walk_with_some_tie(const Cell& cell, bool search_loops)
+  {
+    const std::size_t chains = m_chains.size(), pieces = m_pieces.size();
+    for (int i = 0; i < Offset_tolerances<FT>::number_of_ties; ++i)
+    {
+      m_arcs.use_tie(i);
+      if (walk(cell, search_loops)) return true;
+      m_chains.resize(chains);
+      m_pieces.resize(pieces);
+      if (CGAL::is_zero(m_arcs.tolerances().tie)) break; // exact numbers
+    }
     return false;
   }
 
-  // The number of the part of the run's arc that was followed before and that the run goes along; none if there is none.
-  std::size_t traversed_by(const Run& run) const
+  // Chains through all gates of a cell, and loops. False if they do not fit.
+  bool walk(const Cell& cell, bool search_loops)
   {
-    const FT slack(1e-7);
-    for (std::size_t i = m_last_traversed[run.arc]; i != none; i = m_traversed[i].previous)
-      if (run.from + slack < m_traversed[i].to && m_traversed[i].from + slack < run.to) return i;
+    m_cell = &cell;
+    m_is_used.assign(cell.gates.size(), 0);
+    m_followed.clear();
+    m_last_followed.assign(m_arcs.size(), none);
+    for (std::size_t i = 0; i < cell.gates.size(); ++i)
+      if (cell.gates[i].is_start && !walk_from_gate(i)) return false;
+    return !search_loops || walk_loops();
+  }
+
+  bool walk_from_gate(std::size_t gate)
+  {
+    const std::size_t first = m_pieces.size();
+    const Gate& s = m_cell->gates[gate];
+    Run last;
+    for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
+    {
+      const Run run = best_run(last, last.is_valid() ? last.end : s.point);
+      if (!run.is_valid()) return false;
+      add_piece(run, first);
+      if (run.gate != none)
+      {
+        m_is_used[run.gate] = 1;
+        m_chains.push_back({s.id, m_cell->gates[run.gate].id, first, m_pieces.size()});
+        return true;
+      }
+      last = run;
+    }
+    return false;
+  }
+
+  // Adds a piece to the chain whose pieces begin at `first`.
+  void add_piece(const Run& run, std::size_t first)
+  {
+    m_followed.push_back({run.start, run.end, m_last_followed[run.arc]});
+    m_last_followed[run.arc] = m_followed.size() - 1;
+    if (m_pieces.size() > first) m_pieces.back().end = run.start;
+    m_pieces.push_back(piece(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end));
+  }
+
+  // How far arc i can be followed in the cell from a point on it. `is_first`: the point is a gate.
+  Run run_of(std::size_t i, const Point& start, bool is_first) const
+  {
+    const Arc& a = m_arcs[i];
+    const Offset_tolerances<FT>& tolerance = m_arcs.tolerances();
+    Run run;
+    run.start = start;
+    run.end = a.end();
+    FT farthest = a.advance(start, run.end);
+    // a gate at the start is that of a chain which leaves the cell there before this one enters
+    FT nearest = -(is_first ? tolerance.error : tolerance.tie);
+    for (std::size_t g = 0; g < m_cell->gates.size(); ++g)
+    {
+      const Gate& gate = m_cell->gates[g];
+      if (gate.is_start || m_is_used[g] || !m_arcs.passes(i, gate.point)) continue;
+      const FT way = a.advance(start, gate.point);
+      if (way < nearest || (run.gate != none && !(way < farthest))) continue;
+      if (run.gate == none && !a.is_between(start, gate.point, run.end) && farthest + tolerance.tie < way) continue;
+      run.gate = g;
+      run.end = gate.point;
+      farthest = way;
+    }
+    Point end = run.end;
+    if (CGAL::is_positive(farthest) && m_arcs.find_covered(i, start, end))
+    {
+      // a gate may lie where another arc passes, too
+      if (run.gate == none || a.advance(end, run.end) > tolerance.tie)
+      {
+        run.gate = none;
+        run.is_covered = true;
+        run.end = end;
+        farthest = a.advance(start, end);
+      }
+    }
+    if (run.gate == none && !(farthest > tolerance.error)) return run;
+    for (int k = 0; k < 3; ++k)
+      if (a.largest_value(m_cell->outside(k).opposite(), start, run.end) > tolerance.tie) return run;
+    run.length = farthest;
+    run.arc = i;
+    return run;
+  }
+
+  // The next run of a chain, from the end of the last one, or from the gate where the chain starts: of all arcs that pass
+  // there, the one that can be followed farthest. A fan counts only where there is no other, since it ties with the windows
+  // beside its gap; and an arc that turns back only if nothing goes ahead: where both sides of a strip are as near to each
+  // other as rounding, each of them passes all points of the other one.
+  Run best_run(const Run& last, const Point& p) const
+  {
+    Run best;
+    int best_rank = 0;
+    const Point heading = last.is_valid() ? m_arcs[last.arc].tangent(p) : Point{FT(0), FT(0)};
+    m_arcs.for_each_through(p, last.arc, [&](std::size_t i) {
+      const Point start = last.is_covered ? joint(last, i) : p;
+      const bool turns_back = last.is_valid() && CGAL::is_negative(dot(m_arcs[i].tangent(p), heading));
+      const int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
+      if (best.is_valid() && rank > best_rank) return;
+      const Run run = run_of(i, start, !last.is_valid());
+      if (!run.is_valid() || (best.is_valid() && rank == best_rank && !(run.length > best.length))) return;
+      best = run;
+      best_rank = rank;
+    });
+    return best;
+  }
+
+  // Where a covered run goes over to arc i. The run ends where another arc is nearer by the cover; where both tie is
+  // before, and there the other arc is visible. A run that starts behind that is a point.
+  Point joint(const Run& run, std::size_t i) const
+  {
+    const Arc& a = m_arcs[run.arc];
+    Point enter, leave;
+    if (!a.meet(m_arcs[i], FT(0), enter, leave) || !m_arcs.passes(i, enter)) return run.end;
+    if (a.is_between(run.start, enter, run.end)) return enter;
+    return !CGAL::is_negative(a.advance(enter, run.start)) && m_arcs.passes(i, run.start) ? run.start : run.end;
+  }
+
+  // Loops that touch no side of the cell lie round a source inside, or round a place where the distance is largest. In the
+  // latter case all arcs bulge inwards, so the loop has corners, where one arc comes out from under another.
+  bool walk_loops()
+  {
+    bool fits = true;
+    for (std::size_t i = 0; i < m_arcs.size() && fits; ++i)
+    {
+      const Arc& a = m_arcs[i];
+      if (a.window().origin == STARTS_IN_FACE && !walk_loop(i, a.start())) return false;
+      m_arcs.for_each_near(i, [&](std::size_t j) {
+        Point enter, leave;
+        if (fits && a.meet(m_arcs[j], FT(0), enter, leave) && m_arcs.passes(i, leave) && m_arcs.passes(j, leave) &&
+            a.is_between(a.start(), leave, a.end()))
+          fits = walk_loop(i, leave);
+      });
+    }
+    return fits;
+  }
+
+  // A loop through a point of an arc, if there is one. False if it is lost on the way.
+  bool walk_loop(std::size_t i, const Point& start)
+  {
+    const FT& tie = m_arcs.tolerances().tie;
+    if (m_cell->depth(start) < tie) return true;
+    bool is_known = false;
+    m_arcs.for_each_through(start, none, [&](std::size_t j) { is_known = is_known || this->is_followed(j, start); });
+    if (is_known) return true;
+    std::size_t nearest;
+    if (m_arcs.field().distance(start, nearest) < m_arcs.level() - tie) return true;
+    const std::size_t first = m_pieces.size(), first_followed = m_followed.size();
+    Run run = run_of(i, start, false);
+    if (!run.is_valid() || run.gate != none) return true;
+    for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
+    {
+      const std::size_t known = followed_by(run);
+      if (known != none && known < first_followed)
+      { // another chain goes on here, which is known
+        m_pieces.resize(first);
+        return true;
+      }
+      if (known != none)
+      { // back on this chain, maybe behind where it started
+        const std::size_t begin = first + (known - first_followed);
+        m_pieces.back().end = run.start;
+        m_pieces.erase(pieces_at(first), pieces_at(begin));
+        m_pieces[first].start = run.start;
+        m_chains.push_back({no_index, no_index, first, m_pieces.size()});
+        return true;
+      }
+      add_piece(run, first);
+      run = best_run(run, run.end);
+      if (!run.is_valid() || run.gate != none) return false;
+    }
+    return false;
+  }
+
+  // Parts of arcs that chains of the cell follow.
+  struct Followed
+  {
+    Point start, end;
+    std::size_t previous; // of the same arc
+  };
+
+  bool is_followed(std::size_t i, const Point& p) const
+  {
+    const FT& tie = m_arcs.tolerances().tie;
+    for (std::size_t f = m_last_followed[i]; f != none; f = m_followed[f].previous)
+      if (!(m_arcs[i].advance(m_followed[f].start, p) < -tie) && !(m_arcs[i].advance(p, m_followed[f].end) < -tie))
+        return true;
+    return false;
+  }
+
+  // The number of a part that the run shares with a chain; none if there is none.
+  std::size_t followed_by(const Run& run) const
+  {
+    const Arc& a = m_arcs[run.arc];
+    for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
+      if (CGAL::is_positive(a.advance(run.start, m_followed[f].end)) &&
+          CGAL::is_positive(a.advance(m_followed[f].start, run.end)))
+        return f;
     return none;
   }
 
+  auto pieces_at(std::size_t i) const { return m_pieces.begin() + std::ptrdiff_t(i); }
+
+  // Joins the chains of cells at the gates between them, and calls out(start, end) for each with its pieces in m_chain.
   template <class Function>
-  void trace_from_gate(std::size_t gate, const Function& out)
+  void link(const Function& out)
   {
-    m_chain.clear();
-    Point p = (*m_gates)[gate].point;
-    std::size_t arc = none;
-    for (std::size_t guard = 0; guard < 4 * m_runs.arcs().size() + 16; ++guard)
-    {
-      const Point heading = arc == none ? m_runs.inwards((*m_gates)[gate].edge) : m_runs.arcs()[arc].tangent(p);
-      const Run run = m_runs.best_run(p, arc, true, heading);
-      if (!run.valid) break;
-      p = run.start;
-      if (!m_chain.empty())
+    std::map<Index, std::size_t> chain_at; // by the start
+    for (std::size_t i = 0; i < m_chains.size(); ++i)
+      if (is_inner(m_chains[i].start)) chain_at.emplace(m_chains[i].start, i);
+    std::vector<char> done(m_chains.size(), 0);
+    for (const bool is_loop : {false, true}) // chains from gates of the face first
+      for (std::size_t i = 0; i < m_chains.size(); ++i)
       {
-        m_runs.refine_joint(arc, run.arc, p);
-        m_chain.back().end = p;
+        if (done[i] || (!is_loop && is_inner(m_chains[i].start))) continue;
+        m_chain.clear();
+        Index end = no_index;
+        for (std::size_t j = i; !done[j]; j = chain_at.at(end))
+        {
+          done[j] = 1;
+          m_chain.insert(m_chain.end(), pieces_at(m_chains[j].first), pieces_at(m_chains[j].last));
+          end = m_chains[j].end;
+          if (!is_inner(end)) break;
+        }
+        if (is_loop) out(no_index, no_index);
+        else out(m_chains[i].start, end);
       }
-      add_piece(run, p);
-      p = run.end;
-      arc = run.arc;
-      // where two arcs tie right at a gate, the run ends at their joint
-      const std::size_t end = run.gate != none ? run.gate : m_runs.gate_near(p, m_runs.tie());
-      if (end != none)
-      {
-        m_chain.back().end = (*m_gates)[end].point;
-        finish(gate, end, out);
-        return;
-      }
-    }
-    force_end(p, gate, out);
   }
 
-  // Pieces without extent go; their ends stay, with the neighbours.
+  static bool is_inner(Index gate) { return gate != no_index && (gate & inner_gate) != 0; }
+
+  // Short pieces become part of a neighbour that passes both of their ends; pieces without extent in any case.
   void drop_points()
   {
+    const Offset_tolerances<FT>& t = m_arcs.tolerances();
     std::size_t n = 0;
     for (std::size_t i = 0; i < m_chain.size(); ++i)
     {
-      if (length(m_chain[i].end - m_chain[i].start) > m_point || (n == 0 && i + 1 == m_chain.size()))
-        m_chain[n++] = m_chain[i];
-      else if (n > 0)
+      const FT l = length(m_chain[i].end - m_chain[i].start);
+      const bool is_short = l <= t.shortest_piece, is_last = i + 1 == m_chain.size();
+      if (is_short && n > 0 && (l <= t.cover || m_chain[n - 1].off(m_chain[i].end) <= t.tie))
         m_chain[n - 1].end = m_chain[i].end;
-      else
+      else if (is_short && n == 0 && !is_last && (l <= t.cover || m_chain[i + 1].off(m_chain[i].start) <= t.tie))
         m_chain[i + 1].start = m_chain[i].start;
+      else
+        m_chain[n++] = m_chain[i];
     }
     m_chain.resize(n);
   }
 
-  template <class Function>
-  void finish(std::size_t start, std::size_t end, const Function& out)
-  {
-    drop_points();
-    Gate& last = (*m_gates)[end];
-    m_chain.front().start_edge = (*m_gates)[start].edge;
-    m_chain.back().end_edge = last.edge;
-    out((*m_gates)[start].id, last.id, m_chain);
-    last.id = no_index; // used
-  }
-
-  // No arc could be followed up to a gate. The nearest gate left takes the chain; if it is farther than rounding
-  // explains, this is counted.
-  template <class Function>
-  void force_end(const Point& p, std::size_t start, const Function& out)
-  {
-    const std::size_t gate = m_runs.gate_near(p, Number_policy<FT>::infinity());
-    if (gate == none) return;
-    const Point end = (*m_gates)[gate].point;
-    const FT gap = length(end - p);
-    if (gap > FT(1e-7) * m_runs.face_size()) ++m_forced;
-    if (m_chain.empty())
-    {
-      std::size_t nearest = 0;
-      m_runs.field().distance(p, nearest);
-      const Face_window<FT>& w = m_runs.field().windows()[nearest];
-      m_chain.push_back(Piece{w.is_parallel() ? FT(-1) * w.image() : w.image(), m_runs.level() - w.sigma, p, end,
-                              m_runs.field().face(), w.root, w.pseudo_source(), w.is_parallel(), 3, 3});
-    }
-    else
-      m_chain.back().end = end;
-    finish(start, gate, out);
-  }
-
-  // Loops that touch no edge lie round a source inside the face, or round a place where the distance is largest. In the
-  // latter case all arcs bulge inwards, so the loop has corners, where one arc comes out from under another.
-  template <class Function>
-  void trace_loops(const Function& out)
-  {
-    for (std::size_t i = 0; i < m_runs.arcs().size(); ++i)
-    {
-      const Level_arc<FT>& a = m_runs.arcs()[i];
-      if (a.window().origin == STARTS_IN_FACE) try_loop(i, FT(0), a.start(), out);
-      m_runs.boxes().any_of(m_runs.boxes()[i], [&](std::size_t j) {
-        const Level_arc<FT>& b = m_runs.arcs()[j];
-        Point p;
-        if (i != j && m_runs.meet(a, b, true, p) && a.is_ahead(p) && a.outside_cone(p) <= m_runs.tie() &&
-            b.outside_cone(p) <= m_runs.tie() && cross(b.tangent(p), a.tangent(p)) < FT(-1e-7))
-          try_loop(i, a.parameter(p), p, out);
-        return false;
-      });
-    }
-  }
-
-  template <class Function>
-  void try_loop(std::size_t i, const FT& t, const Point& start, const Function& out)
-  {
-    if (!(t >= FT(0) && t < FT(1)) || is_traversed(i, t) || m_runs.depth(start) < m_runs.tie()) return;
-    // a loop may lie hidden under windows that the level does not pass through
-    std::size_t nearest;
-    if (m_runs.field().distance(start, nearest) < m_runs.level() - m_runs.tie()) return;
-    Run run = m_runs.run_of(i, t, start);
-    const std::size_t own = m_traversed.size();
-    m_chain.clear();
-    Point p = start;
-    bool closed = false;
-    std::size_t last_arc = i;
-    while (run.valid && run.gate == none)
-    {
-      const std::size_t known = traversed_by(run);
-      // what another chain, or an attempt in vain, has followed leads to no other end
-      if (known != none && known < own) break;
-      p = run.start;
-      if (!m_chain.empty() && last_arc != run.arc) m_runs.refine_joint(last_arc, run.arc, p);
-      if (!m_chain.empty()) m_chain.back().end = p;
-      if (known != none)
-      { // back on this chain, maybe behind where it started
-        m_chain.erase(m_chain.begin(), m_chain.begin() + std::ptrdiff_t(known - own));
-        m_chain.front().start = p;
-        closed = true;
-        break;
-      }
-      last_arc = run.arc;
-      add_piece(run, p);
-      p = run.end;
-      if (m_chain.size() > 1 && length(p - start) <= m_runs.tie())
-      {
-        m_chain.back().end = start;
-        closed = true;
-      }
-      if (closed || m_runs.depth(p) < -m_runs.tie()) break;
-      run = m_runs.best_run(p, run.arc, false, m_runs.arcs()[run.arc].tangent(p));
-    }
-    // what is left between a gate and an arc that rounding has moved off it is no loop
-    FT sum(0);
-    for (const Piece& q : m_chain) sum += length(q.end - q.start);
-    if (!closed || !(sum > FT(1e-6) * (std::min)(m_runs.face_size(), m_runs.level()))) return;
-    drop_points();
-    out(no_index, no_index, m_chain);
-  }
-
-  Level_runs<FT> m_runs;
-  std::vector<Gate>* m_gates = nullptr;
-  FT m_point;                 // pieces up to this length are points
-  std::vector<Piece> m_chain; // being traced
-  std::vector<Traversed> m_traversed;
-  std::vector<std::size_t> m_last_traversed; // of each arc
-  std::size_t m_forced = 0;
+  Level_arcs<FT> m_arcs;
+  Near_intervals<FT> m_near; // on segments between cells
+  Cell m_face; // its gates are numbered as they come
+  const Cell* m_cell = nullptr;
+  std::vector<char> m_is_used; // the gates of the cell that are ends of chains
+  std::vector<Followed> m_followed;
+  std::vector<std::size_t> m_last_followed; // per arc
+  std::vector<Chain> m_chains;
+  std::vector<Piece> m_pieces; // of the chains
+  std::vector<Piece> m_chain;  // being given out
+  Index m_inner_gates = 0;
+  int m_divisions = 0; // of the face
+  std::size_t m_forced = 0, m_crossed = 0;
 };
 
 } // namespace internal

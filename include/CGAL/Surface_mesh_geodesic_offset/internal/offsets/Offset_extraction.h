@@ -85,6 +85,13 @@ public:
     return n;
   }
 
+  std::size_t number_of_crossed_cells() const
+  {
+    std::size_t n = 0;
+    for (const auto& c : m_cuttings) n += c->number_of_crossed_cells();
+    return n;
+  }
+
 private:
   typedef std::map<std::size_t, Level_curves<FT>> Curves_of_levels;
   typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the first face
@@ -144,20 +151,14 @@ private:
       if (is_first_at(h))
       {
         if (cut.crossings[k].empty()) continue;
-        for (Crossing<FT>& c : cut.crossings[k])
-        {
-          c.gate = m_curves[c.level].new_gate(g == no_index);
-          cut.add_gate(k, c, false);
-        }
+        for (Crossing<FT>& c : cut.crossings[k]) c.gate = m_curves[c.level].new_gate(g == no_index);
+        cut.add_gates(k, cut.crossings[k], g < h);
         if (g != no_index) keep_waiting(h, cut.crossings[k]);
       }
       else if (const auto stored = m_waiting.find(g); stored != m_waiting.end())
       {
-        for (const Crossing<FT>& c : stored->second)
-        {
-          cut.add_gate(k, c, true);
-          m_curves[c.level].gate_found();
-        }
+        cut.add_gates(k, stored->second, g < h);
+        for (const Crossing<FT>& c : stored->second) m_curves[c.level].gate_found();
         m_spare.push_back(m_waiting.extract(stored));
       }
     }

@@ -49,9 +49,9 @@ public:
     }
   }
 
-  // Calls out(closed, pieces) for the longest parts of a curve that belong to the selection and are more than points.
+  // Calls out(closed, pieces) for the longest parts of a curve that belong to the selection and are longer than `shortest`.
   template <class FT, class Function>
-  void operator()(const FT& scale, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
+  void operator()(const FT& shortest, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
   {
     const auto is_wanted = [&](const Level_piece<FT>& p) { return (*this)(p.root); };
     if (m_selection.is_everything() || std::all_of(pieces.begin(), pieces.end(), is_wanted))
@@ -66,7 +66,9 @@ public:
       first = std::find_if(first, pieces.end(), is_wanted);
       const auto last = std::find_if_not(first, pieces.end(), is_wanted);
       std::vector<Level_piece<FT>> part(first, last);
-      if (!is_point(part, scale)) out(false, std::move(part));
+      FT sum(0);
+      for (const Level_piece<FT>& p : part) sum += length(p.end - p.start);
+      if (sum > shortest) out(false, std::move(part));
       first = last;
     }
   }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What all levels in a face have to know of a window: the half-planes and unit directions of its bounding rays, where in
-// the face it reaches, and how far.
+// The part of a window's geometry that all levels in a face share: half-planes and unit directions of its bounding rays,
+// the bounding box of the part of the face that its rays reach, and the largest distance there.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_WINDOW_CONE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_WINDOW_CONE_H
@@ -44,16 +44,6 @@ public:
     const Point nl = quarter_turn(m_left_direction), nr = FT(-1) * quarter_turn(m_right_direction);
     m_left = {nl, dot(nl, w.left)};
     m_right = {nr, dot(nr, w.right)};
-    m_is_wide = Number_policy<FT>::is_inexact && !w.is_parallel() &&
-                CGAL::is_negative(dot(m_left_direction, m_right_direction));
-    if (m_is_wide)
-    {
-      const Point chord = m_left_direction - m_right_direction;
-      m_across = (FT(1) / length(chord)) * chord;
-      m_first = half_tangent(m_right_direction);
-      m_last = half_tangent(m_left_direction);
-    }
-
     // the face, clipped at the two rays
     Point polygon[5] = {frame.corner(0), frame.corner(1), frame.corner(2), {}, {}}, clipped[5];
     int n = 3;
@@ -88,28 +78,11 @@ public:
   // Unit vectors along the bounding rays.
   const Point& left_direction() const { return m_left_direction; }
   const Point& right_direction() const { return m_right_direction; }
-  // More than a quarter turn, up to a half turn: then the chord may be as near to the image as rounding, and tells
-  // directions apart no more. Instead they are numbered by the tangent of half their angle with the middle one, from 0, on
-  // the right, to 1.
-  bool is_wide() const { return m_is_wide; }
-  Point direction(const FT& t) const
-  {
-    const FT s = m_first + t * (m_last - m_first), part = FT(1) / (FT(1) + s * s);
-    return (FT(2) * s * part) * m_across - ((FT(1) - s * s) * part) * quarter_turn(m_across);
-  }
-  FT parameter(const Point& u) const { return (half_tangent((FT(1) / length(u)) * u) - m_first) / (m_last - m_first); }
-
   // Bounds of the part of the face in the cone, and of the distances there.
   const Box_in_face<FT>& box() const { return m_box; }
   const FT& highest() const { return m_highest; }
 
 private:
-  // Of the angle of a unit vector with the middle of the cone.
-  FT half_tangent(const Point& u) const { return dot(u, m_across) / (FT(1) - dot(u, quarter_turn(m_across))); }
-
-  bool m_is_wide;
-  Point m_across; // from right to left
-  FT m_first, m_last;
   Half_plane<FT> m_left, m_right;
   Point m_left_direction, m_right_direction;
   Box_in_face<FT> m_box;

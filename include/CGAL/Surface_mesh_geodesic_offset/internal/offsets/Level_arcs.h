@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arcs of one level in a face, and how far each of them is visible: a part of the boundary of { D < level }.
+//
+// A window covers the part of an arc that lies in its cone and is nearer by it than the level, and by more than rounding;
+// so windows that tie along a whole arc do not cover each other. As the distance is continuous, an arc becomes invisible
+// only where another arc passes: windows whose arcs are elsewhere need no test.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARCS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARCS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Box_in_face.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Level_arcs
+{
+public:
+  typedef Point_in_face<FT> Point;
+  typedef Level_arc<FT> Arc;
+  typedef Box_in_face<FT> Box;
+
+  static constexpr std::size_t none = std::size_t(-1);
+
+  // The face, and bounds of the levels in it that follow.
+  void set_face(const Face_field<FT>& field, const FT& lowest_level, const FT& highest_level)
+  {
+    m_field = &field;
+    m_margin = Offset_tolerances<FT>(field.size() + highest_level).smallest_cell;
+    m_cones.clear();
+    m_fans.clear();
+    m_fan_cones.clear();
+    for (std::size_t i = 0; i < field.windows().size(); ++i)
+    {
+      const Face_window<FT>& w = field.windows()[i];
+      if (w.is_empty()) continue;
+      const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + field.size() + m_margin;
+      if (field.lowest(i) < highest_level + m_margin && bound >= lowest_level)
+        m_cones.push_back({&w, field.lowest(i), {w, field.frame(), m_margin}});
+    }
+  }
+
+  void set_level(const FT& level)
+  {
+    m_level = level;
+    m_tolerances = Offset_tolerances<FT>(m_field->size() + level);
+    m_has_fans = false;
+    m_arcs.clear();
+    m_boxes.clear();
+    for (const Cone& c : m_cones) add_arc(c);
+    m_boxes.build();
+  }
+
+  // Paths that bend at an end of a window or at a corner. They close the gaps between neighbouring windows of an edge; in
+  // theory there are none, but the front drops windows of the width of rounding, and those that begin at the distance limit
+  // up to rounding. Rarely needed, so this is done on demand.
+  void add_fans()
+  {
+    if (m_fans.empty()) make_fans();
+    m_has_fans = true;
+    m_first_fan = m_arcs.size();
+    m_boxes.pop_tree(m_arcs.size());
+    for (const Cone& c : m_fan_cones) add_arc(c);
+    m_boxes.build();
+  }
+  bool has_fans() const { return m_has_fans; }
+  bool is_fan(std::size_t i) const { return m_has_fans && i >= m_first_fan; }
+
+  void use_tie(int i) { m_tolerances.use_tie(i); }
+
+  // Calls f(window) for all windows of the face, those of add_fans() among them.
+  template <class Function>
+  void for_each_window(const Function& f) const
+  {
+    for (const Face_window<FT>& w : m_field->windows()) f(w);
+    if (m_has_fans)
+      for (const Face_window<FT>& w : m_fans) f(w);
+  }
+
+  const Face_field<FT>& field() const { return *m_field; }
+  const FT& level() const { return m_level; }
+  const Offset_tolerances<FT>& tolerances() const { return m_tolerances; }
+  std::size_t size() const { return m_arcs.size(); }
+  const Arc& operator[](std::size_t i) const { return m_arcs[i]; }
+
+  // Does arc i pass the point p, up to a tie?
+  bool passes(std::size_t i, const Point& p) const
+  {
+    const Arc& a = m_arcs[i];
+    return a.outside_cone(p) <= m_tolerances.tie && CGAL::abs(a.excess(p)) <= m_tolerances.tie;
+  }
+
+  // Calls f(i) for the arcs, but one, that pass p.
+  template <class Function>
+  void for_each_through(const Point& p, std::size_t without, const Function& f) const
+  {
+    m_boxes.any_of(Box(p), [&](std::size_t i) {
+      if (i != without && passes(i, p)) f(i);
+      return false;
+    });
+  }
+
+  // Calls f(j) for the arcs other than i that may meet it.
+  template <class Function>
+  void for_each_near(std::size_t i, const Function& f) const
+  {
+    m_boxes.any_of(m_boxes[i], [&](std::size_t j) {
+      if (j != i) f(j);
+      return false;
+    });
+  }
+
+  // The first point of arc i, from one point of it to another, from which on it is covered. `to` is moved there; false if
+  // there is none.
+  bool find_covered(std::size_t i, const Point& from, Point& to) const
+  {
+    const Arc& a = m_arcs[i];
+    Box box(from);
+    box.add(to);
+    if (!a.is_straight()) box.widen(length(to - from)); // less than a half turn
+    box.intersect(m_boxes[i]);
+    bool found = false;
+    m_boxes.any_of(box, [&](std::size_t j) {
+      if (j != i && find_covered_by(a, m_arcs[j], from, to)) found = true;
+      return false;
+    });
+    return found;
+  }
+
+private:
+  struct Cone
+  {
+    const Face_window<FT>* window;
+    FT lowest; // distance
+    Window_cone<FT> cone;
+  };
+
+  void add_arc(const Cone& c)
+  {
+    // windows that only touch the level count, too: it may run along the edge by which they enter
+    if (!(c.lowest < m_level + m_margin && c.cone.highest() >= m_level)) return;
+    if (!c.window->is_parallel() && !CGAL::is_positive(FT(m_level - c.window->sigma))) return;
+    const Arc arc(*c.window, c.cone, m_level);
+    const Box box = arc.box(m_margin);
+    if (box.is_empty()) return;
+    m_arcs.push_back(arc);
+    m_boxes.push_back(box);
+  }
+
+  // At each end of a window, and at each corner: all directions into the face.
+  void make_fans()
+  {
+    const std::vector<Face_window<FT>>& windows = m_field->windows();
+    m_fans.reserve(2 * windows.size());
+    for (const Face_window<FT>& w : windows)
+    {
+      if (w.origin == STARTS_IN_FACE) continue;
+      const int side = w.origin == STARTS_AT_CORNER ? int(w.edge) : int(w.origin);
+      const Point along = m_field->size() * m_field->frame().direction(side);
+      const auto add = [&](const Point& p) {
+        Face_window<FT> fan = w;
+        fan.x = p.x;
+        fan.y = p.y;
+        fan.sigma = w.distance_at(p);
+        fan.left = p - along;
+        fan.right = p + along;
+        fan.bits = Window<FT>::make_bits(false, w.pseudo_source());
+        fan.origin = STARTS_AT_CORNER;
+        this->m_fans.push_back(fan);
+      };
+      if (w.origin == STARTS_AT_CORNER)
+        add(w.image());
+      else
+      {
+        add(w.left);
+        add(w.right);
+      }
+    }
+    for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
+  }
+
+  // Is p covered by the window of b?
+  bool covers(const Arc& b, const Point& p) const { return b.is_in_cone(p) && b.excess(p) < -m_tolerances.cover; }
+
+  // The same for one other arc. The ends of the parts in the disk and in the cone divide the arc into parts that are covered
+  // wholly or not at all; their middle points tell which.
+  bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
+  {
+    Point end[10];
+    int n = 0;
+    const auto add = [&](const Point& p) {
+      if (!a.is_between(from, p, to)) return;
+      int k = n++;
+      for (; k > 0 && CGAL::is_negative(a.advance(end[k - 1], p)); --k) end[k] = end[k - 1];
+      end[k] = p;
+    };
+    Point enter, leave;
+    if (a.meet(b, m_tolerances.cover, enter, leave))
+    {
+      add(enter);
+      add(leave);
+    }
+    if (n == 0 && !(b.excess(a.middle(from, to)) < -m_tolerances.cover)) return false;
+    const auto add_side = [&](const Half_plane<FT>& side) {
+      if (!a.meet(side, enter, leave)) return;
+      add(enter);
+      add(leave);
+    };
+    add_side(b.left());
+    add_side(b.right());
+    if (b.window().is_parallel() && b.window().origin == STARTS_IN_FACE)
+      add_side({b.forward(), b.radius() - m_level}); // the line of the source
+    Point p = from;
+    for (int k = 0; k <= n; ++k)
+    {
+      const Point& q = k < n ? end[k] : to;
+      // parts as short as a tie are rounding of the rays
+      const bool is_part = a.advance(p, q) > m_tolerances.tie || !Number_policy<FT>::is_inexact;
+      if (is_part && covers(b, a.middle(p, q)))
+      {
+        to = p;
+        return true;
+      }
+      p = q;
+    }
+    return false;
+  }
+
+  const Face_field<FT>* m_field = nullptr;
+  FT m_level, m_margin;
+  Offset_tolerances<FT> m_tolerances;
+  std::vector<Cone> m_cones; // of the windows that have a level in the face
+  std::vector<Face_window<FT>> m_fans;
+  std::vector<Cone> m_fan_cones;
+  bool m_has_fans = false;
+  std::size_t m_first_fan = 0; // arc
+  std::vector<Arc> m_arcs;   // of the level
+  Box_tree<FT> m_boxes;      // theirs
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

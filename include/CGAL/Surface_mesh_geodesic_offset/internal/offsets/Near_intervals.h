@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the distance along a straight segment is less than a level: the union of one interval per window. The segment is an
+// edge, or it divides a face.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_NEAR_INTERVALS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_NEAR_INTERVALS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Near_intervals
+{
+public:
+  typedef Point_in_face<FT> Point;
+
+  void start(const FT& length, const FT& level)
+  {
+    m_intervals.clear();
+    m_length = length;
+    m_level = level;
+  }
+
+  const FT& length() const { return m_length; }
+  const FT& level() const { return m_level; }
+
+  // [lo, hi], as it is.
+  void add(const FT& lo, const FT& hi) { m_intervals.emplace_back(lo, hi); }
+
+  // The distance is less than the level from lo to hi. As it is 1-Lipschitz, it is less beyond each end by as far as it
+  // falls short of the level there (d_lo, d_hi). This closes the gaps that rounding leaves between neighbouring windows.
+  // `reversed`: lo and hi count from the other end of the segment.
+  void add(FT lo, FT hi, const FT& d_lo, const FT& d_hi, bool reversed)
+  {
+    if (!(lo < hi)) return;
+    if (d_lo < m_level) lo -= m_level - d_lo;
+    if (d_hi < m_level) hi += m_level - d_hi;
+    if (reversed) add(m_length - hi, m_length - lo);
+    else add(lo, hi);
+  }
+
+  // A window of a list, on its own halfedge.
+  void add_window(const Window<FT>& w, bool reversed)
+  {
+    FT lo = w.b0, hi = w.b1;
+    if (cut_near_part(w.is_parallel(), w.x, w.y, FT(m_level - w.sigma), lo, hi))
+      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, reversed);
+  }
+
+  // A window in a face, on the segment from o in the unit direction u.
+  void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
+  {
+    FT lo(0), hi = m_length;
+    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
+    if (!clip(-cross(l, o - w.left), -cross(l, u), internal::length(l), lo, hi)) return;
+    if (!clip(cross(r, o - w.right), cross(r, u), internal::length(r), lo, hi)) return;
+    if (w.is_parallel())
+    {
+      const FT start = w.distance_at(o), slope = -dot(w.image(), u);
+      if (w.origin == STARTS_IN_FACE && !clip(start, slope, FT(1), lo, hi)) return; // in front of the source
+      if (!cut_near_part(true, FT(-slope), FT(0), FT(m_level - start), lo, hi)) return;
+    }
+    else
+    {
+      const Point v = w.image() - o;
+      if (!cut_near_part(false, dot(v, u), cross(u, v), FT(m_level - w.sigma), lo, hi)) return;
+    }
+    add(lo, hi, w.distance_at(o + lo * u), w.distance_at(o + hi * u), reversed);
+  }
+
+  // The disk of radius r about c.
+  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u)
+  {
+    FT lo(0), hi = m_length;
+    const Point v = c - o;
+    if (cut_near_part(false, dot(v, u), cross(u, v), r, lo, hi)) add(lo, hi);
+  }
+
+  // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
+  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out. The ends of the segment are near exactly if the caller says so, whatever
+  // the intervals are; so the number of calls is odd exactly if both ends differ.
+  template <class Function>
+  void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
+  {
+    if (source_is_near) add(FT(0), FT(0));
+    if (target_is_near) add(m_length, m_length);
+    std::sort(m_intervals.begin(), m_intervals.end());
+    const FT gap = Offset_tolerances<FT>::interval_gap(m_length);
+    std::size_t n = 0;
+    for (const Interval& i : m_intervals)
+    {
+      if (n > 0 && i.first <= m_intervals[n - 1].second + gap)
+        m_intervals[n - 1].second = (std::max)(m_intervals[n - 1].second, i.second);
+      else
+        m_intervals[n++] = i;
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
+      const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].second, m_length);
+      if (!at_source && !at_target && !(last - first > gap)) continue; // the level just touches the segment
+      if (!at_source) out(first, true);
+      if (!at_target) out(last, false);
+    }
+  }
+
+private:
+  typedef std::pair<FT, FT> Interval;
+
+  // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
+  static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
+  {
+    if (parallel)
+    { // -x t < r
+      if (CGAL::is_zero(x)) return CGAL::is_positive(r);
+      const FT t = -r / x;
+      if (CGAL::is_positive(x)) lo = (std::max)(lo, t);
+      else hi = (std::min)(hi, t);
+      return lo < hi;
+    }
+    const FT height = CGAL::abs(y);
+    if (r <= height) return false;
+    const FT half = square_root<FT>((r - height) * (r + height));
+    lo = (std::max)(lo, FT(x - half));
+    hi = (std::min)(hi, FT(x + half));
+    return lo < hi;
+  }
+
+  // Cuts [lo, hi] down to where a + b t >= 0, up to rounding of the given magnitude: a source may lie on the segment.
+  bool clip(const FT& a, const FT& b, const FT& magnitude, FT& lo, FT& hi) const
+  {
+    const FT allowance = Offset_tolerances<FT>::ray_slack(m_length) * magnitude;
+    const FT g0 = a + b * lo + allowance, g1 = a + b * hi + allowance;
+    if (CGAL::is_negative(g0) && CGAL::is_negative(g1)) return false;
+    const FT old = lo;
+    if (CGAL::is_negative(g0)) lo = old + (g0 / (g0 - g1)) * (hi - old);
+    else if (CGAL::is_negative(g1)) hi = old + (g0 / (g0 - g1)) * (hi - old);
+    return true;
+  }
+
+  std::vector<Interval> m_intervals;
+  FT m_length = FT(0), m_level = FT(0);
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
