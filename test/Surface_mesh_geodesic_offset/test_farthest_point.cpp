@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_farthest_point {
 
 using namespace test;
 
@@ -338,18 +338,19 @@ void unreached_parts()
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
 }
 
-} // namespace
+} // namespace test_farthest_point
 
-int main()
+GEODESIC_OFFSET_TEST(test_farthest_point)
 {
   std::cout.precision(3);
-  unit_square();
-  triangle_from_its_vertices();
-  strips();
-  polyhedra();
-  generated_meshes();
-  data_meshes();
-  unreached_parts();
+  const std::pair<const char*, void (*)()> tests[] = {{"unit square", unit_square},
+                                                      {"triangle from its vertices", triangle_from_its_vertices},
+                                                      {"strips", strips},
+                                                      {"polyhedra", polyhedra},
+                                                      {"generated meshes", generated_meshes},
+                                                      {data_case, data_meshes},
+                                                      {"unreached parts", unreached_parts}};
+  const int result = run_tests("test_farthest_point", tests);
   std::cout << "worst relative error of the distance " << error().error() << std::endl;
-  return Report::instance().finish("test_farthest_point");
+  return result;
 }

@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_offset_files {
 
 using namespace test;
 
@@ -169,9 +169,9 @@ void curves_that_are_not_in_a_plane()
   }
 }
 
-} // namespace
+} // namespace test_offset_files
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_files)
 {
   kinds_of_meshes_and_ranges();
   streams();
