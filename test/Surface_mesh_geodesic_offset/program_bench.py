@@ -33,7 +33,8 @@ def check_close(actual, expected, tolerance, text):
 
 
 def skip(reader):
-    print("skipped: %s is not installed; before that, %d failures" % (reader, failures))
+    print("%s: skipped, %s is not installed; before that, %d failures"
+          % (os.path.basename(sys.argv[0]), reader, failures))
     sys.exit(1 if failures else 77)
 
 

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test {
@@ -61,8 +62,8 @@ struct Query_case
 
 typedef std::vector<std::unique_ptr<Query_case>> Query_cases;
 
-/// Ten small meshes, or eight without the data directory.
-inline Query_cases query_cases()
+/// Eight small generated meshes
+inline Query_cases generated_query_cases()
 {
   Query_cases cases;
   const std::pair<const char*, Soup> generated[] = {
@@ -76,6 +77,13 @@ inline Query_cases query_cases()
     {"L", l_shape(80, 5, 4)}};
   for (const auto& mesh : generated)
     cases.push_back(std::make_unique<Query_case>(mesh.first, mesh.second));
+  return cases;
+}
+
+/// Two small meshes of the data directory
+inline Query_cases data_query_cases()
+{
+  Query_cases cases;
   for (const char* name : {"anchor.off", "mesh_with_border.off"})
   {
     test::Surface_mesh mesh;
@@ -87,11 +95,15 @@ inline Query_cases query_cases()
   return cases;
 }
 
-/// Calls f(case, seed, whether windows are kept) for all cases, with each of the seeds from 1 on.
+/// Calls f(case, seed, whether windows are kept) for all cases of the wanted kinds, with each of the seeds from 1 on.
 template <class Function>
 void for_each_query_case(unsigned seeds, const Function& f)
 {
-  for (const auto& c : query_cases())
+  Query_cases cases;
+  if (mesh_kinds().generated) cases = generated_query_cases();
+  if (mesh_kinds().data)
+    for (auto& c : data_query_cases()) cases.push_back(std::move(c));
+  for (const auto& c : cases)
     for (unsigned seed = 1; seed <= seeds; ++seed)
       for (const bool keep : {true, false}) try
         {

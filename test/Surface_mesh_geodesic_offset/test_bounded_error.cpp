@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-namespace {
+namespace test_bounded_error {
 
 using namespace test;
 namespace parameters = CGAL::parameters;
@@ -97,10 +97,10 @@ void check_with_all_tolerances(const Query_case& c, const std::vector<Any_source
   Report::instance().set_context(context);
 }
 
-// Several kinds of sources at once, on ten small meshes.
-void random_sources()
+// Several kinds of sources at once
+void random_sources_of(const Query_cases& cases)
 {
-  for (const auto& c : query_cases())
+  for (const auto& c : cases)
     for (unsigned seed = 1; seed <= 6; ++seed)
     {
       Report::instance().set_context(c->name + ", seed " + std::to_string(seed));
@@ -110,6 +110,8 @@ void random_sources()
       check_with_all_tolerances(*c, sources, random);
     }
 }
+
+void random_sources() { random_sources_of(generated_query_cases()); }
 
 void with_one_point(const std::string& name, const Soup& soup)
 {
@@ -154,6 +156,7 @@ void smooth_and_rough_shapes()
 
 void data_meshes()
 {
+  random_sources_of(data_query_cases());
   for (const char* name : {"bunny00.off", "elephant.off", "fandisk.off", "mech-holes-shark.off"})
   {
     test::Surface_mesh mesh;
@@ -483,14 +486,14 @@ void fewer_windows()
   }
 }
 
-} // namespace
+} // namespace test_bounded_error
 
-int main()
+GEODESIC_OFFSET_TEST(test_bounded_error)
 {
   std::cout.precision(3);
   const std::pair<const char*, std::function<void()>> tests[] = {{"random sources", random_sources},
                                                                  {"shapes", smooth_and_rough_shapes},
-                                                                 {"data meshes", data_meshes},
+                                                                 {data_case, data_meshes},
                                                                  {"certified", certified},
                                                                  {"noise", noise},
                                                                  {"degenerate meshes", degenerate_meshes},

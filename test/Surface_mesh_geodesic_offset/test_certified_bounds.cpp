@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_certified_bounds {
 
 using namespace test;
 
@@ -426,9 +426,9 @@ void needles_without_an_end()
   std::cout << "needles: " << bounded << " bounded, " << refused << " refused" << std::endl;
 }
 
-} // namespace
+} // namespace test_certified_bounds
 
-int main()
+GEODESIC_OFFSET_TEST(test_certified_bounds)
 {
   const std::pair<const char*, void (*)()> tests[] = {{"use", use},
                                                       {"a straight border", straight_border},

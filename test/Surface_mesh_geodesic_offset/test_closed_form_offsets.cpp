@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_closed_form_offsets {
 
 using namespace test;
 
@@ -636,9 +636,9 @@ void tori()
   }
 }
 
-} // namespace
+} // namespace test_closed_form_offsets
 
-int main()
+GEODESIC_OFFSET_TEST(test_closed_form_offsets)
 {
   std::cout.precision(3);
   for (unsigned seed = 1; seed <= 3; ++seed)

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_closed_forms {
 
 using namespace test;
 
@@ -133,9 +133,9 @@ void run(const std::string& name, const Soup& soup, const ClosedForm& closed_for
   }
 }
 
-} // namespace
+} // namespace test_closed_forms
 
-int main()
+GEODESIC_OFFSET_TEST(test_closed_forms)
 {
   std::cout.precision(3);
   for (unsigned seed = 1; seed <= 4; ++seed)

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_degenerate_levels {
 
 using namespace test;
 
@@ -451,9 +451,9 @@ void levels_that_are_no_distances()
   CHECK(curves.empty());
 }
 
-} // namespace
+} // namespace test_degenerate_levels
 
-int main()
+GEODESIC_OFFSET_TEST(test_degenerate_levels)
 {
   vertices_on_the_level();
   edges_on_the_level();

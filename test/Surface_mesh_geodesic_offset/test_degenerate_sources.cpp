@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace {
+namespace test_degenerate_sources {
 
 using namespace test;
 
@@ -111,9 +111,9 @@ void segments_between_edges()
     }
 }
 
-} // namespace
+} // namespace test_degenerate_sources
 
-int main()
+GEODESIC_OFFSET_TEST(test_degenerate_sources)
 {
   sources_that_meet();
   segments_between_edges();

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_element_order {
 
 using namespace test;
 
@@ -357,9 +357,9 @@ void certified_bounds()
   }
 }
 
-} // namespace
+} // namespace test_element_order
 
-int main()
+GEODESIC_OFFSET_TEST(test_element_order)
 {
   const std::vector<std::pair<std::string, void (*)()>> tests = {{"renumbered", renumbered},
                                                                  {"shuffled mesh", shuffled_mesh},

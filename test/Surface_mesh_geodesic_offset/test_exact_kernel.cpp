@@ -14,15 +14,17 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
 
 #include <array>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace {
+namespace test_exact_kernel {
 
 using namespace test;
 
@@ -526,32 +528,26 @@ void test_tolerance()
   CHECK(geodesic.distance_to_sources(box.vertices[1]) == FT(1) && geodesic.error_bound(box.vertices[1]) == FT(0));
 }
 
-} // namespace
+} // namespace test_exact_kernel
 
-int main()
+GEODESIC_OFFSET_TEST(test_exact_kernel)
 {
-  try
-  {
-    test_box(FT(1), FT(1), FT(1));
-    test_box(FT(4), FT(3), FT(2));
-    test_box(FT(1), FT(3) / 4, FT(1) / 2);
-    test_box(root(FT(2)), FT(1), root(FT(3)));
-    test_tetrahedron();
-    test_octahedron();
-    test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5));
-    test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3));
-    test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2));
-    test_saddle();
-    test_l();
-    test_segments_in_plane();
-    test_offsets();
-    test_coinciding_sources();
-    test_coinciding_sources_in_general_position();
-    test_tolerance();
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
-  return Report::instance().finish("test_exact_kernel");
+  const std::pair<const char*, std::function<void()>> tests[] = {
+    {"cube", [] { test_box(FT(1), FT(1), FT(1)); }},
+    {"box of integers", [] { test_box(FT(4), FT(3), FT(2)); }},
+    {"box of fractions", [] { test_box(FT(1), FT(3) / 4, FT(1) / 2); }},
+    {"box of roots", [] { test_box(root(FT(2)), FT(1), root(FT(3))); }},
+    {"tetrahedron", test_tetrahedron},
+    {"octahedron", test_octahedron},
+    {"prism over a rectangle", [] { test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5)); }},
+    {"prism over a triangle", [] { test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3)); }},
+    {"prism over a square", [] { test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2)); }},
+    {"saddle", test_saddle},
+    {"L", test_l},
+    {"segments in a plane", test_segments_in_plane},
+    {"offsets", test_offsets},
+    {"coinciding sources", test_coinciding_sources},
+    {"coinciding sources in general position", test_coinciding_sources_in_general_position},
+    {"tolerance", test_tolerance}};
+  return run_tests("test_exact_kernel", tests);
 }

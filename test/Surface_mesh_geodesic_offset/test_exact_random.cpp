@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_exact_random {
 
 using namespace test;
 
@@ -278,9 +278,9 @@ Soup subdivided_octahedron(std::size_t n)
   return soup;
 }
 
-} // namespace
+} // namespace test_exact_random
 
-int main(int argc, char**)
+GEODESIC_OFFSET_TEST(test_exact_random)
 {
   const bool is_verbose = argc > 1;
   Totals totals;

@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_exact_root_number {
 
 using CGAL::Exact_rational;
 typedef CGAL::Geodesic_offset::internal::Exact_root_number Number;
@@ -557,9 +557,9 @@ void test_counts()
   CHECK(counts.by_identity.value() == 0 && counts.exactly_zero.value() == 0);
 }
 
-} // namespace
+} // namespace test_exact_root_number
 
-int main()
+GEODESIC_OFFSET_TEST(test_exact_root_number)
 {
   test_constants();
   test_traits();

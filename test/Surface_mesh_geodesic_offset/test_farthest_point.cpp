@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_farthest_point {
 
 using namespace test;
 
@@ -493,22 +493,29 @@ void unreached_parts()
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
 }
 
-} // namespace
-
-int main()
+// Of all faces that the front passed in the cases before, few had to be searched.
+void few_faces_are_searched()
 {
-  std::cout.precision(3);
-  unit_square();
-  triangle_from_its_vertices();
-  strips();
-  polyhedra();
-  generated_meshes();
-  data_meshes();
-  plates();
-  builds_of_all_kinds();
-  unreached_parts();
   std::cout << number_of_searched_faces << " of " << number_of_faces << " faces searched as the front passed" << std::endl;
   CHECK(number_of_searched_faces > 0 && number_of_searched_faces < number_of_faces / 20);
+}
+
+} // namespace test_farthest_point
+
+GEODESIC_OFFSET_TEST(test_farthest_point)
+{
+  std::cout.precision(3);
+  const std::pair<const char*, void (*)()> tests[] = {{"unit square", unit_square},
+                                                      {"triangle from its vertices", triangle_from_its_vertices},
+                                                      {"strips", strips},
+                                                      {"polyhedra", polyhedra},
+                                                      {"generated meshes", generated_meshes},
+                                                      {data_case, data_meshes},
+                                                      {"plates", plates},
+                                                      {"builds of all kinds", builds_of_all_kinds},
+                                                      {"few faces are searched", few_faces_are_searched},
+                                                      {"unreached parts", unreached_parts}};
+  const int result = run_tests("test_farthest_point", tests);
   std::cout << "worst relative error of the distance " << error().error() << std::endl;
-  return Report::instance().finish("test_farthest_point");
+  return result;
 }

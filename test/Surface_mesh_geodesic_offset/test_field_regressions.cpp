@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_field_regressions {
 
 using namespace test;
 
@@ -668,9 +668,9 @@ void not_a_number()
   CHECK(geodesic.number_of_sources() == 0);
 }
 
-} // namespace
+} // namespace test_field_regressions
 
-int main()
+GEODESIC_OFFSET_TEST(test_field_regressions)
 {
   const std::vector<std::pair<const char*, void (*)()>> tests = {
     {"source at a vertex up to rounding", source_at_vertex_up_to_rounding},

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_inner_sides {
 
 using namespace test;
 using CGAL::Offset_end;
@@ -361,9 +361,9 @@ void guarded(const Function& f)
   }
 }
 
-} // namespace
+} // namespace test_inner_sides
 
-int main()
+GEODESIC_OFFSET_TEST(test_inner_sides)
 {
   for (const Diagonals diagonals :
        {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random})

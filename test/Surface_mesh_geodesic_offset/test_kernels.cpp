@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_kernels {
 
 using namespace test;
 
@@ -470,9 +470,9 @@ void short_numbers()
   }
 }
 
-} // namespace
+} // namespace test_kernels
 
-int main()
+GEODESIC_OFFSET_TEST(test_kernels)
 {
   const std::pair<const char*, void (*)()> tests[] = {
     {"meshes of other kernels", meshes_of_other_kernels},

@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace test_locate {
 
 using namespace test;
 typedef Kernel::Ray_3 Ray_3;
@@ -651,24 +651,25 @@ void bad_input()
   }
 }
 
-} // namespace
+} // namespace test_locate
 
-int main()
+GEODESIC_OFFSET_TEST(test_locate)
 {
   std::cout.precision(3);
-  generated_meshes();
-  data_meshes();
-  larger_tolerance();
-  thin_cap();
-  rays_at_a_sphere();
-  rays_at_a_plane();
-  custom_point_map();
-  isolated_vertex();
-  search_and_tree();
-  distances();
-  several_threads();
-  bad_input();
+  const std::pair<const char*, void (*)()> tests[] = {{"generated meshes", generated_meshes},
+                                                      {data_case, data_meshes},
+                                                      {"larger tolerance", larger_tolerance},
+                                                      {"thin cap", thin_cap},
+                                                      {"rays at a sphere", rays_at_a_sphere},
+                                                      {"rays at a plane", rays_at_a_plane},
+                                                      {"custom point map", custom_point_map},
+                                                      {"isolated vertex", isolated_vertex},
+                                                      {"search and tree", search_and_tree},
+                                                      {"distances", distances},
+                                                      {"several threads", several_threads},
+                                                      {"bad input", bad_input}};
+  const int result = run_tests("test_locate", tests);
   std::cout << number_of_queries << " points located, the worst off by " << worst
             << " of what is allowed" << std::endl;
-  return Report::instance().finish("test_locate");
+  return result;
 }

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_lower_envelope {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, CGAL::Surface_mesh<Kernel::Point_3>> Traits;
@@ -212,9 +212,9 @@ void test_random(unsigned seed)
   CHECK(after <= before * (1 + 1e-12));
 }
 
-} // namespace
+} // namespace test_lower_envelope
 
-int main()
+GEODESIC_OFFSET_TEST(test_lower_envelope)
 {
   for (unsigned seed = 1; seed <= 4000; ++seed)
   {

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_mesh_types {
 
 using namespace test;
 
@@ -136,9 +136,9 @@ void unset_indices()
   CHECK_THROWS(no_vertices(), std::length_error);
 }
 
-} // namespace
+} // namespace test_mesh_types
 
-int main()
+GEODESIC_OFFSET_TEST(test_mesh_types)
 {
   unset_indices();
   run("genus 5", marching_genus_5(10));

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_nearest_source {
 
 using namespace test;
 
@@ -282,11 +282,8 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
   }
 }
 
-} // namespace
-
-int main()
+void in_the_plane()
 {
-  std::cout.precision(3);
   Totals totals;
   Worst_error worst(1e-12, 4);
   const std::pair<const char*, Soup> planar[] = {
@@ -310,8 +307,16 @@ int main()
             << totals.at_segments << " nearest to segments, " << totals.at_points
             << " to points; worst relative error of the distance " << worst.error()
             << ", of the location " << totals.location << std::endl;
+}
 
-  totals = Totals();
+} // namespace test_nearest_source
+
+GEODESIC_OFFSET_TEST(test_nearest_source)
+{
+  std::cout.precision(3);
+  if (mesh_kinds().generated) in_the_plane();
+
+  Totals totals;
   const std::pair<const char*, Soup> generated[] = {
     {"torus", torus(30, 20)},
     {"genus 5", marching_genus_5(10)},
@@ -329,8 +334,9 @@ int main()
       CHECK_DETAIL(!"an exception was thrown", e.what());
     }
   };
-  for (const auto& soup : generated)
-    run(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
+  if (mesh_kinds().generated)
+    for (const auto& soup : generated)
+      run(soup.first, Generated_mesh<test::Surface_mesh>(rotated(soup.second, 5)).mesh);
   for (const char* name : {"anchor.off", "elephant.off", "mesh_with_border.off"})
   {
     test::Surface_mesh mesh;

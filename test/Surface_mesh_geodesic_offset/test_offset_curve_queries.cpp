@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_offset_curve_queries {
 
 using namespace test;
 
@@ -387,9 +387,9 @@ void run(const std::string& name)
       }
 }
 
-} // namespace
+} // namespace test_offset_curve_queries
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_curve_queries)
 {
   run<test::Surface_mesh>("Surface_mesh");
   run<CGAL::Polyhedron_3<Kernel>>("Polyhedron_3");

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_offset_curves {
 
 using namespace test;
 
@@ -131,6 +131,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, const AddSourc
       }
     }
     summary().report.add(report);
+    CHECK(again.statistics().forced_joints == 0);
     summary().forced_joints += again.statistics().forced_joints;
     std::cout << name << ": ";
     print(std::cout, report);
@@ -351,14 +352,14 @@ void nearly_along_an_edge()
       }
 }
 
-} // namespace
+} // namespace test_offset_curves
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_offset_curves)
 {
   const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 6000;
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
-  if (name_part.empty())
+  if (mesh_kinds().generated && name_part.empty())
   {
     known_lengths();
     nearly_along_an_edge();

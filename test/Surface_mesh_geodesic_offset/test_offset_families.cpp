@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_offset_families {
 
 using namespace test;
 typedef CGAL::Offset_levels<double> Levels;
@@ -461,11 +461,8 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
   all_ways(name + ", plane section", mesh, section);
 }
 
-} // namespace
-
-int main()
+void generated_meshes()
 {
-  std::cout.precision(3);
   const std::pair<const char*, Soup> generated[] = {
     {"torus", torus(20, 14)},
     {"icosphere", icosphere(2)},
@@ -478,27 +475,49 @@ int main()
   unsigned seed = 20;
   for (const auto& soup : generated)
     run(soup.first, Generated_mesh<test::Surface_mesh>(soup.second).mesh, ++seed);
+}
+
+void data_meshes()
+{
   for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "rotor.off"})
   {
     test::Surface_mesh mesh;
     if (read_data_mesh(std::filesystem::path(data_directory()) / name, 10000, mesh).empty())
       run(name, mesh, 3);
   }
+}
+
+// Of all families before, those with a limit at their largest level propagate less.
+void limits_save_windows()
+{
+  std::cout << number_of_limited_strokes << " pieces with a limit at their level; " << windows_with_limit
+            << " windows for levels in the nearer half, " << windows_without_limit << " without the limit" << std::endl;
+  CHECK(windows_with_limit > 0 && windows_with_limit < windows_without_limit / 2);
+}
+
+} // namespace test_offset_families
+
+GEODESIC_OFFSET_TEST(test_offset_families)
+{
+  std::cout.precision(3);
   const Generated_mesh<test::Surface_mesh> data(torus(40, 30));
   const auto sections = random_plane_section(data.mesh, 3);
   const auto section = [&](Geodesic& g)
   {
     for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
   };
-  one_propagation(data.mesh, [&](Geodesic& g) { g.add_source_point(data.vertices[0]); });
-  one_propagation(data.mesh, section);
-  streaming();
-  threads(data.mesh, section, false);
-  threads(data.mesh, section, true);
-  std::cout << number_of_limited_strokes << " pieces with a limit at their level; " << windows_with_limit
-            << " windows for levels in the nearer half, " << windows_without_limit << " without the limit" << std::endl;
-  CHECK(windows_with_limit > 0 && windows_with_limit < windows_without_limit / 2);
+  const auto vertex = [&](Geodesic& g) { g.add_source_point(data.vertices[0]); };
+  const std::pair<const char*, std::function<void()>> tests[] = {
+    {"generated meshes", generated_meshes},
+    {data_case, data_meshes},
+    {"one propagation from a vertex", [&] { one_propagation(data.mesh, vertex); }},
+    {"one propagation from a section", [&] { one_propagation(data.mesh, section); }},
+    {"streaming", streaming},
+    {"threads", [&] { threads(data.mesh, section, false); }},
+    {"threads, with kept windows", [&] { threads(data.mesh, section, true); }},
+    {"limits save windows", limits_save_windows}};
+  const int result = run_tests("test_offset_families", tests);
   std::cout << number_of_curves << " curves in families; lengths differ by at most " << worst_length
             << " of the length and the diagonal" << std::endl;
-  return Report::instance().finish("test_offset_families");
+  return result;
 }

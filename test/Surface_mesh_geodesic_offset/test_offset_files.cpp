@@ -30,7 +30,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_offset_files {
 
 using namespace test;
 
@@ -369,9 +369,9 @@ void planar_meshes()
   CHECK(CGAL::IO::can_write_offset_SVG(cube, CGAL::parameters::vertex_point_map(flat)));
 }
 
-} // namespace
+} // namespace test_offset_files
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_files)
 {
   kinds_of_meshes_and_ranges();
   streams();

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_offset_validation {
 
 using namespace test;
 namespace internal = CGAL::Geodesic_offset::internal;
@@ -267,9 +267,9 @@ void damage_curves(const Case& c)
   expect(c, "a loop too many", changed, {ON_LEVEL, NO_CROSSING});
 }
 
-} // namespace
+} // namespace test_offset_validation
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_validation)
 {
   const auto border = [](const test::Surface_mesh& mesh, Geodesic& geodesic)
   {

@@ -12,16 +12,6 @@
 
 #include "query_cases.h"
 
-#ifndef CGAL_LINKED_WITH_TBB
-
-int main()
-{
-  std::cout << "test_parallel: skipped, TBB was not found" << std::endl;
-  return 77;
-}
-
-#else
-
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -34,7 +24,7 @@ int main()
 #include <thread>
 #include <type_traits>
 
-namespace {
+namespace test_parallel {
 
 using namespace test;
 
@@ -461,16 +451,31 @@ void within_tasks(Query_case& c)
 }
 #endif
 
-} // namespace
+void data_meshes(bool is_small, unsigned seeds)
+{
+  const Query_cases cases = data_query_cases();
+  for (const auto& c : cases)
+    for (unsigned seed = 1; seed <= seeds; ++seed) compare_tags(*c, seed, 30);
+  if (!cases.empty()) several_at_once(*cases.back());
+  for (const char* name : {"elephant.off", "bunny00.off"})
+  {
+    test::Surface_mesh mesh;
+    if (is_small || !read_data_mesh(std::filesystem::path(data_directory()) / name, 100000, mesh).empty()) continue;
+    Query_case c(name, mesh);
+    compare_tags(c, 1, 30);
+  }
+}
 
-int main(int argc, char* argv[])
+} // namespace test_parallel
+
+GEODESIC_OFFSET_TEST(test_parallel)
 {
   const bool is_small = argc > 1 && std::string(argv[1]) == "--small";
   std::vector<std::pair<std::string, std::function<void()>>> tests;
-  const Query_cases cases = query_cases();
+  const Query_cases cases = generated_query_cases();
+  const unsigned seeds = is_small ? 1 : 6;
   for (const auto& c : cases)
-    for (unsigned seed = 1; seed <= (is_small ? 1u : 6u); ++seed)
-      tests.emplace_back(c->name, [&c, seed] { compare_tags(*c, seed, 30); });
+    for (unsigned seed = 1; seed <= seeds; ++seed) tests.emplace_back(c->name, [&c, seed] { compare_tags(*c, seed, 30); });
   Query_case large("large torus", rotated(torus(is_small ? 60 : 260, is_small ? 40 : 150), 4));
   tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30); });
   tests.emplace_back("pieces", [&] { same_pieces(large); });
@@ -483,15 +488,6 @@ int main(int argc, char* argv[])
 #if !defined(__SANITIZE_THREAD__)
   tests.emplace_back("within tasks", [&] { within_tasks(large); });
 #endif
-  std::vector<std::unique_ptr<Query_case>> data;
-  for (const char* name : {"elephant.off", "bunny00.off"})
-  {
-    test::Surface_mesh mesh;
-    if (is_small || !read_data_mesh(std::filesystem::path(data_directory()) / name, 100000, mesh).empty()) continue;
-    data.push_back(std::make_unique<Query_case>(name, mesh));
-    tests.emplace_back(name, [c = data.back().get()] { compare_tags(*c, 1, 30); });
-  }
+  tests.emplace_back(data_case, [&] { data_meshes(is_small, seeds); });
   return run_tests("test_parallel", tests);
 }
-
-#endif

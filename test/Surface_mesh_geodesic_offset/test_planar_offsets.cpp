@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_planar_offsets {
 
 using namespace test;
 
@@ -573,9 +573,9 @@ void closed_forms()
   tally = Tally();
 }
 
-} // namespace
+} // namespace test_planar_offsets
 
-int main()
+GEODESIC_OFFSET_TEST(test_planar_offsets)
 {
   std::cout.precision(3);
   random_polylines();

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_bad_input {
 
 using namespace test;
 
@@ -326,9 +326,9 @@ private:
   std::vector<std::filesystem::path> whole_;
 };
 
-} // namespace
+} // namespace test_program_bad_input
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_program_bad_input)
 {
   if (argc != 2 || !std::filesystem::exists(argv[1]))
   {

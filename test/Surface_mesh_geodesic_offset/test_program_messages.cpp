@@ -580,13 +580,13 @@ private:
 
 } // namespace test_program_messages
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_program_messages)
 {
   if (argc != 2 || !std::filesystem::exists(argv[1]))
   {
     std::cerr << "usage: test_program_messages PROGRAM\n";
     return 2;
   }
-  test_program_messages::Messages(argv[1]).run_all();
-  return test::Report::instance().finish("test_program_messages");
+  Messages(argv[1]).run_all();
+  return Report::instance().finish("test_program_messages");
 }

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_outputs {
 
 using namespace test;
 
@@ -605,9 +605,9 @@ private:
   Scratch_directory scratch_;
 };
 
-} // namespace
+} // namespace test_program_outputs
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_program_outputs)
 {
   if (argc != 2 || !std::filesystem::exists(argv[1]))
   {

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_program_validation {
 
 using namespace test;
 
@@ -446,9 +446,9 @@ void help(const std::string& program)
     CHECK_DETAIL(result.output.find(word) != std::string::npos, word);
 }
 
-} // namespace
+} // namespace test_program_validation
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_program_validation)
 {
   if (argc != 3 || !std::filesystem::exists(argv[1]) || !std::filesystem::exists(argv[2]))
   {

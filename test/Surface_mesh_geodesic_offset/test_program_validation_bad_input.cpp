@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_program_validation_bad_input {
 
 using namespace test;
 
@@ -399,9 +399,9 @@ private:
   std::vector<double> distances_;
 };
 
-} // namespace
+} // namespace test_program_validation_bad_input
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_program_validation_bad_input)
 {
   if (argc != 3 || !std::filesystem::exists(argv[1]) || !std::filesystem::exists(argv[2]))
   {

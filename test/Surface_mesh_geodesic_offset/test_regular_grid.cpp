@@ -10,7 +10,7 @@
 
 #include <string>
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_regular_grid)
 {
   using namespace test;
   const std::size_t n = argc > 1 ? std::stoul(argv[1]) : 300;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_signed_distance {
 
 using namespace test;
 using CGAL::Offset_end;
@@ -339,9 +339,9 @@ void along_edges_of_grids()
             << " undecided, " << totals.caps << " beyond ends" << std::endl;
 }
 
-} // namespace
+} // namespace test_signed_distance
 
-int main()
+GEODESIC_OFFSET_TEST(test_signed_distance)
 {
   std::cout.precision(3);
   random_polylines();

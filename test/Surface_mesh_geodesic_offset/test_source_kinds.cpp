@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_source_kinds {
 
 using namespace test;
 
@@ -707,9 +707,9 @@ void run_guarded(void (*test)())
   }
 }
 
-} // namespace
+} // namespace test_source_kinds
 
-int main()
+GEODESIC_OFFSET_TEST(test_source_kinds)
 {
   const std::pair<const char*, Soup> meshes[] = {
     {"rectangle", rotated(random_rectangle(2, 1, 120, 8, 1), 1)},

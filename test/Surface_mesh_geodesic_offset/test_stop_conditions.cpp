@@ -8,7 +8,7 @@
 
 #include "query_cases.h"
 
-namespace {
+namespace test_stop_conditions {
 
 using namespace test;
 
@@ -162,15 +162,15 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   check_covered(c, cut, full, keep, random);
 }
 
-} // namespace
+} // namespace test_stop_conditions
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_stop_conditions)
 {
   const unsigned times = argc > 1 ? unsigned(std::stoul(argv[1])) : 1;
   std::cout.precision(3);
   Totals totals;
   for_each_query_case(6 * times, [&](Query_case& c, unsigned seed, bool keep) { stops(c, seed, keep, totals); });
-  CHECK(totals.cancelled > 0);
+  if (totals.all_windows > 0) CHECK(totals.cancelled > 0);
   const auto percent = [&](std::size_t part)
   { return 100 * double(part) / double(totals.all_windows); };
   std::cout << "windows for the nearest of 50 vertices " << percent(totals.near_windows)

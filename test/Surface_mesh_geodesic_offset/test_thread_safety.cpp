@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace {
+namespace test_thread_safety {
 
 using namespace test;
 
@@ -182,9 +182,9 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
             << " numbers each" << std::endl;
 }
 
-} // namespace
+} // namespace test_thread_safety
 
-int main()
+GEODESIC_OFFSET_TEST(test_thread_safety)
 {
   const std::pair<const char*, Soup> meshes[] = {
     {"torus", torus(30, 20)}, {"genus 5", marching_genus_5(10)}, {"grid", planar_grid(15, 15)}};

@@ -8,7 +8,7 @@
 
 #include "query_cases.h"
 
-namespace {
+namespace test_updates {
 
 using namespace test;
 
@@ -157,9 +157,9 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
   ++totals.cases;
 }
 
-} // namespace
+} // namespace test_updates
 
-int main(int argc, char* argv[])
+GEODESIC_OFFSET_TEST(test_updates)
 {
   const unsigned times = argc > 1 ? unsigned(std::stoul(argv[1])) : 1;
   std::cout.precision(3);
