@@ -28,7 +28,7 @@ if [ -n "$mesh" ]; then
 fi
 
 install_packages() {
-  packages="g++ cmake make libcgal-dev libboost-dev libboost-program-options-dev libgmp-dev libmpfr-dev libpng-dev zlib1g-dev"
+  packages="g++ cmake make libcgal-dev libboost-dev libboost-program-options-dev libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libtbb-dev"
   missing=
   for package in $packages; do
     if ! dpkg-query -W -f='${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^.i'; then
@@ -48,11 +48,14 @@ if command -v apt-get >/dev/null 2>&1; then
   install_packages
 fi
 
-# two compilers at a time take about 2 GB
+# two compilers at a time take up to 4 GB
 jobs=$(nproc 2>/dev/null || echo 1)
 [ "$jobs" -le 2 ] || jobs=2
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+if [ ! -x "$build/bin/geodesic_offset" ]; then
+  echo "Compiling geodesic_offset, which takes about two minutes. The compiler prints nothing meanwhile."
+fi
 cmake --build "$build" --target geodesic_offset generate_example_mesh -j "$jobs"
 
 mkdir -p "$out"
@@ -60,11 +63,13 @@ program=$build/bin/geodesic_offset
 if [ -n "$mesh" ]; then
   # how far the surface reaches from its first vertex tells which spacing gives some twenty offsets
   set -- --source-vertex 0
+  echo "Computing distances from vertex 0, for the spacing of the offsets."
   "$program" "$mesh" "$@" --quiet --stats "$out/stats.json"
   spacing=$(awk -F '[:,]' '/"largest_distance"/ { print $2 / 20 }' "$out/stats.json")
 else
   mesh=$out/vase.off
   curve=$out/vase.polylines.txt
+  echo "Generating a mesh and a curve."
   "$build/bin/generate_example_mesh" "$mesh" "$curve"
   set -- --source-polyline "$curve"
   spacing=0.1
@@ -73,3 +78,5 @@ fi
 "$program" "$mesh" "$@" --spacing "$spacing" \
   --output "$out/offsets.polylines.txt" --output "$out/offsets.vtk" \
   --field "$out/field.ply" --picture "$out/picture.png" --stats "$out/stats.json"
+
+echo "Offsets, distances, picture and figures are in $out."
