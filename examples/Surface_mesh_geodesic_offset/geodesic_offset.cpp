@@ -173,6 +173,7 @@ void run(const Options& options, Concurrency_tag tag)
     Output_files::check(file);
 
   Run_figures figures;
+  figures.threads = number_of_working_threads(tag);
   const Mesh_input input = load(options, figures, progress);
 
   const Stopwatch setup_time;

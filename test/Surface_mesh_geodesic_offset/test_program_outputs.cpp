@@ -359,6 +359,7 @@ private:
     const std::string stats = read_file(scratch_ / "stats.json");
     CHECK(json_number(stats, "vertices") == static_cast<double>(soup.points.size()));
     CHECK(json_number(stats, "faces") == static_cast<double>(soup.triangles.size()));
+    CHECK(json_number(stats, "threads") >= 1);
     for (const char* key : {"setup_seconds", "solve_seconds", "offset_seconds"})
       CHECK_DETAIL(json_number(stats, key) >= 0, key);
     for (const char* key :

@@ -23,6 +23,7 @@ struct Run_figures
 {
   std::size_t vertices = 0;
   std::size_t faces = 0;
+  std::size_t threads = 1;
   double      load_seconds = 0;
   double      setup_seconds = 0;
   double      largest_distance = 0;        // of the surface, up to the covered distance
@@ -78,6 +79,7 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
   out << "{\n"
       << "  \"vertices\": " << run.vertices << ",\n"
       << "  \"faces\": " << run.faces << ",\n"
+      << "  \"threads\": " << run.threads << ",\n"
       << "  \"load_seconds\": " << run.load_seconds << ",\n"
       << "  \"setup_seconds\": " << run.setup_seconds << ",\n"
       << "  \"solve_seconds\": " << solver.propagation_seconds << ",\n"

@@ -11,6 +11,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <cstddef>
@@ -39,6 +40,17 @@ inline std::optional<std::size_t> number_of_threads(const po::variables_map& map
 }
 
 } // namespace internal
+
+// How many threads work with a concurrency tag, inside of with_threads().
+template <class Concurrency_tag>
+std::size_t number_of_working_threads(Concurrency_tag)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(std::is_same<Concurrency_tag, CGAL::Parallel_tag>::value)
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+#endif
+  return 1;
+}
 
 // Calls f(concurrency tag) for that many threads at most; as many as the machine has if no number is given.
 template <class Function>
