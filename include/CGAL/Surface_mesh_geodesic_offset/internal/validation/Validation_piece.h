@@ -145,9 +145,11 @@ private:
 
   static bool is_left(const Point& a, const Point& b, const Point& p) { return cross(b - a, p - a) > 0; }
 
+  // An arc that turns by s rises over its chord by at most r s^2 / 8; if that is less than rounding, the sides of the chord
+  // are not known, but nothing lies between them either.
   bool is_beside_chord(const Point& p, bool is_left_of_chord) const
   {
-    return !is_straight && !is_left_of_chord && length(p - center) < radius;
+    return !is_straight && chord() > 1e-7 * radius && !is_left_of_chord && length(p - center) < radius;
   }
 
   // For a point of the whole circle or line: is it on the piece?
