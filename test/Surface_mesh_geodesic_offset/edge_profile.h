@@ -6,6 +6,8 @@
 #ifndef GEODESIC_OFFSET_TEST_EDGE_PROFILE_H
 #define GEODESIC_OFFSET_TEST_EDGE_PROFILE_H
 
+#include "level_layout.h"
+
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 
 #include <algorithm>
@@ -18,7 +20,6 @@ namespace test {
 
 typedef CGAL::Geodesic_offset::internal::Face_field<double> Face_field;
 typedef CGAL::Geodesic_offset::internal::Face_window<double> Face_window;
-typedef CGAL::Geodesic_offset::internal::Point_in_face<double> Point_in_face;
 
 struct Interval
 {

@@ -10,8 +10,6 @@
 #include "edge_profile.h"
 #include "geodesic_types.h"
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_surface.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,8 +38,6 @@ public:
     return Distance::classified(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}})).element;
   }
 };
-
-typedef CGAL::Geodesic_offset::internal::Validation_surface<Geodesic> Judged_surface;
 
 /// A point of a face with its distance.
 struct Witness

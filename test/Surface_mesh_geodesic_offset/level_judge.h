@@ -54,7 +54,7 @@ struct Judge_options
   double joint = 1e-10;     // gaps between pieces
   double outside = 1e-10;   // points outside of their face
   double off_level = 1e-10; // points off the level
-  double side = 1e-11;      // e: a point whose distance is closer to the level is on either side
+  double side = 1e-12;      // e: a point whose distance is closer to the level is on either side
 };
 
 /// The judgement on the curves of one level.
@@ -92,8 +92,7 @@ public:
   Level_judge(const Judged_surface& surface, const Field_features& features,
               const Judge_options& options = Judge_options())
     : surface_(surface), features_(features), options_(options),
-      arcs_(surface.number_of_faces()), crossings_(3 * surface.number_of_faces()),
-      labels_(surface.number_of_vertices())
+layout_(surface), labels_(surface.number_of_vertices())
   {}
 
   /// `curves`: all curves of the level, as a range of pointers to `Geodesic::Offset_curve`, or to a type with the same
@@ -102,7 +101,7 @@ public:
   Verdict judge(double level, const Curves& curves)
   {
     Verdict verdict;
-    cut_ = level * (1 - std::ldexp(1., -42)); // as the manual says
+    cut_ = cut_of(level);
     scale_ = cut_ + surface_.diagonal();
     clear();
     for (const auto* curve : curves) walk(*curve, verdict);
@@ -115,57 +114,9 @@ public:
 private:
   static constexpr signed char unknown = -1;
 
-  /// A piece as plane geometry.
-  struct Arc
-  {
-    bool is_straight;
-    Point_in_face start, end, center;
-    double radius, angle;
-
-    // Whether the segment from p to q crosses the piece an odd number of times: the chord separates them, or one of them
-    // lies between the chord and the arc. The height of an arc over its chord is at most r s^2 / 8.
-    bool separates(const Point_in_face& p, const Point_in_face& q) const
-    {
-      const bool p_left = is_left(start, end, p), q_left = is_left(start, end, q);
-      const bool crosses_chord = p_left != q_left && is_left(p, q, start) != is_left(p, q, end);
-      return (crosses_chord != is_under(p, p_left)) != is_under(q, q_left);
-    }
-
-    double twice_area_from(const Point_in_face& o) const
-    {
-      const double triangle = cross(start - o, end - o);
-      return is_straight ? triangle : triangle + radius * radius * minus_sine(angle);
-    }
-
-  private:
-    static bool is_left(const Point_in_face& a, const Point_in_face& b, const Point_in_face& p)
-    {
-      return cross(b - a, p - a) > 0;
-    }
-    bool is_under(const Point_in_face& p, bool is_left_of_chord) const
-    {
-      return !is_straight && angle > 1e-7 && !is_left_of_chord && length(p - center) < radius;
-    }
-    static double minus_sine(double s)
-    {
-      return s < 0.1 ? s * s * s / 6 * (1 - s * s / 20 * (1 - s * s / 42 * (1 - s * s / 72)))
-                     : s - std::sin(s);
-    }
-  };
-
-  /// Where a curve crosses an edge: `t` along the profile, `step` 1 where the near region begins, -1 where it ends.
-  struct Crossing
-  {
-    double t;
-    int step;
-  };
-
   void clear()
   {
-    for (const Index f : faces_) arcs_[f].clear();
-    for (const Index e : edges_) crossings_[e].clear();
-    faces_.clear();
-    edges_.clear();
+    layout_.clear();
     undecided_edges_.clear();
     std::fill(labels_.begin(), labels_.end(), unknown);
   }
@@ -196,34 +147,12 @@ private:
     if (curve.is_closed()) join(curve.piece(n - 1), curve.piece(0), verdict);
     else
     {
-      examine_end(curve.piece(0), true, verdict);
-      examine_end(curve.piece(n - 1), false, verdict);
+      for (const bool is_start : {true, false})
+        if (!layout_.add_end(curve.piece(is_start ? 0 : n - 1), is_start))
+          verdict.add(GAP, "an open curve ends inside the surface, in face %u",
+                      surface_.index_of(curve.piece(is_start ? 0 : n - 1).face()));
     }
     examine_side(curve.piece(longest), verdict);
-  }
-
-  template <class Piece>
-  Arc arc_of(const Piece& piece) const
-  {
-    Arc arc;
-    arc.is_straight = piece.is_segment();
-    arc.start = plain(piece.start_2());
-    arc.end = plain(piece.end_2());
-    arc.angle = piece.angle();
-    if (arc.is_straight)
-    {
-      // center: the unit normal away from the smaller distances, at the radius from the origin
-      const auto line = piece.supporting_line();
-      const double norm = std::hypot(line.a(), line.b());
-      arc.center = {-line.a() / norm, -line.b() / norm};
-      arc.radius = line.c() / norm;
-    }
-    else
-    {
-      arc.center = plain(piece.center());
-      arc.radius = piece.radius();
-    }
-    return arc;
   }
 
   template <class Piece>
@@ -231,9 +160,8 @@ private:
   {
     const Index f = surface_.index_of(piece.face());
     const Face face = surface_.face_at(f);
-    const Arc arc = arc_of(piece);
-    if (arcs_[f].empty()) faces_.push_back(f);
-    arcs_[f].push_back(arc);
+    const Curve_arc arc(piece);
+    layout_.add_arc(f, arc);
 
     const double tolerance = options_.off_level * scale_, length = piece.length();
     if (!(length >= 0 && arc.angle >= 0 && arc.angle <= CGAL_PI + 1e-9))
@@ -264,15 +192,10 @@ private:
         verdict.add(OUTSIDE, "face %u: a point lies %.3g outside", f, outside);
         continue;
       }
-      const double off = (std::max)(std::abs(surface_.distance_at(f, w) - cut_), off_arc(arc, p));
+      const double off = (std::max)(std::abs(surface_.distance_at(f, w) - cut_), arc.off(p));
       verdict.worst_off = (std::max)(verdict.worst_off, off / scale_);
       if (!(off <= tolerance)) verdict.add(OFF, "face %u: a point is off its level by %.3g", f, off);
     }
-  }
-
-  static double off_arc(const Arc& arc, const Point_in_face& p)
-  {
-    return std::abs((arc.is_straight ? dot(arc.center, p) : length(p - arc.center)) - arc.radius);
   }
 
   // On the left of a piece, distances fall as fast as the way.
@@ -281,7 +204,7 @@ private:
   {
     const Index f = surface_.index_of(piece.face());
     const Face face = surface_.face_at(f);
-    const Arc arc = arc_of(piece);
+    const Curve_arc arc(piece);
     const Point_in_face p = plain(piece.point_2(0.5));
     if (face.outside(p) > 0) return;
     Point_in_face left = -1. * arc.center;
@@ -305,44 +228,14 @@ private:
     verdict.worst_gap = (std::max)(verdict.worst_gap, gap / scale_);
     if (!(gap <= options_.joint * scale_))
       verdict.add(GAP, "%.3g between pieces in face %u and face %u", gap, f, g);
-    if (f == g) return;
-    for (Index k = 0; k < 3; ++k)
-    { // coordinate k + 2 is zero on halfedge k
-      const Index twin = surface_.twin(3 * f + k);
-      if (end.second[(k + 2) % 3] != 0 || twin == CGAL::Geodesic_offset::internal::no_index) continue;
-      if (twin / 3 != g || start.second[(twin % 3 + 2) % 3] != 0) continue;
-      return add_crossing(3 * f + k, end.second[(k + 1) % 3], 1);
-    }
-    verdict.add(GAP, "pieces in face %u and face %u join over no edge", f, g);
-  }
-
-  template <class Piece>
-  void examine_end(const Piece& piece, bool is_start, Verdict& verdict)
-  {
-    const auto l = is_start ? piece.start() : piece.end();
-    const Index f = surface_.index_of(l.first);
-    for (Index k = 0; k < 3; ++k)
-      if (l.second[(k + 2) % 3] == 0 &&
-          surface_.twin(3 * f + k) == CGAL::Geodesic_offset::internal::no_index)
-        return add_crossing(3 * f + k, l.second[(k + 1) % 3], is_start ? -1 : 1);
-    verdict.add(GAP, "an open curve ends inside the surface, in face %u", f);
-  }
-
-  // `part`: along the halfedge. The near region is on the left of a curve, so it begins where a curve leaves the face.
-  void add_crossing(Index halfedge, double part, int step)
-  {
-    const Index twin = surface_.twin(halfedge), e = (std::min)(halfedge, twin);
-    const double t = part * features_.profiles[e].length;
-    if (crossings_[e].empty()) edges_.push_back(e);
-    if (e == halfedge) crossings_[e].push_back({t, step});
-    else crossings_[e].push_back({features_.profiles[e].length - t, -step});
+    if (!layout_.add_joint(a, b)) verdict.add(GAP, "pieces in face %u and face %u join over no edge", f, g);
   }
 
   // Edges
 
   void judge_edges(Verdict& verdict)
   {
-    for (Index e = 0; e < Index(crossings_.size()); ++e)
+    for (Index e = 0; e < Index(3 * surface_.number_of_faces()); ++e)
     {
       if (!surface_.is_used(e / 3) || surface_.twin(e) < e) continue;
       judge_edge(e, verdict);
@@ -377,7 +270,7 @@ private:
 
   void judge_edge(Index e, Verdict& verdict)
   {
-    std::vector<Crossing>& crossings = crossings_[e];
+    std::vector<Edge_crossing>& crossings = layout_.crossings(e);
     const Edge_profile& profile = features_.profiles[e];
     const Index vertex[2] = {surface_.origin(e), surface_.target(e)};
     const double d0 = surface_.vertex_distance(vertex[0]), d1 = surface_.vertex_distance(vertex[1]);
@@ -389,12 +282,12 @@ private:
       return put_label(vertex[1], 1, verdict);
     }
     std::sort(crossings.begin(), crossings.end(),
-              [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+              [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
 
     int base = unknown; // the label of the first end
     const auto require = [&](double t, bool is_near) {
       int sum = 0;
-      for (const Crossing& c : crossings)
+      for (const Edge_crossing& c : crossings)
         if (c.t < t) sum += c.step;
       if (base == unknown) base = int(is_near) - sum;
       if (base + sum != int(is_near))
@@ -418,7 +311,7 @@ private:
 
     if (base == unknown && crossings.empty()) return undecided_edges_.push_back(e);
     int sum = 0, lowest = 0;
-    for (const Crossing& c : crossings)
+    for (const Edge_crossing& c : crossings)
     {
       sum += c.step;
       lowest = (std::min)(lowest, sum);
@@ -449,44 +342,36 @@ private:
 
   void judge_faces(Verdict& verdict)
   {
-    for (Index f = 0; f < Index(arcs_.size()); ++f)
+    for (Index f = 0; f < Index(surface_.number_of_faces()); ++f)
       if (surface_.is_used(f) && std::isfinite(surface_.vertex_distance(surface_.origin(3 * f))))
         judge_face(f, verdict);
   }
 
   void judge_face(Index f, Verdict& verdict)
   {
-    const std::vector<Arc>& arcs = arcs_[f];
+    const std::vector<Curve_arc>& arcs = layout_.arcs(f);
     const Face face = surface_.face_at(f);
     const double margin = options_.side * scale_;
-    // the most certain point of the face to compare the others with: a corner
-    int corner = 0;
-    double doubt = 0;
+    // the most certain point of the face to compare the others with
+    Witness reference{{0, 0}, cut_};
+    const auto consider = [&](const Witness& w) {
+      if (std::abs(w.distance - cut_) > std::abs(reference.distance - cut_)) reference = w;
+    };
     for (int k = 0; k < 3; ++k)
-    {
-      const double d = std::abs(surface_.vertex_distance(surface_.origin(3 * f + Index(k))) - cut_);
-      if (!(d > doubt)) continue;
-      doubt = d;
-      corner = k;
-    }
-    const bool is_near = labels_[surface_.origin(3 * f + Index(corner))] == 1;
-    if (doubt > margin)
+      consider({face.corner[k], surface_.vertex_distance(surface_.origin(3 * f + Index(k)))});
+    for (const Witness& w : features_.witnesses[f]) consider(w);
+    if (std::abs(reference.distance - cut_) > margin)
       for (const Witness& w : features_.witnesses[f])
       {
         if (std::abs(w.distance - cut_) <= margin) continue;
-        const bool separated = (w.distance < cut_) != is_near;
-        if (are_separated(arcs, face.corner[corner], w.point) != separated &&
-            are_separated_by_detours(arcs, face, face.corner[corner], w.point) != separated)
+        const bool separated = (w.distance < cut_) != (reference.distance < cut_);
+        if (are_separated(arcs, reference.point, w.point) != separated &&
+            are_separated_by_detours(arcs, face, reference.point, w.point) != separated)
           verdict.add(FACE, "face %u: the point (%.17g, %.17g), %.3g off the level, is on the wrong side", f, w.point.x,
                       w.point.y, w.distance - cut_);
       }
 
-    const Point_in_face o = (1. / 3) * (face.corner[0] + (face.corner[1] + face.corner[2]));
-    double area = 0;
-    for (const Arc& arc : arcs) area += arc.twice_area_from(o);
-    for (int k = 0; k < 3; ++k)
-      area += face.height(( k + 2) % 3) / 3 * near_length(3 * f + Index(k), face.edge_length(k));
-    area /= 2;
+    const double area = layout_.near_area(face, [&](Index v) { return labels_[v] == 1; });
     verdict.area += area;
     const double tolerance =
       options_.off_level * scale_ * (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
@@ -494,16 +379,16 @@ private:
       verdict.add(AREA, "face %u: the near part is %.6g of the face, %.6g", f, area / face.area(), area);
   }
 
-  static bool are_separated(const std::vector<Arc>& arcs, const Point_in_face& p, const Point_in_face& q)
+  static bool are_separated(const std::vector<Curve_arc>& arcs, const Point_in_face& p, const Point_in_face& q)
   {
     bool result = false;
-    for (const Arc& arc : arcs) result ^= arc.separates(p, q);
+    for (const Curve_arc& arc : arcs) result ^= arc.separates(p, q);
     return result;
   }
 
   // The straight way may lead through a joint of two arcs, where rounding lets it cross both or none, as on symmetric meshes.
   // Most of three other ways decide.
-  static bool are_separated_by_detours(const std::vector<Arc>& arcs, const Face& face, const Point_in_face& p,
+  static bool are_separated_by_detours(const std::vector<Curve_arc>& arcs, const Face& face, const Point_in_face& p,
                                        const Point_in_face& q)
   {
     int count = 0;
@@ -515,20 +400,6 @@ private:
     return count >= 2;
   }
 
-  // The length of the near part of a halfedge.
-  double near_length(Index h, double length) const
-  {
-    const Index twin = surface_.twin(h), e = (std::min)(h, twin);
-    double result = labels_[surface_.origin(e)] == 1 ? length : 0;
-    for (const Crossing& c : crossings_[e]) result += c.step * (length - c.t);
-    return result;
-  }
-
-  template <class Point>
-  static Point_in_face plain(const Point& p)
-  {
-    return {p.x(), p.y()};
-  }
   template <class Location>
   static Weights weights(const Location& l)
   {
@@ -539,9 +410,7 @@ private:
   const Field_features& features_;
   const Judge_options options_;
   double cut_ = 0, scale_ = 0;
-  std::vector<std::vector<Arc>> arcs_;           // by face
-  std::vector<std::vector<Crossing>> crossings_; // by edge: its smaller halfedge
-  std::vector<Index> faces_, edges_;             // of which these are not empty
+  Level_layout layout_;
   std::vector<Index> undecided_edges_;
   std::vector<signed char> labels_;              // by vertex: 1 near, 0 far
   std::vector<Interval> near_;

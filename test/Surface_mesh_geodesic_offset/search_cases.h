@@ -210,7 +210,7 @@ private:
   }
   static Soup cone(Random& random)
   {
-    const std::size_t k = 2 * between(random, 2, 6);
+    const std::size_t k = 2 * between(random, 3, 6);
     static const double turns[] = {0.25, 0.5, 0.75, 0.9, 1 - 1e-6, 1, 1 + 1e-6, 1.05, 1.25, 1.5, 2};
     const double angle = 2 * CGAL_PI * turns[uniform_index(random, 11)];
     return noisy(random,
