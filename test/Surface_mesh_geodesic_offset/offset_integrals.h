@@ -155,11 +155,17 @@ public:
   {
     Coarea sum;
     left_over = 0;
-    std::vector<double> ends = {1e-9 * largest_distance_};
+    std::vector<double> ends = {1e-10 * largest_distance_};
+    // not at vertices, whose sides must be known
+    const double beside = 1e-12 * largest_distance_;
     for (const double d : vertex_distances_)
-      if (d > ends.back() + 1e-9 * largest_distance_) ends.push_back(d);
-    if (largest_distance_ > ends.back()) ends.push_back(largest_distance_);
-    ends.back() = largest_distance_ * (1 + 1e-9);
+    {
+      if (d - beside > ends.back()) ends.push_back(d - beside);
+      else if (ends.size() > 1) ends.pop_back();
+      if (d + beside > ends.back()) ends.push_back(d + beside);
+    }
+    while (ends.size() > 1 && ends.back() > largest_distance_) ends.pop_back();
+    ends.push_back(largest_distance_ * (1 + 1e-9));
     Level_measure from = measure(level_cut_at(ends[0]));
     sum.area = from.area();
     sum.integral = from.length * from.cut / 2; // grows from 0, or is constant: below the tolerance

@@ -11,8 +11,8 @@
 // (with the same --kind and --levels), and `--level D` one level of it. Every --validate-th mesh is judged by a second
 // validator, too. --write puts the mesh and the sources of each wrong case into files.
 //
-// Wrong cases, then a table by kind of meshes on stdout: the number of levels with wrong curves, joints that were forced,
-// exceptions; levels by kind of fault; meshes that the second validator rejects; and the largest gap between pieces, the
+// Wrong cases, then a table by kind of meshes on stdout: the number of levels within rounding of a change of topology, whose
+// curves differ between kept windows and one pass; of levels with wrong curves; of joints that were forced; of exceptions; levels by kind of fault; meshes that the second validator rejects; and the largest gap between pieces, the
 // farthest point outside of its face and the farthest point off its level, in levels plus diagonals of the bounding box. The
 // exit code is 1 if anything is wrong. A case that takes longer than --patience, 60 s, ends the program with exit code 3:
 // an endless loop.
