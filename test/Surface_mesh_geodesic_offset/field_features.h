@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Points where the level sets of a distance field change: vertices, points where fronts touch edges, joints of windows,
+// saddles and maxima. All of them are found from the windows of faces, without any offset.
+
+#ifndef GEODESIC_OFFSET_TEST_FIELD_FEATURES_H
+#define GEODESIC_OFFSET_TEST_FIELD_FEATURES_H
+
+#include "edge_profile.h"
+#include "geodesic_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace test {
+
+/// A geodesic object that gives access to the windows of its faces.
+class Open_geodesic : public Geodesic
+{
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh> Traits;
+  typedef CGAL::Surface_mesh_geodesic_distance<Traits> Distance;
+
+public:
+  using Geodesic::Geodesic;
+
+  /// \pre built with kept windows
+  test::Face_field face_field() const
+  {
+    return test::Face_field(Distance::unfolded(), Distance::built().initial,
+                            Distance::built().field);
+  }
+  /// The number of a face in `face_field()`.
+  CGAL::Geodesic_offset::internal::Index field_index(face_descriptor f) const
+  {
+    return Distance::classified(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}})).element;
+  }
+};
+
+/// A point of a face with its distance.
+struct Witness
+{
+  Point_in_face point;
+  double distance;
+};
+
+/// The features of a field, and witnesses for each face. Takes time linear in the number of windows of all faces, and for
+/// each face cubic in the number of windows that give the distance of its samples.
+class Field_features
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Index Index;
+
+  std::vector<double> vertices;    // distances of vertices
+  std::vector<double> tangents;    // smallest distances of single windows along edges
+  std::vector<double> joints;      // distances where two windows meet on an edge
+  std::vector<double> edge_maxima; // largest distances along edges
+  std::vector<double> saddles;     // distances where two fronts meet head-on in a face
+  std::vector<double> maxima;      // largest distances in faces
+  std::vector<std::vector<Witness>> witnesses; // by face
+  std::vector<Edge_profile> profiles; // by halfedge; that of the smaller halfedge of each edge
+
+  Field_features(const Open_geodesic& geodesic, const Surface_mesh& mesh,
+                 const Judged_surface& surface, Random& random)
+    : surface_(surface), random_(random), scale_(surface.diagonal())
+  {
+    for (std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    {
+      const double d = surface.vertex_distance(Index(v));
+      if (std::isfinite(d) && d > 0) vertices.push_back(d);
+    }
+    witnesses.resize(surface.number_of_faces());
+    profiles.resize(3 * surface.number_of_faces());
+    test::Face_field field = geodesic.face_field();
+    for (const auto f : mesh.faces())
+    {
+      const Index face = surface.index_of(f);
+      field.set_face(geodesic.field_index(f));
+      for (Index k = 0; k < 3; ++k)
+      {
+        const Index h = 3 * face + k, twin = surface.twin(h);
+        profiles[(std::min)(h, twin)].add_windows(field, int(k), twin < h);
+      }
+      look_into(face, field);
+    }
+    for (Index h = 0; h < Index(profiles.size()); ++h)
+    {
+      if (!surface.is_used(h / 3) || surface.twin(h) < h) continue;
+      const double d0 = surface.vertex_distance(surface.origin(h)),
+                   d1 = surface.vertex_distance(surface.target(h));
+      profiles[h].leave_out_beyond((d0 + d1 + profiles[h].length) / 2 + 1e-9 * scale_);
+      look_along(profiles[h]);
+    }
+  }
+
+private:
+  // Which window is nearest changes between samples: there two functions are equal.
+  void look_along(const Edge_profile& profile)
+  {
+    for (const Edge_span& s : profile.spans)
+    {
+      const double t = s.lowest(), d = s.distance(t);
+      if (s.from < t && t < s.to && ties(profile.distance(t), d)) tangents.push_back(d);
+    }
+    const int n = 12;
+    std::size_t last = profile.spans.size();
+    double last_t = 0;
+    for (int i = 0; i <= n; ++i)
+    {
+      const double t = (std::min)(profile.length * (double(i) / n), profile.length);
+      std::size_t nearest;
+      profile.distance(t, nearest);
+      if (i > 0 && nearest != last && nearest < profile.spans.size() && last < profile.spans.size())
+        meet(profile, profile.spans[last], last_t, profile.spans[nearest], t);
+      last = nearest;
+      last_t = t;
+    }
+  }
+
+  void meet(const Edge_profile& profile, const Edge_span& a, double low, const Edge_span& b,
+            double high)
+  {
+    for (int i = 0; i < 60; ++i)
+    {
+      const double middle = (low + high) / 2;
+      (a.distance(middle) < b.distance(middle) ? low : high) = middle;
+    }
+    const double d = a.distance(low);
+    if (!ties(profile.distance(low), d) || !(d > 0)) return;
+    const double step = 1e-6 * profile.length;
+    const bool is_maximum = a.distance(low - step) < d && b.distance(low + step) < d;
+    (is_maximum ? edge_maxima : joints).push_back(d);
+  }
+
+  bool ties(double a, double b) const { return std::abs(a - b) <= 1e-13 * (a + scale_); }
+
+  void look_into(Index index, const test::Face_field& field)
+  {
+    const auto face = surface_.face_at(index);
+    std::vector<std::size_t> nearest_windows;
+    const int n = 4; // samples in a row
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+      {
+        // inside, each somewhere in its own cell
+        const double w0 = 0.01 + 0.97 * (double(i) + uniform(random_, 0, 0.1)) / (n + 0.1);
+        const double w1 = 0.01 + 0.97 * (double(j) + uniform(random_, 0, 0.1)) / (n + 0.1);
+        const Point_in_face p = face.point({{w0, w1, (std::max)(1 - w0 - w1, 0.005)}});
+        if (face.outside(p) > 0) continue;
+        std::size_t nearest;
+        const double d = field.distance(p, nearest);
+        if (!std::isfinite(d)) return;
+        nearest_windows.push_back(nearest);
+        if ((i + j) % 2 == 0) witnesses[index].push_back({p, d});
+      }
+    std::sort(nearest_windows.begin(), nearest_windows.end());
+    nearest_windows.erase(std::unique(nearest_windows.begin(), nearest_windows.end()),
+                          nearest_windows.end());
+    const std::size_t count = (std::min)(nearest_windows.size(), std::size_t(12));
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j)
+      {
+        const Face_window &a = field.windows()[nearest_windows[i]],
+                          &b = field.windows()[nearest_windows[j]];
+        find_saddle(face, field, a, b);
+        for (std::size_t k = j + 1; k < count; ++k)
+          find_maximum(face, field, {{&a, &b, &field.windows()[nearest_windows[k]]}});
+      }
+  }
+
+  // Two circles that grow touch on the segment between their centers.
+  void find_saddle(const Judged_surface::Face& face, const test::Face_field& field,
+                   const Face_window& a, const Face_window& b)
+  {
+    if (a.is_parallel() || b.is_parallel()) return;
+    const Point_in_face v = b.image() - a.image();
+    const double l = length(v), way = (l + b.sigma - a.sigma) / 2;
+    if (!(way > 0) || !(way < l)) return;
+    const Point_in_face p = a.image() + (way / l) * v;
+    std::size_t nearest;
+    if (face.outside(p) <= 0 && ties(field.distance(p, nearest), a.sigma + way))
+      saddles.push_back(a.sigma + way);
+  }
+
+  // Newton's method for a point at the same distance from three windows.
+  void find_maximum(const Judged_surface::Face& face, const test::Face_field& field,
+                    const std::array<const Face_window*, 3>& windows)
+  {
+    Point_in_face p = (1. / 3) * (face.corner[0] + (face.corner[1] + face.corner[2])), g[3];
+    double d = 0;
+    for (int step = 0; step < 30; ++step)
+    {
+      double f[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        f[i] = windows[i]->distance_at(p);
+        const Point_in_face ray = windows[i]->ray_direction(p);
+        const double l = length(ray);
+        if (!(l > 0)) return;
+        g[i] = (1 / l) * ray;
+      }
+      d = f[0];
+      const Point_in_face a = g[1] - g[0], b = g[2] - g[0];
+      const double determinant = cross(a, b);
+      if (!(std::abs(determinant) > 1e-12)) return;
+      const double r = f[0] - f[1], s = f[0] - f[2];
+      const Point_in_face way{(r * b.y - s * a.y) / determinant, (a.x * s - b.x * r) / determinant};
+      const double l = length(way), longest = face.longest_edge();
+      p = p + (l > longest ? longest / l : 1) * way;
+      if (l <= 1e-15 * longest) break;
+    }
+    if (!(face.outside(p) < 0)) return;
+    const bool turns = cross(g[0], g[1]) > 0;
+    if ((cross(g[1], g[2]) > 0) != turns || (cross(g[2], g[0]) > 0) != turns) return;
+    std::size_t nearest;
+    const double actual = field.distance(p, nearest);
+    if (!ties(actual, d)) return;
+    maxima.push_back(actual);
+    witnesses[face.face].push_back({p, actual});
+  }
+
+  const Judged_surface& surface_;
+  Random& random_;
+  double scale_;
+};
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_FIELD_FEATURES_H

@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Levels next to the distances where topology changes: cases that once gave wrong curves, and a bounded run of the search
+// (benchmark/Surface_mesh_geodesic_offset/Robustness/offset_search.cpp runs it at length). The judge comes first: it passes
+// right curves and finds each kind of damage.
+
+#include "offset_search.h"
+#include "test_check.h"
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+typedef Geodesic::Face_location Face_location;
+
+/// A piece of a curve as plain data, which can be damaged.
+struct Plain_piece
+{
+  explicit Plain_piece(const Offset_piece& p)
+    : in_face(p.face()), straight(p.is_segment()),
+      line(straight ? p.supporting_line() : Offset_piece::Line_2()),
+      middle(straight ? Point_2() : p.center()), r(straight ? 0 : p.radius()), turn(p.angle()),
+      extent(p.length()), from(p.start_2()), to(p.end_2()), at_start(p.start()), at_end(p.end())
+  {
+    for (int i = 1; i < parts; ++i)
+    {
+      inside.push_back(p.location(double(i) / parts));
+      inside_2.push_back(p.point_2(double(i) / parts));
+    }
+  }
+
+  Surface_mesh::Face_index face() const { return in_face; }
+  bool is_segment() const { return straight; }
+  Offset_piece::Line_2 supporting_line() const { return line; }
+  Point_2 center() const { return middle; }
+  double radius() const { return r; }
+  double angle() const { return turn; }
+  double length() const { return extent; }
+  Point_2 start_2() const { return from; }
+  Point_2 end_2() const { return to; }
+  Face_location start() const { return at_start; }
+  Face_location end() const { return at_end; }
+  // The judge asks for quarters only.
+  Face_location location(double t) const
+  {
+    return t <= 0 ? at_start : t >= 1 ? at_end : inside[std::size_t(t * parts) - 1];
+  }
+  Point_2 point_2(double t) const
+  {
+    return t <= 0 ? from : t >= 1 ? to : inside_2[std::size_t(t * parts) - 1];
+  }
+
+  static constexpr int parts = 4;
+  Surface_mesh::Face_index in_face;
+  bool straight;
+  Offset_piece::Line_2 line;
+  Point_2 middle;
+  double r, turn, extent;
+  Point_2 from, to;
+  Face_location at_start, at_end;
+  std::vector<Face_location> inside;
+  std::vector<Point_2> inside_2;
+};
+
+struct Plain_curve
+{
+  explicit Plain_curve(const Offset_curve& curve) : closed(curve.is_closed())
+  {
+    for (const Offset_piece& p : curve.pieces()) pieces.emplace_back(p);
+  }
+  bool is_closed() const { return closed; }
+  std::size_t number_of_pieces() const { return pieces.size(); }
+  const Plain_piece& piece(std::size_t i) const { return pieces[i]; }
+
+  bool closed;
+  std::vector<Plain_piece> pieces;
+};
+
+typedef std::vector<Plain_curve> Plain_curves;
+
+std::string text_of(const Verdict& verdict)
+{
+  std::string text;
+  for (const std::string& t : verdict.texts) text += "\n    " + t;
+  return text;
+}
+
+/// A field with its judge.
+struct Judged
+{
+  template <class AddSources>
+  Judged(const Surface_mesh& mesh, const AddSources& add_sources)
+    : geodesic(built(mesh, add_sources)), surface(geodesic, mesh),
+      features(geodesic, mesh, surface, random), judge(surface, features)
+  {}
+
+  template <class Curves>
+  Verdict operator()(double level, const Curves& curves)
+  {
+    std::vector<const typename Curves::value_type*> pointers;
+    for (const auto& c : curves) pointers.push_back(&c);
+    return judge.judge(level, pointers);
+  }
+
+  Random random;
+  Open_geodesic geodesic;
+  Judged_surface surface;
+  Field_features features;
+  Level_judge judge;
+
+private:
+  template <class AddSources>
+  static Open_geodesic built(const Surface_mesh& mesh, const AddSources& add_sources)
+  {
+    Open_geodesic geodesic(mesh);
+    add_sources(geodesic);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    return geodesic;
+  }
+};
+
+template <class Damage>
+void expect(Judged& judged, const std::string& name, double level, Plain_curves curves,
+            const Damage& damage, std::initializer_list<Fault> faults)
+{
+  damage(curves);
+  const Verdict verdict = judged(level, curves);
+  CHECK_DETAIL(!verdict.is_right(), name + " is not found");
+  for (const Fault f : faults)
+    CHECK_DETAIL(verdict.faults[f] > 0, name + ": no " + name_of(f) + text_of(verdict));
+}
+
+// `Judged` finds each kind of damage of a curve that passes at least five faces.
+template <class AddSources>
+void damages(const std::string& name, const Soup& soup, const AddSources& add_sources, double level)
+{
+  Report::instance().set_context(name);
+  const Generated_mesh<Surface_mesh> data(soup);
+  Judged judged(data.mesh, [&](Geodesic& g) { add_sources(g, data); });
+  const Offset_curves curves = offsets(judged.geodesic, level);
+  const Verdict right = judged(level, curves);
+  CHECK_DETAIL(right.is_right(), text_of(right));
+  CHECK(right.pieces > 4 && right.area > 0 && right.length > 0);
+
+  Plain_curves plain;
+  for (const Offset_curve& c : curves) plain.emplace_back(c);
+  const Verdict same = judged(level, plain);
+  CHECK_DETAIL(same.is_right() && same.area == right.area && same.length == right.length, text_of(same));
+  // the longest curve comes first, its longest piece second
+  std::sort(plain.begin(), plain.end(), [](const Plain_curve& a, const Plain_curve& b)
+            { return a.pieces.size() > b.pieces.size(); });
+  auto& pieces = plain[0].pieces;
+  if (!CHECK(pieces.size() > 4 && plain[0].closed)) return;
+  const auto longest = std::max_element(pieces.begin(), pieces.end(),
+                                        [](const Plain_piece& a, const Plain_piece& b)
+                                        { return a.extent < b.extent; });
+  std::rotate(pieces.begin(), longest, pieces.end());
+  std::rotate(pieces.begin(), pieces.end() - 1, pieces.end());
+
+  const auto with = [&](const std::string& what, std::initializer_list<Fault> faults, const auto& damage)
+  { expect(judged, what, level, plain, damage, faults); };
+  with("a missing curve", {EDGE}, [](Plain_curves& c) { c.erase(c.begin()); });
+  with("a curve that is there twice", {EDGE}, [](Plain_curves& c) { c.push_back(c[0]); });
+  with("no curve", {EDGE, FACE}, [](Plain_curves& c) { c.clear(); });
+  with("a missing piece", {GAP}, [](Plain_curves& c) { c[0].pieces.erase(c[0].pieces.begin() + 1); });
+  with("a curve without pieces", {GAP}, [](Plain_curves& c) { c[0].pieces.clear(); });
+  with("an open end in a face", {GAP}, [](Plain_curves& c) { c[0].closed = false; });
+  with("another radius", {OFF}, [](Plain_curves& c) { c[0].pieces[1].r *= 1 + 1e-7; });
+  with("a turn of nearly a whole circle", {TURN},
+       [](Plain_curves& c) { c[0].pieces[1].turn = 2 * CGAL_PI - 1e-3; });
+  with("a negative length", {TURN}, [](Plain_curves& c) { c[0].pieces[1].extent *= -1; });
+  with("a turn that does not fit the chord", {TURN}, [](Plain_curves& c) { c[0].pieces[1].turn += 1e-3; });
+  with("a point off the level", {OFF}, [](Plain_curves& c) {
+    auto& w = c[0].pieces[1].inside[1].second;
+    w = {{w[0] * 0.9 + 0.1, w[1] * 0.9, w[2] * 0.9}};
+  });
+  with("a point outside", {OUTSIDE}, [](Plain_curves& c) {
+    auto& w = c[0].pieces[1].inside[1].second;
+    w = {{w[0] + 1, w[1] - 0.5, w[2] - 0.5}};
+  });
+  with("a moved end", {GAP}, [](Plain_curves& c) {
+    auto& w = c[0].pieces[1].at_end.second;
+    for (double& x : w)
+      if (x != 0) x = x < 0.5 ? x + 1e-7 : x - 1e-7;
+  });
+
+  // the curves of a level that is larger by a little
+  const double next = level * (1 + 1e-6);
+  const Verdict wrong_level = judged(level, offsets(judged.geodesic, next));
+  CHECK_DETAIL(wrong_level.faults[OFF] > 0, text_of(wrong_level));
+}
+
+// A segment that runs back and forth, as a tracer of rounded points once made them.
+void backward_segment()
+{
+  const Generated_mesh<Surface_mesh> data(planar_grid(4, 4));
+  Judged judged(data.mesh, [&](Geodesic& g) {
+    g.add_source_plane_section(Geodesic::Plane_3(0, 1, 0, -1));
+  });
+  const Offset_curves curves = offsets(judged.geodesic, 1.25);
+  Plain_curves plain;
+  for (const Offset_curve& c : curves) plain.emplace_back(c);
+  CHECK(judged(1.25, plain).is_right());
+  if (!CHECK(plain.size() == 1 && plain[0].pieces.size() > 3)) return;
+  expect(judged, "a segment that runs backwards", 1.25, plain, [](Plain_curves& c) {
+    Plain_piece& p = c[0].pieces[1];
+    std::swap(p.from, p.to);
+  }, {TURN});
+}
+
+void judge_finds_damage()
+{
+  damages("sphere", icosphere(1), [](Geodesic& g, const auto& data) { g.add_source_point(data.vertices[3]); }, 1.1);
+  damages("jittered grid", jittered_grid(9, 9, 4), [](Geodesic& g, const auto& data) {
+    g.add_source_point(data.vertices[44]);
+    g.add_source_point(data.vertices[46]);
+  }, 2.5);
+  damages("torus", torus(9, 7), [](Geodesic& g, const auto& data) { g.add_source_point(data.vertices[5]); }, 0.7);
+  Report::instance().set_context("segment");
+  backward_segment();
+}
+
+// A small loop round a maximum inside a face, which no edge sees.
+void judge_finds_missing_loop()
+{
+  Report::instance().set_context("loop in a face");
+  Soup soup;
+  soup.points = {Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(1, 3, 0)};
+  soup.add_triangle({{0, 1, 2}});
+  const Generated_mesh<Surface_mesh> data(soup);
+  Judged judged(data.mesh, [&](Geodesic& g) {
+    g.add_source_edges(std::vector<Surface_mesh::Edge_index>(data.mesh.edges().begin(), data.mesh.edges().end()));
+  });
+  const double radius = judged.geodesic.largest_distance();
+  for (const double below : {1e-2, 1e-6, 1e-10})
+  {
+    const Verdict verdict = judged(radius - below, Offset_curves());
+    CHECK_DETAIL(verdict.faults[FACE] > 0, "no curve, below the maximum by " + std::to_string(below));
+  }
+  CHECK(judged(radius * (1 + 1e-11), Offset_curves()).is_right());
+  const Verdict verdict = judged(radius - 0.01, offsets(judged.geodesic, radius - 0.01));
+  CHECK_DETAIL(verdict.is_right(), text_of(verdict));
+}
+
+Surface_mesh data_mesh(const std::string& name)
+{
+  Surface_mesh mesh;
+  const std::string file = std::string(GEODESIC_OFFSET_TEST_DIR) + "/data/" + name;
+  if (!CGAL::IO::read_polygon_mesh(file, mesh)) throw std::runtime_error("cannot read " + file);
+  return mesh;
+}
+
+// One curve of the given length, from kept windows and in one pass.
+void one_open_curve(const Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, double level,
+                    double length, double tolerance)
+{
+  Judged judged(mesh, add_sources);
+  Geodesic again(judged.geodesic);
+  Offset_curves in_one_pass;
+  again.build_with_offset_curves(level, std::back_inserter(in_one_pass));
+  CHECK(again.statistics().forced_joints == 0);
+  for (const Offset_curves& curves : {offsets(judged.geodesic, level), in_one_pass})
+  {
+    const Verdict verdict = judged(level, curves);
+    CHECK_DETAIL(verdict.is_right(), text_of(verdict));
+    CHECK_DETAIL(curves.size() == 1 && !curves[0].is_closed() && std::abs(total_length(curves) - length) <= tolerance,
+                 std::to_string(curves.size()) + " curves, length: " + values(total_length(curves), length));
+  }
+}
+
+// A grid with noise of 1e-5 in the third coordinate; the level is that of a vertex up to 1e-10, and of its neighbours up to
+// the square of the noise.
+void noisy_grid()
+{
+  const Surface_mesh mesh = data_mesh("noisy_grid.off");
+  const auto section = [](Geodesic& g) { g.add_source_plane_section(Geodesic::Plane_3(0, 1, 0, -6)); };
+  one_open_curve(mesh, section, 4.000000000112058, 6, 1e-6);
+}
+
+// A grid turned in space and rounded to single precision; source and level run along its lines.
+void float_grid()
+{
+  const Surface_mesh mesh = data_mesh("float_grid.off");
+  const std::vector<Point_3> line = {
+    Point_3(-2.8866896629333496, -3.258190393447876, -0.98153901100158691),
+    Point_3(-0.82976323366165161, -3.1763045787811279, -4.4111671447753906)};
+  const auto add = [&](Geodesic& g) { g.add_source_polyline(g.locate_polyline(line).locations); };
+  one_open_curve(mesh, add, 5, 8, 1e-5);
+}
+
+void search()
+{
+  Search_options options;
+  options.meshes = 1400;
+  options.seconds = 300; // in builds without optimization
+  options.validate = 25;
+  options.printed = 20;
+  Offset_search search(options);
+  search.run();
+  search.print_table();
+  const Search_counts total = search.total();
+  CHECK_DETAIL(total.wrong == 0, std::to_string(total.wrong) + " levels with wrong curves");
+  CHECK_DETAIL(total.forced_joints == 0, std::to_string(total.forced_joints) + " forced joints");
+  CHECK_DETAIL(total.exceptions == 0, std::to_string(total.exceptions) + " exceptions");
+  CHECK_DETAIL(total.invalid == 0, std::to_string(total.invalid) + " meshes rejected by the validator");
+  CHECK(total.levels > 1000 && total.pieces > 10000 && total.validated > 0);
+}
+
+} // namespace
+
+int main()
+{
+  const std::pair<const char*, void (*)()> tests[] = {{"the judge finds damage", judge_finds_damage},
+                                                      {"the judge finds a missing loop", judge_finds_missing_loop},
+                                                      {"noisy grid", noisy_grid},
+                                                      {"float grid", float_grid},
+                                                      {"search", search}};
+  return run_tests("test_offset_search", tests);
+}
