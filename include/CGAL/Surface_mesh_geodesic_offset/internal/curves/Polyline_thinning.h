@@ -47,15 +47,16 @@ public:
   // Indices of the selected vertices, with the first and the last one.
   std::vector<std::size_t> operator()() const { return walk([](std::size_t, std::size_t) { return true; }, true); }
 
-  // Selects three vertices at least of a closed polyline, which ends with its first vertex, if it has as many. No chord
-  // replaces more than a third of the length, unless it is one segment of the polyline; as no segment is longer than all
-  // others together, there are three chords at least.
+  // Selects three vertices at least of a closed polyline, which ends with its first vertex, if it has as many.
   std::vector<std::size_t> triangle_at_least() const
   {
+    // A part of the length: two chords do not replace all, three do, and the rest allows for segments that end before the
+    // part does. A single segment may be longer, but not longer than all others together.
+    constexpr double longest = 0.45;
     std::vector<double> way(m_vertices.size(), 0);
     for (std::size_t i = 1; i < way.size(); ++i)
       way[i] = way[i - 1] + length(difference(m_vertices[i].point, m_vertices[i - 1].point));
-    return walk([&](std::size_t i, std::size_t j) { return way[j] - way[i] <= way.back() / 3; }, false);
+    return walk([&](std::size_t i, std::size_t j) { return way[j] - way[i] <= longest * way.back(); }, false);
   }
 
 private:
