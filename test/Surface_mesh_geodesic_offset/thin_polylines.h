@@ -154,7 +154,8 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
                std::to_string(points.size()) + " points, piece by piece " + std::to_string(piecewise.size()));
   CHECK(polyline_length(points) <= curve.length() * (1 + 1e-9));
 
-  constexpr double part = 1. / 1024; // of the tolerance: the height of the curve over the chords of `samples`
+  // of the tolerance: the height of the curve over the chords of `samples`
+  const double part = tolerance > 1e-5 * size ? 1. / 1024 : 1. / 64;
   const Polyline_3 samples = piecewise_points(curve, part * tolerance);
   const Near_polyline is_near_polyline(points, tolerance * (1 + 1e-9) + rounding);
   std::size_t off_polyline = 0, off_curve = 0, off_points = 0;
