@@ -99,10 +99,18 @@ private:
   int m_turn;
 };
 
-// Distance within which pieces are on one circle or line, as a part of the coordinates and the radius. Windows that crossed k
-// faces have images of their sources with a relative error of some k units in the last place, 1e-16 each; this allows for
-// 1e6 faces and more, and is far below the precision of a drawing.
-constexpr double same_curve = 1e-9;
+// Distance within which pieces are on one circle or line: parts of the coordinates, and of the radius and the lengths.
+// Coordinates have rounding errors of some units in the last place, 1e-16 each. Windows that crossed k faces have images of
+// their sources with an error of some k units; the second part allows for 1e6 faces and is far below the precision of a
+// drawing.
+constexpr double same_point = 1e-12, same_curve = 1e-9;
+
+inline double plane_distance(const Plane_point& p, const Plane_point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+
+inline double largest_coordinate(const Plane_point& p, const Plane_point& q)
+{
+  return (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(q[0]), std::abs(q[1])});
+}
 
 // The angle by which an arc turns about another center; it is the sweep of the arc up to less than a half turn.
 inline double sweep_about(const Plane_point& center, const Plane_piece& arc)
@@ -117,12 +125,13 @@ inline double sweep_about(const Plane_point& center, const Plane_piece& arc)
 inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
 {
   if (p.is_arc() != q.is_arc()) return false;
-  double size = p.radius;
-  for (const Plane_point& x : {p.start, p.end, q.end}) size = (std::max)({size, std::abs(x[0]), std::abs(x[1])});
+  const double tolerance =
+    same_point * (p.radius + (std::max)(largest_coordinate(p.start, p.end), largest_coordinate(q.start, q.end))) +
+    same_curve * (p.radius + plane_distance(p.start, p.end) + plane_distance(q.start, q.end));
   const auto is_on_curve = [&](const Plane_point& x) {
     if (p.is_arc())
-      return std::abs(std::hypot(x[0] - p.center[0], x[1] - p.center[1]) - p.radius) <= same_curve * size;
-    return std::abs((x[0] - p.start[0]) * p.center[1] - (x[1] - p.start[1]) * p.center[0]) <= same_curve * size;
+      return std::abs(plane_distance(x, p.center) - p.radius) <= tolerance;
+    return std::abs((x[0] - p.start[0]) * p.center[1] - (x[1] - p.start[1]) * p.center[0]) <= tolerance;
   };
   if (!is_on_curve(q.end)) return false;
   if (!p.is_arc()) return p.center[0] * q.center[0] + p.center[1] * q.center[1] > 0;
@@ -153,7 +162,9 @@ std::vector<Plane_piece> plane_pieces(const Curve& curve, std::size_t first, std
     const Frame_in_plane frame(project(face[0]), project(face[1]), project(face[2]));
     p.end = project(joint(curve, i + 1));
     p.sweep = frame.turn() * CGAL::to_double(piece.angle());
-    if (p.start == p.end || (piece.is_arc() && p.sweep == 0)) continue; // no longer than rounding
+    // no longer than rounding
+    if (plane_distance(p.start, p.end) <= same_point * largest_coordinate(p.start, p.end)) continue;
+    if (piece.is_arc() && p.sweep == 0) continue;
     if (piece.is_arc())
     {
       p.center = frame.point(piece.center());
