@@ -10,6 +10,8 @@
 #include "thin_polylines.h"
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
 
 #include <cmath>
@@ -162,6 +164,58 @@ void squares()
     }
 }
 
+std::size_t occurrences(const std::string& text, const std::string& part)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// In files with true arcs, an arc or a segment is one however many faces it crosses: the outer offset of a square has four of
+// each, the inner one four segments; a circle has two arcs in a DXF file and three in an SVG file. Faces may be in one plane
+// up to seven digits, which makes thousands of pieces of a circle.
+void true_arcs()
+{
+  for (const bool is_rounded : {false, true})
+    for (const std::size_t n : {20, 100})
+    {
+      Report::instance().set_context("true arcs, " + std::to_string(n) + (is_rounded ? ", rounded" : ""));
+      Soup soup = jittered_grid(n, n, 3);
+      if (is_rounded) soup = rotated(soup, 4);
+      if (is_rounded)
+        for (Point_3& p : soup.points) p = Point_3(float(p.x()), float(p.y()), float(p.z()));
+      const Surface_mesh mesh = mesh_of(soup);
+      const Vector_3 x = soup.points[n] - soup.points[0], y = soup.points[(n + 1) * n] - soup.points[0];
+      const auto at = [&](double u, double v) { return soup.points[0] + u * x + v * y; };
+      const double width = std::sqrt(x * x);
+      const auto write = [&](Geodesic& geodesic, double distance, std::string& dxf, std::string& svg)
+      {
+        Curves curves;
+        geodesic.build_with_offset_curves(distance, std::back_inserter(curves));
+        std::ostringstream dxf_stream, svg_stream;
+        CHECK(CGAL::IO::write_offset_DXF(dxf_stream, curves, 1e-4 * width) && CGAL::IO::write_offset_SVG(svg_stream, curves));
+        dxf = dxf_stream.str();
+        svg = svg_stream.str();
+        return curves.size();
+      };
+      std::string dxf, svg;
+      Geodesic circle(mesh);
+      circle.add_source_point(circle.locate(at(0.48, 0.51)));
+      CHECK(write(circle, 0.4 * width, dxf, svg) == 1);
+      CHECK_DETAIL(occurrences(svg, " A") <= 4 && occurrences(svg, " L") == 0, std::to_string(occurrences(svg, " A")));
+      if (is_rounded) continue;
+      CHECK_DETAIL(occurrences(dxf, "AcDbPolyline\n90\n2\n") == 1, "a circle is two bulges");
+      Geodesic square(mesh);
+      const auto polyline =
+        square.locate_polyline(std::vector<Point_3>{at(0.2, 0.2), at(0.8, 0.2), at(0.8, 0.8), at(0.2, 0.8)}, true);
+      square.add_source_polyline(polyline.locations, true);
+      CHECK(write(square, 0.1 * width, dxf, svg) == 2);
+      CHECK_DETAIL(occurrences(svg, " A") == 4 && occurrences(svg, " L") == 8,
+                   std::to_string(occurrences(svg, " A")) + " arcs, " + std::to_string(occurrences(svg, " L")) + " segments");
+      CHECK(occurrences(dxf, "AcDbPolyline\n90\n8\n") == 1 && occurrences(dxf, "AcDbPolyline\n90\n4\n") == 1);
+    }
+}
+
 // Closed curves that are smaller than the tolerance remain triangles.
 void small_curves()
 {
@@ -234,6 +288,7 @@ void values_of_points()
 int main()
 {
   const std::vector<std::pair<const char*, void (*)()>> tests = {{"squares", squares},
+                                                               {"true arcs", true_arcs},
                                                                {"small curves", small_curves},
                                                                {"values of points", values_of_points},
                                                                {"generated meshes", generated},

@@ -173,7 +173,8 @@ private:
 
 - A curve that lies in a horizontal plane becomes one `LWPOLYLINE` at the elevation of the plane, with the true arcs as
   bulges; an arc is one bulge (or two, if it is longer than a half turn) however many faces it crosses.
-- A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE`.
+- A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE` with few points, see
+  `Geodesic_offset_curve::points()`.
 - Any other curve is split where its arcs enter and leave a horizontal plane, into polylines of both kinds. Each
   ends at the very point at which the next one begins, so they can be joined again.
 
