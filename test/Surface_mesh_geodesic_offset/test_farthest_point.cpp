@@ -475,6 +475,20 @@ void searched_faces()
     }
   }
   CHECK(searched > 0);
+
+  Report::instance().set_context("strip, searched faces"); // the front is as long as the mesh
+  const Generated_mesh<test::Surface_mesh> strip(planar_grid(1200, 20));
+  std::vector<test::Surface_mesh::Edge_index> bottom;
+  for (const auto e : strip.mesh.edges())
+    if (strip.mesh.point(strip.mesh.vertex(e, 0)).y() + strip.mesh.point(strip.mesh.vertex(e, 1)).y() == 0)
+      bottom.push_back(e);
+  CHECK(bottom.size() == 1200);
+  Geodesic geodesic(strip.mesh);
+  geodesic.add_source_edges(bottom);
+  geodesic.build(CGAL::parameters::compute_largest_distance(true));
+  CHECK_CLOSE(error(), geodesic.largest_distance(), 20);
+  CHECK_DETAIL(geodesic.statistics().faces_searched <= 2 * 1200, // the last row
+               std::to_string(geodesic.statistics().faces_searched));
 }
 
 void unreached_parts()
