@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -243,8 +242,7 @@ public:
   typedef std::array<FT, 3> Weights;
 
   Farthest_point(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_initial(initial), m_field(field),
-      m_largest_number_of_waiting(largest_number_of_waiting(mesh.number_of_faces()))
+    : m_mesh(mesh), m_initial(initial), m_field(field)
   {
   }
 
@@ -287,10 +285,13 @@ private:
   // The search is for a place: with an exact number type, floating point numbers find it.
   typedef typename std::conditional<Number_policy<FT>::is_inexact, FT, double>::type NT;
 
-  // Faces that wait until they are searched whatever their bounds. The front crosses some few times the square root of the
-  // number of faces. On regular meshes most of the faces that it finishes in a bucket have the same bound, and wait for two
-  // buckets, each a quarter of an edge wide; on others some ten faces wait.
-  static std::size_t largest_number_of_waiting(std::size_t faces) { return 64 + std::size_t(4 * std::sqrt(double(faces))); }
+  // Windows of waiting faces, beyond which all of these are searched: as many as the front has had itself. On regular meshes
+  // most faces that it finishes in a bucket have the same bound, and wait for two buckets, each a quarter of an edge wide; on
+  // others some ten faces wait. The smallest number, some 400 KB, is for small fronts and for kept windows.
+  std::size_t largest_number_of_waiting_windows() const
+  {
+    return (std::max)(std::size_t(1) << 12, m_field.lists.peak());
+  }
 
   struct Waiting_face
   {
@@ -356,20 +357,25 @@ private:
 
   void wait(Index f, const NT& bound)
   {
-    if (m_number_of_waiting == m_largest_number_of_waiting) search();
+    if (m_number_of_waiting_windows > largest_number_of_waiting_windows()) search();
     if (m_number_of_waiting == m_waiting.size())
       m_waiting.push_back({std::make_unique<Face_field<FT>>(m_mesh, m_initial, m_field), bound});
     Waiting_face& w = m_waiting[m_number_of_waiting++];
     w.field->set_face(f);
     w.bound = bound;
+    m_number_of_waiting_windows += w.field->windows().size();
   }
 
   void leave_out_excluded()
   {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < m_number_of_waiting; ++i)
-      if (is_farther(m_waiting[i].bound)) std::swap(m_waiting[kept++], m_waiting[i]);
-    m_number_of_waiting = kept;
+    const std::size_t number = std::exchange(m_number_of_waiting, 0);
+    m_number_of_waiting_windows = 0;
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      if (!is_farther(m_waiting[i].bound)) continue;
+      m_number_of_waiting_windows += m_waiting[i].field->windows().size();
+      std::swap(m_waiting[m_number_of_waiting++], m_waiting[i]);
+    }
   }
 
   // Searches the faces that wait.
@@ -384,7 +390,7 @@ private:
       search_face(entry);
     }
     m_heap.clear();
-    m_number_of_waiting = 0;
+    m_number_of_waiting = m_number_of_waiting_windows = 0;
   }
 
   void search_face(const Entry& entry)
@@ -446,9 +452,8 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
-  const std::size_t m_largest_number_of_waiting;
   std::vector<Waiting_face> m_waiting; // their memory is used again
-  std::size_t m_number_of_waiting = 0;
+  std::size_t m_number_of_waiting = 0, m_number_of_waiting_windows = 0;
   Farthest_in_face<NT> m_search{NT(0)};
   std::vector<Face_window<NT>> m_windows;
   std::vector<Entry> m_heap;
