@@ -6,9 +6,7 @@
 #ifndef GEODESIC_OFFSET_TEST_GENERATED_SOUP_H
 #define GEODESIC_OFFSET_TEST_GENERATED_SOUP_H
 
-#include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
@@ -59,18 +57,7 @@ struct Soup
 };
 
 /// The Delaunay triangles of points in the plane, as indices of their corners.
-inline std::vector<std::array<std::size_t, 3>>
-delaunay_triangles(const std::vector<Point_2>& points)
-{
-  typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel> Vertex_base;
-  typedef CGAL::Triangulation_data_structure_2<Vertex_base> Structure;
-  CGAL::Delaunay_triangulation_2<Kernel, Structure> triangulation;
-  for (std::size_t i = 0; i < points.size(); ++i) triangulation.insert(points[i])->info() = i;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
-    triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-  return triangles;
-}
+std::vector<std::array<std::size_t, 3>> delaunay_triangles(const std::vector<Point_2>& points);
 
 /// Builds a soup from flat triangles and parallelograms; those that share two corners share the
 /// points between them.

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <exception>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <string>
@@ -25,26 +23,18 @@ namespace test {
 class Report
 {
 public:
-  static Report& instance()
-  {
-    static Report report;
-    return report;
-  }
+  static Report& instance();
 
-  bool check(bool ok, const char* expression, const char* file, int line,
-             const std::string& detail = "")
+  /// A check that held, or not. The result is `ok`.
+  bool passed()
   {
     ++checks_;
-    if (ok) return true;
-    ++failures_;
-    if (++failures_at_[std::make_pair(std::string(file), line)] <= maximum_printed_)
-    {
-      std::cout << "FAILED " << file << ":" << line << ": " << expression;
-      if (!context_.empty()) std::cout << "  [" << context_ << "]";
-      if (!detail.empty()) std::cout << "  " << detail;
-      std::cout << std::endl;
-    }
-    return false;
+    return true;
+  }
+  bool failed(const char* expression, const char* file, int line, const std::string& detail = "");
+  bool check(bool ok, const char* expression, const char* file, int line)
+  {
+    return ok ? passed() : failed(expression, file, line);
   }
 
   /// What is printed with every failure from now on.
@@ -54,16 +44,7 @@ public:
   std::size_t failures() const { return failures_; }
 
   /// Prints the totals; the return value of `main`.
-  int finish(const std::string& name) const
-  {
-    for (const auto& entry : failures_at_)
-      if (entry.second > maximum_printed_)
-        std::cout << entry.first.first << ":" << entry.first.second << ": " << entry.second
-                  << " failures in all\n";
-    std::cout << name << ": " << checks_ << " checks, " << failures_ << " failures" << std::endl;
-    if (checks_ == 0) std::cout << name << ": nothing was checked" << std::endl;
-    return (failures_ == 0 && checks_ > 0) ? 0 : 1;
-  }
+  int finish(const std::string& name) const;
 
 private:
   static constexpr std::size_t maximum_printed_ = 4;
@@ -108,29 +89,20 @@ private:
   std::size_t count_ = 0;
 };
 
-inline std::string values(double actual, double expected)
-{
-  std::string text = "actual " + std::to_string(actual) + ", expected " + std::to_string(expected);
-  char buffer[64];
-  std::snprintf(buffer, sizeof(buffer), ", difference %.3g", actual - expected);
-  return text + buffer;
-}
+std::string values(double actual, double expected);
 
-inline bool check_close(Worst_error& worst, double actual, double expected, const char* expression,
-                        const char* file, int line)
-{
-  return Report::instance().check(worst.add(actual, expected), expression, file, line,
-                                  values(actual, expected));
-}
+bool check_close(Worst_error& worst, double actual, double expected, const char* expression, const char* file, int line);
 
 } // namespace test
 
 #define CHECK(condition)                                                                           \
   ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__)
 
+/// The detail is made only for a check that fails.
 #define CHECK_DETAIL(condition, detail)                                                            \
-  ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__,   \
-                                   detail)
+  (static_cast<bool>(condition)                                                                    \
+     ? ::test::Report::instance().passed()                                                         \
+     : ::test::Report::instance().failed(#condition, __FILE__, __LINE__, detail))
 
 #define CHECK_CLOSE(worst, actual, expected)                                                       \
   ::test::check_close((worst), (actual), (expected), #actual " == " #expected, __FILE__, __LINE__)
@@ -151,8 +123,10 @@ inline bool check_close(Worst_error& worst, double actual, double expected, cons
     {                                                                                              \
       what_happened = other.what();                                                                \
     }                                                                                              \
-    ::test::Report::instance().check(thrown_as_expected, #expression " throws " #exception_type,   \
-                                     __FILE__, __LINE__, what_happened);                           \
+    if (thrown_as_expected) ::test::Report::instance().passed();                                   \
+    else                                                                                           \
+      ::test::Report::instance().failed(#expression " throws " #exception_type, __FILE__, __LINE__, \
+                                        what_happened);                                            \
   } while (false)
 
 namespace test {

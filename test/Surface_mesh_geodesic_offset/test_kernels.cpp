@@ -12,12 +12,10 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
@@ -129,26 +127,23 @@ void meshes_of_other_kernels()
   }
 }
 
-// The union of two tetrahedra has coordinates that no double is equal to.
-void mesh_of_a_boolean_operation()
+// Coordinates that no double is equal to, as a Boolean operation or a transformation by exact numbers gives them
+void mesh_of_rational_coordinates()
 {
+  typedef Exact_kernel::FT Rational;
   typedef CGAL::Surface_mesh<Exact_kernel::Point_3> Exact_mesh;
-  typedef Exact_kernel::Point_3 P;
-  Exact_mesh a, b, both;
-  CGAL::make_tetrahedron(P(0, 0, 0), P(3, 0, 0), P(0, 3, 0), P(0, 0, 3), a);
-  CGAL::make_tetrahedron(P(1, 1, -1), P(2, -1, 1), P(1, 1, 4), P(-1, 1, 2), b);
-  CGAL::Polygon_mesh_processing::triangulate_faces(a);
-  if (!CGAL::Polygon_mesh_processing::is_outward_oriented(b))
-    CGAL::Polygon_mesh_processing::reverse_face_orientations(b);
-  if (!CGAL::Polygon_mesh_processing::is_outward_oriented(a))
-    CGAL::Polygon_mesh_processing::reverse_face_orientations(a);
-  CHECK(CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both));
+  const Data data(rotated(icosphere(1), 3));
+  Exact_mesh exact = same_mesh<Exact_kernel>(data.mesh);
   bool is_rounded = false;
-  for (auto v : vertices(both))
-    is_rounded = is_rounded || both.point(v).x() != P(CGAL::to_double(both.point(v).x()), 0, 0).x();
+  for (const auto v : vertices(exact))
+  {
+    const auto p = exact.point(v);
+    exact.point(v) = Exact_kernel::Point_3(p.x() / 3, p.y() / 7 + Rational(1) / 9, p.z() / 11);
+    is_rounded = is_rounded || exact.point(v).x() != Rational(CGAL::to_double(exact.point(v).x()));
+  }
   CHECK(is_rounded);
-  both.collect_garbage();
-  CHECK(num_faces(both) > 8 && results(both) == results(same_mesh<Kernel>(both)));
+  CHECK(num_faces(exact) == 80 && CGAL::is_valid_polygon_mesh(exact));
+  CHECK(results(exact) == results(same_mesh<Kernel>(exact)));
 }
 
 // The distances of all vertices from one, in whatever kernel.
@@ -476,7 +471,7 @@ GEODESIC_OFFSET_TEST(test_kernels)
 {
   const std::pair<const char*, void (*)()> tests[] = {
     {"meshes of other kernels", meshes_of_other_kernels},
-    {"mesh of a Boolean operation", mesh_of_a_boolean_operation},
+    {"mesh of rational coordinates", mesh_of_rational_coordinates},
     {"needles", needles},
     {"side tests near zero", side_tests_near_zero},
     {"side tests of floats", side_tests_of_floats},
