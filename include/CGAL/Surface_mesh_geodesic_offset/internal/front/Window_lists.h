@@ -183,7 +183,7 @@ public:
 private:
   // Longer lists, on small meshes, come of faces so thin that none of the windows is certainly nearer than another one:
   // their number doubles in every face.
-  static constexpr std::size_t longest = 1 << 10;
+  static constexpr std::size_t longest = 1 << 12;
 
   void reserve(List& list, std::size_t n, Arena& arena) const
   {
