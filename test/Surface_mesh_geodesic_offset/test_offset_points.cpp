@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -21,9 +22,10 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace {
+namespace test_offset_points {
 
 using namespace test;
 
@@ -99,7 +101,7 @@ void generated()
   }
 }
 
-void data()
+void data_meshes()
 {
   for (const char* name : {"fandisk.off", "armadillo.off"})
   {
@@ -283,15 +285,15 @@ void values_of_points()
   }
 }
 
-} // namespace
+} // namespace test_offset_points
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_points)
 {
   const std::vector<std::pair<const char*, void (*)()>> tests = {{"squares", squares},
                                                                {"true arcs", true_arcs},
                                                                {"small curves", small_curves},
                                                                {"values of points", values_of_points},
                                                                {"generated meshes", generated},
-                                                               {"data meshes", data}};
+                                                               {data_case, data_meshes}};
   return run_tests("test_offset_points", tests);
 }

@@ -158,7 +158,8 @@ private:
         const double sine = std::sin(angle / (4 * double(chords)));
         height = 2 * r * sine * sine;
         if (chords < many_chords && height > arc_part * tolerance)
-          divisor = std::size_t(std::ceil(std::sqrt(height / (arc_part * tolerance)) * (1 - 1e-12)));
+          // number_of_chords() bounds the angle of a chord below, so a tolerance less than rounding may be less than the height
+          divisor = std::size_t(std::ceil(std::sqrt((std::min)(height / tolerance, 1.) / arc_part) * (1 - 1e-12)));
         if (is_closed && n < 3) divisor = (std::max)(divisor, std::size_t(3)); // a circle is a triangle at least
         height /= double(divisor * divisor);
       }
