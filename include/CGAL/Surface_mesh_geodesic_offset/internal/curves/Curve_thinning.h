@@ -125,19 +125,20 @@ private:
   std::vector<Curve_point> select(std::size_t first, std::size_t count, bool is_closed, const Condition& is_kept) const
   {
     if (count == 0) return std::vector<Curve_point>();
-    const Candidates all = candidates(first, count, is_closed, is_kept);
     const double tolerance = CGAL::to_double(m_tolerance);
-    Candidates few = without_straight_parts(all);
+    Candidates few = without_straight_parts(candidates(first, count, is_kept, 1));
     if (is_closed) turn_to_corner(few);
-    std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
-    // a closed curve within the tolerance of a point or segment remains a triangle
-    if (is_closed && result.size() < 4)
-      result = selected(all, Polyline_thinning(all.vertices, tolerance).triangle_at_least());
-    return result;
+    const std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
+    if (!is_closed || result.size() >= 4) return result;
+    // A closed curve within the tolerance of a point or segment remains a triangle. It has two pieces at least that are no
+    // points, of which one is an arc, so with three parts of each arc there are three segments at least.
+    const Candidates all = candidates(first, count, is_kept, 3);
+    return selected(all, Polyline_thinning(all.vertices, tolerance).triangle_at_least());
   }
 
+  // least_parts: parts of an arc
   template <class Condition>
-  Candidates candidates(std::size_t first, std::size_t count, bool is_closed, const Condition& is_kept) const
+  Candidates candidates(std::size_t first, std::size_t count, const Condition& is_kept, std::size_t least_parts) const
   {
     const std::size_t n = m_curve.number_of_pieces();
     const double tolerance = CGAL::to_double(m_tolerance);
@@ -160,7 +161,7 @@ private:
         if (chords < many_chords && height > arc_part * tolerance)
           // number_of_chords() bounds the angle of a chord below, so a tolerance less than rounding may be less than the height
           divisor = std::size_t(std::ceil(std::sqrt((std::min)(height / tolerance, 1.) / arc_part) * (1 - 1e-12)));
-        if (is_closed && n < 3) divisor = (std::max)(divisor, std::size_t(3)); // a circle is a triangle at least
+        divisor = (std::max)(divisor, least_parts);
         height /= double(divisor * divisor);
       }
       const std::size_t parts = chords * divisor;

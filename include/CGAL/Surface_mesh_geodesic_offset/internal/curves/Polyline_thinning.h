@@ -47,15 +47,40 @@ public:
   // Indices of the selected vertices, with the first and the last one.
   std::vector<std::size_t> operator()() const { return walk([](std::size_t, std::size_t) { return true; }, true); }
 
-  // Selects three vertices at least of a closed polyline, which ends with its first vertex, if it has as many.
+  // Selects three vertices at least of a closed polyline, which ends with its first vertex, if it has as many: three where
+  // the least number of chords is one or two.
   std::vector<std::size_t> triangle_at_least() const
   {
-    // A part of the length: two chords do not replace all, three do, and the rest allows for segments that end before the
-    // part does. A single segment may be longer, but not longer than all others together.
-    constexpr double longest = 0.45;
+    std::vector<std::size_t> selected = (*this)();
+    if (selected.size() >= 4 || m_vertices.size() < 4) return selected;
     std::vector<double> way(m_vertices.size(), 0);
     for (std::size_t i = 1; i < way.size(); ++i)
       way[i] = way[i - 1] + length(difference(m_vertices[i].point, m_vertices[i - 1].point));
+    // of the vertices between others, the one that is nearest to a way
+    const auto nearest = [&](double w, std::size_t after, std::size_t before) {
+      std::size_t k = after + 1;
+      while (k + 1 < before && std::abs(way[k + 1] - w) < std::abs(way[k] - w)) ++k;
+      return k;
+    };
+    const std::size_t last = way.size() - 1;
+    if (selected.size() == 2)
+    {
+      const std::size_t k = nearest(way[last] / 3, 0, last - 1);
+      selected = {0, k, nearest(way[last] * 2 / 3, k, last), last};
+    }
+    else
+    {
+      const std::size_t k = selected[1];
+      const bool is_first = last - k == 1 || (k > 1 && way[k] > way[last] - way[k]);
+      selected.insert(selected.begin() + (is_first ? 1 : 2),
+                      is_first ? nearest(way[k] / 2, 0, k) : nearest((way[k] + way[last]) / 2, k, last));
+    }
+    bool are_chords = true;
+    for (std::size_t k = 1; k < selected.size(); ++k) are_chords = are_chords && is_chord(selected[k - 1], selected[k]);
+    if (are_chords) return selected;
+    // A part of the length: two chords do not replace all, three do, and the rest allows for segments that end before the
+    // part does. A single segment may be longer, but not longer than all others together.
+    constexpr double longest = 0.45;
     return walk([&](std::size_t i, std::size_t j) { return way[j] - way[i] <= longest * way.back(); }, false);
   }
 
