@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -218,6 +219,48 @@ void true_arcs()
     }
 }
 
+// Two polylines on one line, of which one turns back by 1: each point is on both.
+void turn_back()
+{
+  const Polyline_3 p = {Point_3(0, 0, 0), Point_3(3, 0, 0)},
+                   q = {Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(1, 0, 0), Point_3(3, 0, 0)};
+  CHECK(!Frechet_decision(p, q, 0.499)() && Frechet_decision(p, q, 0.501)());
+  CHECK(!Frechet_decision(q, p, 0.499)() && Frechet_decision(q, p, 0.501)());
+  CHECK(Frechet_decision(q, q, 1e-6)() && !Frechet_decision(q, Polyline_3(q.rbegin(), q.rend()), 2.999)());
+}
+
+// Circles of few pieces, with tolerances from less than rounding to more than the mesh.
+void circles_in_faces()
+{
+  Random random(11);
+  const Surface_mesh needles = mesh_of(needle_fan(9)), grid = mesh_of(jittered_grid(6, 6, 2));
+  for (const Surface_mesh* mesh : {&needles, &grid})
+    for (int i = 0; i < 100; ++i)
+    {
+      Geodesic geodesic(*mesh);
+      const auto face = *std::next(faces(*mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(*mesh))));
+      const double u = uniform(random), v = uniform(random) * (1 - u);
+      geodesic.add_source_point(Geodesic::Face_location(face, {u, v, 1 - u - v}));
+      Curves curves;
+      const double radius = std::pow(10., uniform(random, -6, -1));
+      geodesic.build_with_offset_curves(radius, std::back_inserter(curves));
+      for (const double tolerance : {1e-2 * radius, 0.3 * radius, radius, 8 * radius, 1e3, 1e300})
+      {
+        Report::instance().set_context("circle " + std::to_string(i) + ", tolerance " + std::to_string(tolerance / radius));
+        for (const auto& curve : curves) check_thin_polyline(curve, tolerance, size_of(*mesh));
+      }
+      // the angle of the arcs is so small that discretize() has few chords, which may be farther off than the tolerance
+      Report::instance().set_context("circle " + std::to_string(i) + ", tolerances less than rounding");
+      for (const auto& curve : curves)
+        for (const double tolerance : {1e-25, 1e-300, std::numeric_limits<double>::denorm_min()})
+        {
+          double chords = 0;
+          for (const auto& piece : curve.pieces()) chords += double(piece.number_of_chords(tolerance));
+          if (chords < 1e5) CHECK(curve_points(curve, tolerance).size() <= piecewise_points(curve, tolerance).size());
+        }
+    }
+}
+
 // Closed curves that are smaller than the tolerance remain triangles.
 void small_curves()
 {
@@ -291,6 +334,8 @@ GEODESIC_OFFSET_TEST(test_offset_points)
 {
   const std::vector<std::pair<const char*, void (*)()>> tests = {{"squares", squares},
                                                                {"true arcs", true_arcs},
+                                                               {"turn back", turn_back},
+                                                               {"circles in faces", circles_in_faces},
                                                                {"small curves", small_curves},
                                                                {"values of points", values_of_points},
                                                                {"generated meshes", generated},

@@ -87,6 +87,94 @@ private:
   std::map<Cell, std::vector<std::size_t>> segments_;
 };
 
+/// Whether the Frechet distance of two polylines is at most a distance, by the free space diagram of Alt and Godau. A polyline
+/// that runs on over a turn back of the other one is farther from it than that, although each point of both is near the other.
+/// Only the cells of the diagram that are reached are visited.
+class Frechet_decision
+{
+public:
+  Frechet_decision(const Polyline_3& p, const Polyline_3& q, double distance) : p_(p), q_(q), distance_(distance) {}
+
+  bool operator()() const
+  {
+    const std::size_t n = p_.size() - 1, m = q_.size() - 1;
+    if (!is_near(p_[0], q_[0]) || !is_near(p_[n], q_[m])) return false;
+    // What is reached of segment i of p at vertex j of q, for i in [first, end), of which the first and last are not empty; and
+    // whether vertex 0 of p is reached at vertex j.
+    std::vector<Interval> reached(n), next(n);
+    std::size_t first = 0, end = 0;
+    for (bool goes_on = true; goes_on && end < n; goes_on = reached[end - 1].high == 1)
+    {
+      reached[end] = free_part(q_[0], p_[end], p_[end + 1]);
+      if (reached[end].low > 0) break;
+      ++end;
+    }
+    bool is_start_reached = true;
+    for (std::size_t j = 0; j < m; ++j)
+    {
+      Interval below; // what is reached of segment j of q at vertex i of p
+      if (is_start_reached) below = free_part(p_[0], q_[j], q_[j + 1]);
+      if (below.low > 0) below = Interval();
+      is_start_reached = below.high == 1;
+      std::size_t next_first = n, next_end = n;
+      for (std::size_t i = below.is_empty() ? first : 0; i < n && (i < end || !below.is_empty()); ++i)
+      {
+        const Interval left = i >= first && i < end ? reached[i] : Interval();
+        next[i] = Interval();
+        Interval above;
+        if (!left.is_empty() || !below.is_empty())
+        {
+          next[i] = free_part(q_[j + 1], p_[i], p_[i + 1]);
+          if (below.is_empty()) next[i].low = (std::max)(next[i].low, left.low);
+          above = free_part(p_[i + 1], q_[j], q_[j + 1]);
+          if (left.is_empty()) above.low = (std::max)(above.low, below.low);
+        }
+        if (!next[i].is_empty())
+        {
+          next_first = (std::min)(next_first, i);
+          next_end = i + 1;
+        }
+        below = above;
+      }
+      reached.swap(next);
+      first = next_first;
+      end = next_end;
+      if (first == n && !is_start_reached) return false;
+    }
+    return first < n && end == n && reached[n - 1].high == 1;
+  }
+
+private:
+  struct Interval
+  {
+    double low = 1, high = 0;
+    bool is_empty() const { return !(low <= high); }
+  };
+
+  bool is_near(const Point_3& p, const Point_3& q) const { return CGAL::squared_distance(p, q) <= distance_ * distance_; }
+
+  // The part of a segment that is near a point; it ends at 0 and 1 exactly where the ends are near.
+  Interval free_part(const Point_3& p, const Point_3& a, const Point_3& b) const
+  {
+    Interval result;
+    const Vector_3 d = b - a;
+    const double l = d * d, along = l > 0 ? ((p - a) * d) / l : 0;
+    const double h = distance_ * distance_ - CGAL::squared_distance(p, a + along * d);
+    if (h >= 0 && l > 0)
+    {
+      result.low = (std::max)(along - std::sqrt(h / l), 0.);
+      result.high = (std::min)(along + std::sqrt(h / l), 1.);
+    }
+    if (is_near(p, a)) result = {0, result.is_empty() ? 0 : result.high};
+    if (is_near(p, b)) result = {result.is_empty() ? 1 : result.low, 1};
+    return result;
+  }
+
+  const Polyline_3& p_;
+  const Polyline_3& q_;
+  double distance_;
+};
+
 /// The number of points that Douglas and Peucker select: of a part between two points that are selected, the point that is
 /// farthest from their segment if it is farther than the tolerance. Of a closed polyline, which ends with its first point, the
 /// point that is farthest from the first one is selected, too.
@@ -132,8 +220,8 @@ Polyline_3 piecewise_points(const Curve& curve, double tolerance)
   return points;
 }
 
-/// The polyline of a curve is within the tolerance of the curve and the curve within the tolerance of it, as samples show;
-/// its points are on the curve; it has the ends of an open curve, and closes a closed one; it has no more points than the
+/// The polyline of a curve is within the tolerance of the curve and the curve within the tolerance of it, as samples show, and
+/// so is their Frechet distance; its points are on the curve; it has the ends of an open curve, and closes a closed one; it has no more points than the
 /// polyline that goes from piece to piece. `size`: of the coordinates.
 template <class Curve>
 void check_thin_polyline(const Curve& curve, double tolerance, double size)
@@ -172,6 +260,20 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
   }
   CHECK_DETAIL(off_points == 0, std::to_string(off_points) + " points are not on the curve");
   CHECK_DETAIL(off_curve == 0, std::to_string(off_curve) + " points of the polyline are off the curve");
+
+  const auto is_frechet_near = [&](const Polyline_3& s) {
+    return Frechet_decision(points, s, tolerance * (1 + part) + rounding)();
+  };
+  bool is_frechet_near_any = !curve.is_closed() && is_frechet_near(samples);
+  // a closed polyline begins at the end of some piece; a curve may pass a point twice
+  for (std::size_t i = 0; curve.is_closed() && !is_frechet_near_any && i + 1 < samples.size(); ++i)
+  {
+    if (samples[i] != points.front()) continue;
+    Polyline_3 turned(samples.begin() + static_cast<std::ptrdiff_t>(i), samples.end());
+    turned.insert(turned.end(), samples.begin() + 1, samples.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    is_frechet_near_any = is_frechet_near(turned);
+  }
+  CHECK_DETAIL(is_frechet_near_any, "the Frechet distance is larger than the tolerance " + std::to_string(tolerance));
 }
 
 } // namespace test

@@ -155,14 +155,18 @@ private:
       if (piece.is_arc())
       {
         const double r = CGAL::to_double(piece.radius()), angle = CGAL::to_double(piece.angle());
-        // see Geodesic_offset_piece::number_of_chords(); the height is that of a chord divided by the square of the divisor
-        const double sine = std::sin(angle / (4 * double(chords)));
-        height = 2 * r * sine * sine;
+        // see Geodesic_offset_piece::number_of_chords()
+        const auto height_over = [&](std::size_t n_chords) {
+          const double sine = std::sin(angle / (4 * double(n_chords)));
+          return 2 * r * sine * sine;
+        };
+        height = height_over(chords);
+        // The height of a part is at least that of the chord divided by the square of the number of parts, and about that.
+        // number_of_chords() bounds the angle of a chord below, so a tolerance less than rounding may be less than the height.
         if (chords < many_chords && height > arc_part * tolerance)
-          // number_of_chords() bounds the angle of a chord below, so a tolerance less than rounding may be less than the height
           divisor = std::size_t(std::ceil(std::sqrt((std::min)(height / tolerance, 1.) / arc_part) * (1 - 1e-12)));
         divisor = (std::max)(divisor, least_parts);
-        height /= double(divisor * divisor);
+        height = height_over(chords * divisor);
       }
       const std::size_t parts = chords * divisor;
       c.vertices.back().free_steps = divisor;

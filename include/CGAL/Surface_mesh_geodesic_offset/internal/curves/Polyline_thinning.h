@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -56,17 +57,26 @@ public:
     std::vector<double> way(m_vertices.size(), 0);
     for (std::size_t i = 1; i < way.size(); ++i)
       way[i] = way[i - 1] + length(difference(m_vertices[i].point, m_vertices[i - 1].point));
-    // of the vertices between others, the one that is nearest to a way
+    // Of the vertices between others, the one that is nearest to a way. A curve may pass a point several times, so points that
+    // are selected are left out, if there are others.
     const auto nearest = [&](double w, std::size_t after, std::size_t before) {
-      std::size_t k = after + 1;
-      while (k + 1 < before && std::abs(way[k + 1] - w) < std::abs(way[k] - w)) ++k;
-      return k;
+      std::size_t best = after + 1;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = after + 1; k < before; ++k)
+      {
+        const double off = std::abs(way[k] - w);
+        const auto is_equal = [&](std::size_t l) { return m_vertices[l].point == m_vertices[k].point; };
+        if (off >= least || std::any_of(selected.begin(), selected.end(), is_equal)) continue;
+        best = k;
+        least = off;
+      }
+      return best;
     };
     const std::size_t last = way.size() - 1;
     if (selected.size() == 2)
     {
-      const std::size_t k = nearest(way[last] / 3, 0, last - 1);
-      selected = {0, k, nearest(way[last] * 2 / 3, k, last), last};
+      selected.insert(selected.begin() + 1, nearest(way[last] / 3, 0, last - 1));
+      selected.insert(selected.begin() + 2, nearest(way[last] * 2 / 3, selected[1], last));
     }
     else
     {
@@ -125,6 +135,8 @@ private:
   {
     const Vector chord = difference(m_vertices[j].point, m_vertices[i].point);
     const double l = length(chord);
+    // the ends of a segment differ, unless the segment is all of a closed polyline
+    if (l == 0 && j > i + 1 && j - i + 1 < m_vertices.size()) return false;
     const Vector direction = l > 0 ? Vector{chord[0] / l, chord[1] / l, chord[2] / l} : Vector{0, 0, 0};
     double way = 0; // along the chord, to the nearest point that the vertices up to k admit
     for (std::size_t k = i + 1; k < j; ++k)
