@@ -165,8 +165,8 @@ public:
   ///
   /// The Frechet distance of the polyline from the curve is at most `chord_tolerance`, up to rounding: nowhere is the
   /// polyline farther from the curve, or the curve from the polyline. Chords pass the edges of the mesh: where the curve is
-  /// straight within the tolerance across several faces, there is one segment. There are never more points than those of
-  /// `discretize()`.
+  /// straight within the tolerance across several faces, there is one segment. There are no more points than those of
+  /// `discretize()`, except that a closed curve has four points at least, the last one being the first.
   ///
   /// All points are on the curve. The first and last points of an open curve are its ends. A closed curve repeats its first
   /// point at the end, which need not be the start of `piece(0)`: it is the end of a piece, at the sharpest turn. The polyline
