@@ -190,7 +190,8 @@ private:
       }
     }
     if (number == 0) return;
-    const double start = uniform(random_) < 0.5 ? 0 : grid(uniform(random_) * size_);
+    // corners at the distance 0 would be sources
+    const double start = grid(size_ * (uniform(random_) < 0.5 ? 0.125 : uniform(random_, 0.125, 1)));
     for (auto& of_edge : images_)
       for (Image& i : of_edge) i.sigma += start - lowest;
   }
