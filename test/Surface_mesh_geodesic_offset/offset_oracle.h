@@ -263,7 +263,8 @@ public:
     ++counts.apart;
     char buffer[96];
     std::snprintf(buffer, sizeof(buffer), "chains are %.3g apart; rounding of the level moves them by %.3g: ", least, allowed);
-    report(buffer + text_of(actual) + "; exactly " + text_of(exact[2]));
+    report(buffer + text_of(actual) + "; exactly " + text_of(exact[2]) + "; lowered by the margin " + text_of(exact[1]) +
+           "; raised " + text_of(exact[3]));
   }
 
 private:
