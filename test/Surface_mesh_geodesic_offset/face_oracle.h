@@ -206,13 +206,12 @@ public:
   /// The points that are nearer than d.
   Region nearer_than(double d) const
   {
-    std::vector<Region_polygon> whole;
-    std::vector<Region_part> clipped;
-    for (const Part& part : parts_)
-      if (part.lowest < d + widening_) add(part, d, whole, clipped);
-    Region region;
-    region.join(whole.begin(), whole.end(), clipped.begin(), clipped.end());
-    return region;
+    return union_of([d] { return d; });
+  }
+  /// The same, with d moved by `margin` up or down or not at all, by lot for each window.
+  Region nearer_than(double d, double margin, Random& random) const
+  {
+    return union_of([&] { return d + (double(uniform_index(random, 3)) - 1) * margin; });
   }
 
   /// The boundary of a region inside the face.
@@ -231,6 +230,19 @@ public:
   }
 
 private:
+  // level(): that of the next window
+  template <class Function>
+  Region union_of(const Function& level) const
+  {
+    std::vector<Region_polygon> whole;
+    std::vector<Region_part> clipped;
+    for (const Part& part : parts_)
+      if (const double d = level(); part.lowest < d + widening_) add(part, d, whole, clipped);
+    Region region;
+    region.join(whole.begin(), whole.end(), clipped.begin(), clipped.end());
+    return region;
+  }
+
   struct Part
   {
     Face_window window;
