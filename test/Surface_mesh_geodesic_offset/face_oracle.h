@@ -6,9 +6,9 @@
 // a half-plane, clipped by the face. The coordinates of windows are doubles, so rational; CGAL's circle and segment traits
 // unite the regions exactly. No code is shared with the tracer.
 //
-// Windows are rounded: the cones of neighbours may leave gaps as wide as rounding. So cones are widened by
-// `Oracle_unit::widening`; and the paths that bend at an end of a window, which are valid wherever they lead, can be added as
-// disks of their own.
+// Windows are rounded: the cones of neighbours may leave gaps as wide as rounding. Paths that bend at an end of a window are
+// valid wherever they lead, and close them: they can be added as disks of their own. The half strips on both sides of a source
+// in the face are widened by `Oracle_unit::widening`, so that they meet at the source.
 
 #ifndef GEODESIC_OFFSET_TEST_FACE_ORACLE_H
 #define GEODESIC_OFFSET_TEST_FACE_ORACLE_H
@@ -175,7 +175,7 @@ public:
   typedef Exact_kernel::FT Exact;
   typedef Exact_kernel::Point_2 Exact_point;
 
-  /// `with_bent_paths`: the paths that bend at the ends of windows and at corners count, too.
+  /// `widening`: of strips that start in the face. `with_bent_paths`: the paths that bend at the ends of windows and at corners count, too.
   Face_oracle(const Face_field& field, double widening, bool with_bent_paths)
     : frame_(field.frame()), widening_(widening)
   {
@@ -265,10 +265,10 @@ private:
   static Exact_point exact(const Point_in_face& p) { return Exact_point(p.x, p.y); }
 
   // Left of the ray with the direction v through p, or within the widening on its right.
-  Half_plane left_of(const Point_in_face& p, const Exact& vx, const Exact& vy) const
+  static Half_plane left_of(const Point_in_face& p, const Exact& vx, const Exact& vy, double widening)
   {
     const double l = std::hypot(CGAL::to_double(vx), CGAL::to_double(vy));
-    return {-vy, vx, Exact(vy * Exact(p.x) - vx * Exact(p.y) + Exact(widening_ * l))};
+    return {-vy, vx, Exact(vy * Exact(p.x) - vx * Exact(p.y) + Exact(widening * l))};
   }
 
   std::vector<Exact_point> cone(const Face_window& w, bool is_everywhere) const
@@ -279,12 +279,14 @@ private:
       x = w.is_parallel() ? Exact(-w.x) : Exact(Exact(p.x) - Exact(w.x));
       y = w.is_parallel() ? Exact(-w.y) : Exact(Exact(p.y) - Exact(w.y));
     };
+    const bool starts_in_face = w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE;
+    const double widening = starts_in_face ? widening_ : 0;
     Exact x, y;
     direction(w.right, x, y);
-    clip(left_of(w.right, x, y), polygon);
+    clip(left_of(w.right, x, y, widening), polygon);
     direction(w.left, x, y);
-    clip(left_of(w.left, Exact(-x), Exact(-y)), polygon);
-    if (w.is_parallel() && w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE)
+    clip(left_of(w.left, Exact(-x), Exact(-y), widening), polygon);
+    if (w.is_parallel() && starts_in_face)
       clip({Exact(-w.x), Exact(-w.y), Exact(Exact(w.sigma) + Exact(widening_))}, polygon);
     return polygon;
   }

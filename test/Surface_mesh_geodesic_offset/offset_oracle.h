@@ -35,7 +35,8 @@ namespace test {
 /// all images whose circles cross the face, and of those in the neighbours, which share the crossings of the edges.
 struct Oracle_unit
 {
-  /// Cones are widened by this, to close the gaps between the rounded cones of neighbours: 2^9 units in the last place.
+  /// Strips that start in the face are widened by this, so that those of both sides of a source meet: 2^9 units in the last
+  /// place.
   static constexpr double widening = 1.2e-13;
   /// Levels this near to a change of topology are undecided: 2^11 units in the last place, two shifts of the level by which
   /// levels are cut below themselves (see the manual).

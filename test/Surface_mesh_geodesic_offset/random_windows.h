@@ -52,8 +52,16 @@ public:
   Index face() const { return face_; }
 
   /// A level that passes through the face, unless rounding decides that: general, on a grid, or at or near a distance where
-  /// the topology changes.
+  /// the topology changes. None is the rounding of 0.
   double level()
+  {
+    double result = 0;
+    while (!(result > 1e-9 * size_)) result = one_level();
+    return result;
+  }
+
+private:
+  double one_level()
   {
     const Face_field field(mesh(), initial(), field_, face_);
     std::size_t nearest;
@@ -70,7 +78,6 @@ public:
     return uniform(random_) < 0.5 && off < d ? d - off : d + off;
   }
 
-private:
   typedef CGAL::Geodesic_offset::internal::Window<double> Window;
 
   // The distance along an edge by way of an image beyond it, in the frame of the edge.
