@@ -250,6 +250,16 @@ private:
     std::vector<Exact_point> cone; // the points of the face that the rays reach, counterclockwise
   };
 
+  // An end of a window, exactly on the edge by which it enters: off the edge by rounding it would leave out a part of the
+  // edge, if rays run along it. At corners up to 8 units in the last place of the edge.
+  Exact_point end(const Face_window& w, const Point_in_face& p) const
+  {
+    if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE) return exact(p);
+    const double t = frame_.along(w.origin, p) / frame_.edge_length(w.origin), rounding = 1.8e-15;
+    const Exact_point &a = corner_[w.origin], &b = corner_[(w.origin + 1u) % 3];
+    return t <= rounding ? a : t >= 1 - rounding ? b : a + Exact(t) * (b - a);
+  }
+
   void add_part(const Face_window& w, double lowest, std::vector<Exact_point> cone)
   {
     if (cone.size() > 2) parts_.push_back(Part{w, lowest, std::move(cone)});
@@ -265,27 +275,28 @@ private:
   static Exact_point exact(const Point_in_face& p) { return Exact_point(p.x, p.y); }
 
   // Left of the ray with the direction v through p, or within the widening on its right.
-  static Half_plane left_of(const Point_in_face& p, const Exact& vx, const Exact& vy, double widening)
+  static Half_plane left_of(const Exact_point& p, const Exact& vx, const Exact& vy, double widening)
   {
     const double l = std::hypot(CGAL::to_double(vx), CGAL::to_double(vy));
-    return {-vy, vx, Exact(vy * Exact(p.x) - vx * Exact(p.y) + Exact(widening * l))};
+    return {-vy, vx, Exact(vy * p.x() - vx * p.y() + Exact(widening * l))};
   }
 
   std::vector<Exact_point> cone(const Face_window& w, bool is_everywhere) const
   {
     std::vector<Exact_point> polygon(corner_.begin(), corner_.end());
     if (is_everywhere) return polygon;
-    const auto direction = [&](const Point_in_face& p, Exact& x, Exact& y) {
-      x = w.is_parallel() ? Exact(-w.x) : Exact(Exact(p.x) - Exact(w.x));
-      y = w.is_parallel() ? Exact(-w.y) : Exact(Exact(p.y) - Exact(w.y));
+    const Exact_point right = end(w, w.right), left = end(w, w.left);
+    const auto direction = [&](const Exact_point& p, Exact& x, Exact& y) {
+      x = w.is_parallel() ? Exact(-w.x) : Exact(p.x() - Exact(w.x));
+      y = w.is_parallel() ? Exact(-w.y) : Exact(p.y() - Exact(w.y));
     };
     const bool starts_in_face = w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE;
     const double widening = starts_in_face ? widening_ : 0;
     Exact x, y;
-    direction(w.right, x, y);
-    clip(left_of(w.right, x, y, widening), polygon);
-    direction(w.left, x, y);
-    clip(left_of(w.left, Exact(-x), Exact(-y), widening), polygon);
+    direction(right, x, y);
+    clip(left_of(right, x, y, widening), polygon);
+    direction(left, x, y);
+    clip(left_of(left, Exact(-x), Exact(-y), widening), polygon);
     if (w.is_parallel() && starts_in_face)
       clip({Exact(-w.x), Exact(-w.y), Exact(Exact(w.sigma) + Exact(widening_))}, polygon);
     return polygon;

@@ -268,8 +268,10 @@ public:
       return;
     }
     // several events at one level: rounding decides each of them on its own
+    const bool is_event = !(Chain_topology(exact[1]) == Chain_topology(exact[2])) ||
+                          !(Chain_topology(exact[2]) == Chain_topology(exact[3]));
     Random random(1);
-    for (int i = 0; i < patterns; ++i)
+    for (int i = 0; i < patterns && is_event; ++i)
     {
       const Chains mixed = without_points(oracle.chains(oracle.nearer_than(cut, margin, random)), apart);
       if (!(topology == Chain_topology(mixed)) || farthest_chain(actual, mixed) > allowed) continue;

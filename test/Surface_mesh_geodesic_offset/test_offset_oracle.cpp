@@ -42,7 +42,7 @@ bool is_large(const Level_chain& chain)
 void oracle_finds_damage()
 {
   std::size_t found[4] = {0, 0, 0, 0};
-  for (unsigned seed = 1; seed <= 40; ++seed)
+  for (unsigned seed = 1; seed <= 20; ++seed)
   {
     Report::instance().set_context("seed " + std::to_string(seed));
     CHECK(verdict(seed, [](Chains&) { return true; }) == right);

@@ -21,6 +21,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -336,8 +337,9 @@ private:
   bool walk_loop(std::size_t i, const Point& start)
   {
     const FT& tie = m_arcs.tolerances().tie;
-    // a loop may run along the sides, with all its corners on them up to rounding
-    if (m_cell->depth(start) < -tie) return true;
+    // a loop may run along the sides, with all its corners on them up to rounding, but not all of it
+    FT deepest = m_cell->depth(start);
+    if (deepest < -tie) return true;
     bool is_known = false;
     m_arcs.for_each_through(start, none, [&](std::size_t j) { is_known = is_known || this->is_followed(j, start); });
     if (is_known) return true;
@@ -356,6 +358,11 @@ private:
       }
       if (known != none)
       { // back on this chain, maybe behind where it started
+        if (deepest < tie)
+        {
+          m_pieces.resize(first);
+          return true;
+        }
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
@@ -363,6 +370,7 @@ private:
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
       }
+      deepest = (std::max)(deepest, m_cell->depth(m_arcs[run.arc].middle(run.start, run.end)));
       add_piece(run, first);
       run = best_run(run, run.end);
       if (!run.is_valid() || run.gate != none) return false;
