@@ -271,9 +271,14 @@ public:
     const bool is_event = !(Chain_topology(exact[1]) == Chain_topology(exact[2])) ||
                           !(Chain_topology(exact[2]) == Chain_topology(exact[3]));
     Random random(1);
-    for (int i = 0; i < patterns && is_event; ++i)
-    {
-      const Chains mixed = without_points(oracle.chains(oracle.nearer_than(cut, margin, random)), apart);
+    const std::size_t n = field.windows().size();
+    for (std::size_t i = 0; i < 2 * n + patterns && is_event; ++i)
+    { // first each window on its own, then all of them by lot
+      std::vector<double> levels(n, cut);
+      if (i < 2 * n) levels[i / 2] += i % 2 == 0 ? margin : -margin;
+      else
+        for (double& l : levels) l += (double(uniform_index(random, 3)) - 1) * margin;
+      const Chains mixed = without_points(oracle.chains(oracle.nearer_than(levels)), apart);
       if (!(topology == Chain_topology(mixed)) || farthest_chain(actual, mixed) > allowed) continue;
       ++counts.several_events;
       return;
@@ -297,7 +302,7 @@ public:
   }
 
 private:
-  static constexpr int patterns = 64; // of levels of windows
+  static constexpr std::size_t patterns = 64; // of levels of windows, by lot
 
   void count(const Chain_topology& t)
   {

@@ -107,17 +107,17 @@ void search()
 {
   Report::instance().set_context("");
   Oracle_options options;
-  options.faces = 400;
+  options.faces = 250;
   Oracle_run random(options), real(options);
   Oracle_run::print_head();
   random.random_windows();
   random.print("random windows");
   check(random);
-  CHECK(random.counts().chains > 400 && random.counts().loops > 20 && random.counts().arcs > 1500);
+  CHECK(random.counts().chains > 250 && random.counts().loops > 15 && random.counts().arcs > 1000);
   real.real_faces();
   real.print("real faces");
   check(real);
-  CHECK(real.counts().chains > 200 && real.counts().faces == 400);
+  CHECK(real.counts().chains > 100 && real.counts().faces == 250);
 }
 
 } // namespace test_offset_oracle
