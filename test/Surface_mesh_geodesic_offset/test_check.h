@@ -25,17 +25,15 @@ class Report
 public:
   static Report& instance();
 
-  /// A check that held, or not. The result is `ok`.
+  /// Counts a check that holds. The result is true.
   bool passed()
   {
     ++checks_;
     return true;
   }
-  bool failed(const char* expression, const char* file, int line, const std::string& detail = "");
-  bool check(bool ok, const char* expression, const char* file, int line)
-  {
-    return ok ? passed() : failed(expression, file, line);
-  }
+
+  /// Counts and prints a check that does not. The result is false.
+  bool failed(const char* expression, const char* file, int line, const std::string& detail);
 
   /// What is printed with every failure from now on.
   void set_context(const std::string& context) { context_ = context; }
@@ -95,8 +93,7 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 
 } // namespace test
 
-#define CHECK(condition)                                                                           \
-  ::test::Report::instance().check(static_cast<bool>(condition), #condition, __FILE__, __LINE__)
+#define CHECK(condition) CHECK_DETAIL(condition, "")
 
 /// The detail is made only for a check that fails.
 #define CHECK_DETAIL(condition, detail)                                                            \

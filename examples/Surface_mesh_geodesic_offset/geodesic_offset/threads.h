@@ -25,7 +25,8 @@ constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL:
 
 namespace internal {
 
-// More threads than machines have. TBB reserves memory for each thread that is asked for.
+// The largest number that --threads accepts, more than a machine runs at one time. TBB reserves memory for every thread
+// that it may start, even if it never does.
 constexpr std::size_t most_threads = 1024;
 
 inline std::optional<std::size_t> number_of_threads(const po::variables_map& map)
