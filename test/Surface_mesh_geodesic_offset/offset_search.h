@@ -158,7 +158,11 @@ private:
     Geodesic again(geodesic);
     again.build_with_offset_curves(levels, std::back_inserter(in_one_pass));
     counts.forced_joints += again.statistics().forced_joints;
-    if (again.statistics().forced_joints > 0) print("forced joints: " + std::to_string(again.statistics().forced_joints));
+    if (again.statistics().forced_joints > 0)
+    {
+      print("forced joints: " + std::to_string(again.statistics().forced_joints));
+      if (!options_.write.empty()) write(seed, mesh, sources);
+    }
 
     Level_judge judge(surface, features);
     std::vector<Verdict> verdicts;

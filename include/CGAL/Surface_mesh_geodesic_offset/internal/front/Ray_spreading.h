@@ -63,11 +63,12 @@ public:
   void spread_from_pseudo_source(Index v, Front& front) const
   {
     if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
-    const bool was_hidden = m_state.vertex_state[v] & Wavefront_state<FT>::WAS_HIDDEN;
+    const bool all_round = (m_state.vertex_state[v] & Wavefront_state<FT>::WAS_HIDDEN) ||
+                           m_state.is_beside_image(v, m_state.field.back[v].pseudo_source);
     m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
     const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
-    if (was_hidden)
+    if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
     m_sector.for_each_sector_behind(
       back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
@@ -103,14 +104,20 @@ private:
     if (!(w.b0 < w.b1)) return;
     w.d0 = w.distance_at(w.b0);
     w.d1 = w.distance_at(w.b1);
-    if (in_front(w)) m_state.add(g, w);
+    if (in_front(m_mesh[g].length, w)) m_state.add(g, w);
   }
 
-  // Cuts off what rounding has left behind a segment.
-  static bool in_front(Window& w)
+  // Cuts off what is behind a segment. Distances that are negative by rounding of coordinates only are zero: where the edge,
+  // of the given length, is nearly parallel to the segment, distances of this size belong to a long part of the window.
+  static bool in_front(const FT& length, Window& w)
   {
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
-    if (!w.is_parallel() || (!CGAL::is_positive(w.d0) && !CGAL::is_positive(w.d1))) return false;
+    if (!w.is_parallel()) return false;
+    const FT rounding = Number_policy<FT>::rounding(4) * length;
+    for (FT* const d : {&w.d0, &w.d1})
+      if (CGAL::is_negative(*d) && -*d <= rounding) *d = FT(0);
+    if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return CGAL::is_positive(w.d0) || CGAL::is_positive(w.d1);
+    if (!CGAL::is_positive(w.d0) && !CGAL::is_positive(w.d1)) return false;
     const FT b = w.b0 + (w.d0 / (w.d0 - w.d1)) * (w.b1 - w.b0);
     (CGAL::is_negative(w.d0) ? w.b0 : w.b1) = b;
     (CGAL::is_negative(w.d0) ? w.d0 : w.d1) = FT(0);
