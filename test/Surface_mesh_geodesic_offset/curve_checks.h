@@ -10,6 +10,7 @@
 #include "geodesic_types.h"
 #include "locations.h"
 #include "test_check.h"
+#include "thin_polylines.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 
@@ -33,8 +34,11 @@ public:
   Curve_checker(const test::Surface_mesh& mesh, const Geodesic& geodesic,
                 const Validation_options& options = Validation_options())
     : geodesic_(geodesic), validation_(geodesic, mesh, options), locations_(mesh),
-      diagonal_(bounding_box_diagonal(mesh)), tolerance_(1e-5 * diagonal_)
-  {}
+      diagonal_(bounding_box_diagonal(mesh)), tolerance_(1e-5 * diagonal_), size_(diagonal_)
+  {
+    for (auto v : vertices(mesh))
+      for (int i = 0; i < 3; ++i) size_ = (std::max)(size_, std::abs(mesh.point(v)[i]));
+  }
 
   /// `curves`: all those of the levels, which are increasing.
   Validation_report check(const std::vector<double>& levels,
@@ -50,15 +54,16 @@ public:
   }
 
 private:
-  // Its points are those of its locations, are on the level and go from face to face, and it is
-  // about as long as the curve.
+  // Its locations are on the level and go from face to face, and the polyline through them is about
+  // as long as the curve. The thin polyline through its points is within the tolerance.
   void check_polyline(const Offset_curve& curve) const
   {
+    check_thin_polyline(curve, tolerance_, size_);
     std::vector<Face_location> locations;
     std::vector<Point_3> points;
     curve.face_locations(tolerance_, std::back_inserter(locations));
-    curve.points(tolerance_, std::back_inserter(points));
-    if (!CHECK(locations.size() >= 2 && points.size() == locations.size())) return;
+    for (const Face_location& l : locations) points.push_back(curve.point(l));
+    if (!CHECK(locations.size() >= 2)) return;
     if (curve.is_closed()) CHECK(points.front() == points.back());
     double length = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -91,7 +96,7 @@ private:
   const Geodesic& geodesic_;
   CGAL::Geodesic_offset::internal::Offset_validation<Geodesic> validation_;
   Locations<test::Surface_mesh> locations_;
-  double diagonal_, tolerance_;
+  double diagonal_, tolerance_, size_;
 };
 
 inline void print(std::ostream& out, const Validation_report& report)

@@ -3,7 +3,7 @@
 
 // A kernel with exact square roots: distances equal closed forms, as numbers of CORE: on boxes, the tetrahedron, the
 // octahedron, prisms, a saddle, an L and a plane; from vertices, points on edges and in faces, and segments. Offsets have
-// exact joints.
+// exact joints, and polylines with few points.
 
 #include "generated_soup.h"
 #include "test_check.h"
@@ -13,7 +13,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -515,6 +517,61 @@ void test_coinciding_sources_in_general_position()
   }
 }
 
+// Both offsets of a square: few points, and the ends of pieces among them are exact. The inner offset is a square, whose five
+// points are its corners. The outer one has a quarter of a circle round each corner of the source.
+void test_points()
+{
+  std::map<std::pair<int, int>, std::size_t> id;
+  Shape s = squares("points", 6, 6, id, [](int, int) { return true; });
+  Geodesic geodesic(s.mesh);
+  std::vector<Face_location> source;
+  for (int i = 1; i < 5; ++i) source.push_back(s.vertex(id.at({i, 1})));
+  for (int i = 1; i < 5; ++i) source.push_back(s.vertex(id.at({5, i})));
+  for (int i = 5; i > 1; --i) source.push_back(s.vertex(id.at({i, 5})));
+  for (int i = 5; i > 1; --i) source.push_back(s.vertex(id.at({1, i})));
+  geodesic.add_source_polyline(source, true);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const FT level = 5 / FT(7), low = 1 + level, high = 5 - level;
+  std::vector<Geodesic::Offset_curve> curves;
+  geodesic.offset_curves(level, std::back_inserter(curves));
+  CHECK(curves.size() == 2);
+  for (const FT& tolerance : {FT(FT(1) / 7), FT(FT(1) / 1000), FT(1) / FT(1000000)})
+    for (const auto& curve : curves)
+    {
+      Report::instance().set_context("points, tolerance " + std::to_string(CGAL::to_double(tolerance)));
+      std::vector<Point_3> points;
+      std::size_t piecewise = 0;
+      curve.points(tolerance, std::back_inserter(points));
+      curve.discretize(tolerance, [&](const Face_location&, std::size_t) { ++piecewise; });
+      if (!CHECK(points.size() >= 5 && points.front() == points.back())) continue;
+      CHECK_DETAIL(points.size() < piecewise, std::to_string(points.size()) + " of " + std::to_string(piecewise));
+      if (points[0].x() > 1 && points[0].x() < 5 && points[0].y() > 1 && points[0].y() < 5)
+      {
+        CHECK_DETAIL(points.size() == 5, std::to_string(points.size()));
+        std::set<Point_3> actual(points.begin(), points.end());
+        CHECK((actual == std::set<Point_3>{Point_3(low, low, 0), Point_3(high, low, 0), Point_3(high, high, 0),
+                                           Point_3(low, high, 0)}));
+        continue;
+      }
+      // Exact where straight parts and arcs meet; a point inside an arc has the sine and cosine of a double. The middle of a
+      // chord is not farther off than the tolerance.
+      const auto off = [&](const Point_3& p) {
+        const FT x = p.x() < 1 ? FT(1 - p.x()) : p.x() > 5 ? FT(p.x() - 5) : FT(0),
+                 y = p.y() < 1 ? FT(1 - p.y()) : p.y() > 5 ? FT(p.y() - 5) : FT(0);
+        return FT(level - hypotenuse(x, y));
+      };
+      for (std::size_t i = 1; i < points.size(); ++i)
+      {
+        CHECK(CGAL::abs(CGAL::to_double(off(points[i]))) < 1e-14);
+        const FT height = off(CGAL::midpoint(points[i - 1], points[i]));
+        CHECK(height < tolerance * (1 + FT(1e-9)) && height > FT(-1e-14));
+      }
+      const double angle = 4 * std::asin(std::sqrt(CGAL::to_double(tolerance / level) / 2)); // of the longest chord
+      const double needed = 4 * std::ceil(CGAL_PI / 2 / angle) + 4 + 1;
+      CHECK_DETAIL(double(points.size()) <= 1.3 * needed, std::to_string(points.size()) + " points, " + std::to_string(needed));
+    }
+}
+
 // Exact numbers have no use for a tolerance.
 void test_tolerance()
 {
@@ -546,6 +603,7 @@ GEODESIC_OFFSET_TEST(test_exact_kernel)
     {"L", test_l},
     {"segments in a plane", test_segments_in_plane},
     {"offsets", test_offsets},
+    {"points", test_points},
     {"coinciding sources", test_coinciding_sources},
     {"coinciding sources in general position", test_coinciding_sources_in_general_position},
     {"tolerance", test_tolerance}};

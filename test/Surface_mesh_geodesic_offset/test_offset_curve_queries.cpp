@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What an offset curve answers: where its pieces start and end, points at a way, chords within a
-// tolerance and no more of them than that takes, centers, lines, sides and sources; on Surface_mesh
+// tolerance and no more of them than that takes, thin polylines, centers, lines, sides and sources; on Surface_mesh
 // and Polyhedron_3.
 
 #include "flat_paths.h"
@@ -10,6 +10,7 @@
 #include "geodesic_types.h"
 #include "planar_pieces.h"
 #include "test_check.h"
+#include "thin_polylines.h"
 #include "unfolded_curves.h"
 
 #include <CGAL/Polyhedron_3.h>
@@ -347,14 +348,10 @@ private:
                    values(height, tolerance));
     }
     std::vector<Face_location> from_locations;
-    std::vector<Point_3> points;
     curve.face_locations(tolerance, std::back_inserter(from_locations));
-    curve.points(tolerance, std::back_inserter(points));
     CHECK(from_locations == from_discretize);
-    if (!CHECK(points.size() == from_locations.size())) return;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      CHECK(points[i] == curve.point(from_locations[i]));
-    CHECK(!curve.is_closed() || points.front() == points.back());
+    CHECK(!curve.is_closed() || from_locations.front() == from_locations.back());
+    check_thin_polyline(curve, tolerance, 4);
   }
 
   static double chords_of(const Piece& piece, double tolerance)

@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 
 #include <CGAL/enum.h>
 
@@ -98,8 +99,11 @@ public:
   /// @}
 
   /// \name Measure and Points
-  /// `length()`, and points at a given arc length, take time linear in the number of pieces. The functions that write points
-  /// take time linear in the number of points, which grows without a bound as the tolerance goes to 0.
+  /// `length()`, and points at a given arc length, take time linear in the number of pieces. `discretize()` and
+  /// `face_locations()` divide the curve piece by piece, for callers who need to know where the curve is on the surface; they
+  /// take time linear in the number of points, which grows without a bound as the tolerance goes to 0. `points()` writes as few
+  /// points as the tolerance allows, for all other purposes; it takes time \f$ O(n \log n) \f$ for \f$ n \f$ points of
+  /// `discretize()`.
   /// @{
 
   /// the length of the curve itself, with arcs as arcs, not of a polyline.
@@ -128,6 +132,7 @@ public:
 
   /// calls `f(location, i)` for points along the curve, where `i` is the index of the piece that contains the point.
   ///
+  /// Both ends of each piece are among the points, so two consecutive points share the face of a piece.
   /// The polyline through the points is nowhere farther from the curve than `chord_tolerance`: an arc of radius
   /// \f$ r \f$ is divided into equal parts of an angle \f$ s \f$ such that the height of the arc over its chord,
   /// \f$ 2 r \sin^2 (s/4) \f$, is at most the tolerance; an arc and its chords lie in the plane of one face. All points are on
@@ -156,13 +161,24 @@ public:
     return out;
   }
 
-  /// writes the points of `discretize()` as points in space.
+  /// writes points of the curve for a polyline within a tolerance, as points in space.
+  ///
+  /// The Frechet distance of the polyline from the curve is at most `chord_tolerance`, up to rounding: nowhere is the
+  /// polyline farther from the curve, or the curve from the polyline. Chords pass the edges of the mesh: where the curve is
+  /// straight within the tolerance across several faces, there is one segment. There are no more points than those of
+  /// `discretize()`, except that a closed curve has four points at least, the last one being the first.
+  ///
+  /// All points are on the curve. The first and last points of an open curve are its ends. A closed curve repeats its first
+  /// point at the end, which need not be the start of `piece(0)`: it is the end of a piece, at the sharpest turn. The polyline
+  /// of a closed curve has three different vertices at least, however large the tolerance.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
+  /// \param chord_tolerance a length
   /// \param out an output iterator for `Point_3`
   template <class OutputIterator>
   OutputIterator points(const FT& chord_tolerance, OutputIterator out) const
   {
-    discretize(chord_tolerance, [&](const Face_location& l, std::size_t) { *out++ = m_context->surface->point(l); });
+    for (const Geodesic_offset::internal::Curve_point& p : Geodesic_offset::internal::thinned_points(*this, chord_tolerance))
+      *out++ = point(p.location(*this));
     return out;
   }
 

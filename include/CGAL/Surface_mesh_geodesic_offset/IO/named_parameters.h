@@ -35,7 +35,8 @@ struct Offset_writing_parameters : Named_function_parameters<T, Tag, Base>
   using Named_parameters::Named_parameters;
 #endif
 
-  /// the largest distance of the polylines in the file from the curves: positive, in the units of the mesh's points. SVG files
+  /// the largest distance of the polylines in the file from the curves: positive, in the units of the mesh's points. The
+  /// polylines have few points, see `Geodesic_offset_curve::points()`. SVG files
   /// have arcs and need no tolerance; DXF files have arcs in horizontal planes and need a tolerance elsewhere.
   /// %Default: 1e-4 of the diagonal of the bounding box of the end points of all pieces.
   template <class FT>

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/dxf_document.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -141,15 +142,10 @@ private:
   {
     const Run& run = m_runs[r];
     Dxf_polyline p = polyline(is_whole, false);
-    p.vertices.push_back({joint(m_curve, run.first), 0});
-    for (std::size_t k = 0; k < run.count; ++k)
-    {
-      const std::size_t i = (run.first + k) % m_n;
-      m_curve.piece(i).for_each_inner_location(m_tolerance, [&](const typename Curve::Face_location& l) {
-        p.vertices.push_back({coordinates(m_curve.point(l)), 0});
-      });
-      p.vertices.push_back({joint(m_curve, i + 1), 0});
-    }
+    const Geodesic_offset::internal::Curve_thinning<Curve> thinning(m_curve, m_tolerance);
+    for (const Geodesic_offset::internal::Curve_point& point :
+         is_whole ? thinning.whole([](std::size_t) { return false; }) : thinning.part(run.first, run.count))
+      p.vertices.push_back({coordinates(m_curve.point(point.location(m_curve))), 0});
     if (p.is_closed) p.vertices.pop_back();
     if (is_whole) return p;
     // the ends are the very points at which the arcs beside them end
@@ -177,7 +173,8 @@ private:
 
 - A curve that lies in a horizontal plane becomes one `LWPOLYLINE` at the elevation of the plane, with the true arcs as
   bulges; an arc is one bulge (or two, if it is longer than a half turn) however many faces it crosses.
-- A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE`.
+- A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE` with few points, see
+  `Geodesic_offset_curve::points()`.
 - Any other curve is split where its arcs enter and leave a horizontal plane, into polylines of both kinds. Each
   ends at the very point at which the next one begins, so they can be joined again.
 

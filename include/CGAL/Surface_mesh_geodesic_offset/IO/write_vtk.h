@@ -30,7 +30,12 @@ template <class Curve, class FT>
 Vtk_line vtk_line(const Curve& curve, const FT& chord_tolerance)
 {
   Vtk_line line;
-  Discretized_curve discrete = discretized(curve, chord_tolerance);
+  // a segment belongs to one source and one side
+  const auto is_change = [&](std::size_t i) {
+    const std::size_t next = i + 1 < curve.number_of_pieces() ? i + 1 : curve.is_closed() ? 0 : i;
+    return curve.piece(i).source() != curve.piece(next).source() || curve.piece(i).side() != curve.piece(next).side();
+  };
+  Discretized_curve discrete = discretized(curve, chord_tolerance, is_change);
   line.points = std::move(discrete.points);
   line.is_closed = curve.is_closed() && !line.points.empty();
   if (line.is_closed) line.points.pop_back();
@@ -63,7 +68,9 @@ long long common_value(const std::vector<Number>& values)
 Each curve is one line. A closed line ends with the index of its first point. The arrays are
 - of the lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
   as in `Source_side`). The last two are -1 where a curve belongs to several sources or sides;
-- of the points: `source` and `side`. The point between two pieces has the values of the first of them.
+- of the points: `source` and `side`. The point between two pieces has the values of the first of them. All points where
+  these values change are points of the line, whatever the tolerance, so each segment of a line belongs to one source and one
+  side: those of the point at its end.
 
 `distance` is the active array. The arrays of the lines serve to select curves, for instance by a threshold; those of the
 points to colour the curves.

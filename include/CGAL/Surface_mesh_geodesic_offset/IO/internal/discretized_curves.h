@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Curve_thinning.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 
 #include <CGAL/Bbox_3.h>
@@ -90,22 +91,32 @@ inline void write_coordinates(std::ostream& os, const Coordinates& p)
   os << p[0] << ' ' << p[1] << ' ' << p[2];
 }
 
-// The points of a curve, and the number of the piece that each is taken from. A closed curve repeats its first point.
+// The points of a curve within a tolerance, and the index of the piece that each is taken from; the point between two pieces
+// is one of the first of them. A closed curve repeats its first point.
 struct Discretized_curve
 {
   std::vector<Coordinates> points;
   std::vector<std::size_t> pieces;
 };
 
+// is_kept(i): whether the end of the piece i is to be a point.
+template <class Curve, class FT, class Condition>
+Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance, const Condition& is_kept)
+{
+  Discretized_curve result;
+  const Geodesic_offset::internal::Curve_thinning<Curve> thinning(curve, typename Curve::FT(chord_tolerance));
+  for (const Geodesic_offset::internal::Curve_point& p : thinning.whole(is_kept))
+  {
+    result.points.push_back(coordinates(curve.point(p.location(curve))));
+    result.pieces.push_back(p.piece);
+  }
+  return result;
+}
+
 template <class Curve, class FT>
 Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance)
 {
-  Discretized_curve result;
-  curve.discretize(typename Curve::FT(chord_tolerance), [&](const typename Curve::Face_location& l, std::size_t piece) {
-    result.points.push_back(coordinates(curve.point(l)));
-    result.pieces.push_back(piece);
-  });
-  return result;
+  return discretized(curve, chord_tolerance, [](std::size_t) { return false; });
 }
 
 } // namespace Surface_mesh_geodesic_offset_internal

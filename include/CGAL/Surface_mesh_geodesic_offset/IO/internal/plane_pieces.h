@@ -11,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,13 +99,50 @@ private:
   int m_turn;
 };
 
-// Whether q continues p on the same circle, or on the same line.
+// Distance within which pieces are on one circle or line: parts of the coordinates, and of the radius and the lengths.
+// Coordinates have rounding errors of some units in the last place, 1e-16 each. Windows that crossed k faces have images of
+// their sources with an error of some k units; the second part allows for 1e6 faces and is far below the precision of a
+// drawing.
+constexpr double same_point = 1e-12, same_curve = 1e-9;
+
+inline double plane_distance(const Plane_point& p, const Plane_point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+
+inline double largest_coordinate(const Plane_point& p, const Plane_point& q)
+{
+  return (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(q[0]), std::abs(q[1])});
+}
+
+// The angle by which an arc turns about another center; it is the sweep of the arc up to less than a half turn.
+inline double sweep_about(const Plane_point& center, const Plane_piece& arc)
+{
+  const double x = arc.start[0] - center[0], y = arc.start[1] - center[1];
+  const double z = arc.end[0] - center[0], w = arc.end[1] - center[1];
+  const double angle = std::atan2(x * w - y * z, x * z + y * w);
+  return angle + 2 * CGAL_PI * std::round((arc.sweep - angle) / (2 * CGAL_PI));
+}
+
+// Whether q, which starts at the end of p, continues p on the same circle, or on the same line.
 inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
 {
-  const double difference = std::hypot(p.center[0] - q.center[0], p.center[1] - q.center[1]);
-  if (!p.is_arc()) return !q.is_arc() && difference <= 1e-12;
-  const double size = p.radius + (std::max)(std::abs(p.center[0]), std::abs(p.center[1]));
-  return p.sweep * q.sweep > 0 && difference <= 1e-12 * size && std::abs(p.radius - q.radius) <= 1e-12 * size;
+  if (p.is_arc() != q.is_arc()) return false;
+  const double tolerance =
+    same_point * (p.radius + (std::max)(largest_coordinate(p.start, p.end), largest_coordinate(q.start, q.end))) +
+    same_curve * (p.radius + plane_distance(p.start, p.end) + plane_distance(q.start, q.end));
+  const auto is_on_curve = [&](const Plane_point& x) {
+    if (p.is_arc())
+      return std::abs(plane_distance(x, p.center) - p.radius) <= tolerance;
+    return std::abs((x[0] - p.start[0]) * p.center[1] - (x[1] - p.start[1]) * p.center[0]) <= tolerance;
+  };
+  if (!is_on_curve(q.end)) return false;
+  if (!p.is_arc()) return p.center[0] * q.center[0] + p.center[1] * q.center[1] > 0;
+  return p.sweep * q.sweep > 0 && is_on_curve(q.at(0.5)) && p.sweep * sweep_about(p.center, q) > 0;
+}
+
+// Adds the part that continues a piece.
+inline void add_continuation(Plane_piece& p, const Plane_piece& q)
+{
+  if (p.is_arc()) p.sweep += sweep_about(p.center, q);
+  p.end = q.end;
 }
 
 // The pieces `first`, ..., `first + count - 1` of a curve, counted round if it is closed.
@@ -123,19 +162,21 @@ std::vector<Plane_piece> plane_pieces(const Curve& curve, std::size_t first, std
     const Frame_in_plane frame(project(face[0]), project(face[1]), project(face[2]));
     p.end = project(joint(curve, i + 1));
     p.sweep = frame.turn() * CGAL::to_double(piece.angle());
-    if (p.start == p.end || (piece.is_arc() && p.sweep == 0)) continue; // no longer than rounding
+    // no longer than rounding
+    if (plane_distance(p.start, p.end) <= same_point * largest_coordinate(p.start, p.end)) continue;
+    if (piece.is_arc() && p.sweep == 0) continue;
     if (piece.is_arc())
     {
       p.center = frame.point(piece.center());
       p.radius = CGAL::to_double(piece.radius());
     }
     else
-      p.center = frame.vector(piece.supporting_line().to_vector());
-    if (!pieces.empty() && is_continued(pieces.back(), p))
     {
-      pieces.back().end = p.end;
-      pieces.back().sweep += p.sweep;
+      p.center = frame.vector(piece.supporting_line().to_vector());
+      p.radius = 0;
     }
+    if (!pieces.empty() && is_continued(pieces.back(), p))
+      add_continuation(pieces.back(), p);
     else
       pieces.push_back(p);
     p.start = p.end;
@@ -156,8 +197,8 @@ std::vector<Plane_piece> plane_pieces(const Curve& curve, const Project& project
   std::vector<Plane_piece> pieces = plane_pieces(curve, 0, curve.number_of_pieces(), project);
   if (curve.is_closed() && pieces.size() > 1 && is_continued(pieces.back(), pieces.front()))
   {
-    pieces.front().start = pieces.back().start;
-    pieces.front().sweep += pieces.back().sweep;
+    add_continuation(pieces.back(), pieces.front());
+    pieces.front() = pieces.back();
     pieces.pop_back();
   }
   return pieces;

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The points of an offset curve that a polyline within a tolerance needs.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CURVE_THINNING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CURVE_THINNING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/curves/Polyline_thinning.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The point of a piece at the parameter part / parts. The point between two pieces is a point of the first of them, so that
+// it is the same point from either side.
+struct Curve_point
+{
+  std::size_t piece, part, parts;
+
+  template <class Curve>
+  typename Curve::Face_location location(const Curve& curve) const
+  {
+    typedef typename Curve::FT FT;
+    const std::size_t n = curve.number_of_pieces();
+    // of the two faces beside an edge, the first and last points of a closed curve name the same
+    if (part == parts) return curve.is_closed() && piece + 1 == n ? curve.piece(0).start() : curve.piece(piece).end();
+    if (part == 0) return curve.piece(piece).start();
+    return curve.piece(piece).location(FT(double(part)) / FT(double(parts)));
+  }
+};
+
+// Selects points of a curve. The polyline through them has a Frechet distance of at most the tolerance from the curve, up to
+// rounding, and it has no more points than that of `Geodesic_offset_curve::discretize()`, whose chords do not pass the ends
+// of pieces.
+//
+// First there is a polyline that is nearer to the curve, of candidates: the ends of pieces, and points inside arcs.
+// Where the curve runs straight from face to face, only the ends of the straight part remain, so the corners of a polygon are
+// candidates and the points beside them are not. Then Polyline_thinning selects candidates.
+template <class Curve>
+class Curve_thinning
+{
+  typedef typename Curve::FT FT;
+  typedef typename Curve::Piece Piece;
+
+  // Height of an arc over the segments between candidates, as a part of the tolerance. The rest, 15/16, is left for chords
+  // over several pieces: they are shorter than those with the whole tolerance by 1 - sqrt(15/16), 3 percent. A smaller part
+  // takes more candidates: the chord of one arc within the whole tolerance has sqrt(16) segments.
+  static constexpr double arc_part = 1. / 16;
+  // An arc with so many chords within the whole tolerance has no other candidates than their ends: fewer chords would be
+  // gained than two of sixteen, and the number of candidates is bounded by that of the points of `discretize()`, up to a
+  // constant per piece.
+  static constexpr std::size_t many_chords = 16;
+  // Deviation of a straight part of the curve from its chord, as a part of the tolerance: a corner is moved by no more than
+  // sqrt(2) times this length if it is a right angle.
+  static constexpr double straight_part = 1. / 1024;
+
+public:
+  // \throws std::invalid_argument unless the tolerance is positive
+  Curve_thinning(const Curve& curve, const FT& tolerance) : m_curve(curve), m_tolerance(tolerance)
+  {
+    check_chord_tolerance(tolerance);
+  }
+
+  // The points of the whole curve. A closed curve ends with its first point, which may be any end of a piece.
+  // is_kept(i): whether the end of the piece i is to be a point.
+  template <class Condition>
+  std::vector<Curve_point> whole(const Condition& is_kept) const
+  {
+    return select(0, m_curve.number_of_pieces(), m_curve.is_closed(), is_kept);
+  }
+
+  // The points of the pieces first, ..., first + count - 1, counted round if the curve is closed, with their ends.
+  std::vector<Curve_point> part(std::size_t first, std::size_t count) const
+  {
+    return select(first, count, false, [](std::size_t) { return false; });
+  }
+
+private:
+  struct Candidates
+  {
+    std::vector<Thinning_vertex> vertices;
+    std::vector<Curve_point> points;
+    std::vector<char> is_straight; // whether the curve is straight before and after the vertex, so that it may be no corner
+
+    void push(const Curve& curve, const Curve_point& p, double height)
+    {
+      const auto point = curve.point(p.location(curve));
+      Thinning_vertex v;
+      v.point = {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+      v.height = height;
+      vertices.push_back(v);
+      points.push_back(p);
+      is_straight.push_back(false);
+    }
+
+    void pop()
+    {
+      vertices.pop_back();
+      points.pop_back();
+      is_straight.pop_back();
+    }
+
+    void erase(std::size_t i)
+    {
+      vertices[i + 1].height = (std::max)(vertices[i].height, vertices[i + 1].height);
+      vertices[i + 1].is_kept = vertices[i + 1].is_kept || vertices[i].is_kept;
+      vertices.erase(vertices.begin() + i);
+      points.erase(points.begin() + i);
+      is_straight.erase(is_straight.begin() + i);
+    }
+  };
+
+  template <class Condition>
+  std::vector<Curve_point> select(std::size_t first, std::size_t count, bool is_closed, const Condition& is_kept) const
+  {
+    if (count == 0) return std::vector<Curve_point>();
+    const double tolerance = CGAL::to_double(m_tolerance);
+    Candidates few = without_straight_parts(candidates(first, count, is_kept, 1));
+    if (is_closed) turn_to_corner(few);
+    const std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
+    if (!is_closed || result.size() >= 4) return result;
+    // A closed curve within the tolerance of a point or segment remains a triangle. It has two pieces at least that are no
+    // points, of which one is an arc, so with three parts of each arc there are three segments at least.
+    const Candidates all = candidates(first, count, is_kept, 3);
+    return selected(all, Polyline_thinning(all.vertices, tolerance).triangle_at_least());
+  }
+
+  // least_parts: parts of an arc
+  template <class Condition>
+  Candidates candidates(std::size_t first, std::size_t count, const Condition& is_kept, std::size_t least_parts) const
+  {
+    const std::size_t n = m_curve.number_of_pieces();
+    const double tolerance = CGAL::to_double(m_tolerance);
+    const bool has_start = first == 0 && !m_curve.is_closed();
+    Candidates c;
+    c.push(m_curve, has_start ? Curve_point{0, 0, 1} : Curve_point{(first + n - 1) % n, 1, 1}, 0);
+    bool is_after_segment = false;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const std::size_t i = (first + k) % n;
+      const Piece piece = m_curve.piece(i);
+      std::size_t chords = piece.number_of_chords(m_tolerance), divisor = 1;
+      double height = 0;
+      if (piece.is_arc())
+      {
+        const double r = CGAL::to_double(piece.radius()), angle = CGAL::to_double(piece.angle());
+        // see Geodesic_offset_piece::number_of_chords()
+        const auto height_over = [&](std::size_t n_chords) {
+          const double sine = std::sin(angle / (4 * double(n_chords)));
+          return 2 * r * sine * sine;
+        };
+        height = height_over(chords);
+        // The height of a part is at least that of the chord divided by the square of the number of parts, and about that.
+        // number_of_chords() bounds the angle of a chord below, so a tolerance less than rounding may be less than the height.
+        if (chords < many_chords && height > arc_part * tolerance)
+          divisor = std::size_t(std::ceil(std::sqrt((std::min)(height / tolerance, 1.) / arc_part) * (1 - 1e-12)));
+        divisor = (std::max)(divisor, least_parts);
+        height = height_over(chords * divisor);
+      }
+      const std::size_t parts = chords * divisor;
+      c.vertices.back().free_steps = divisor;
+      c.is_straight.back() = is_after_segment && piece.is_segment();
+      for (std::size_t j = 1; j < parts; ++j)
+      {
+        c.push(m_curve, {i, j, parts}, height);
+        c.vertices.back().free_steps = (std::min)(divisor, parts - j);
+      }
+      c.push(m_curve, {i, parts, parts}, height);
+      c.vertices.back().is_kept = is_kept(i);
+      // a piece may be a point, but the first and last points remain
+      const std::size_t size = c.points.size();
+      const bool is_point = parts == 1 && c.vertices[size - 2].point == c.vertices[size - 1].point;
+      if (!is_point) is_after_segment = piece.is_segment();
+      else if (size > 2) c.erase(size - 2);
+      else if (k + 1 < count) c.pop();
+    }
+    return c;
+  }
+
+  // The candidates without those inside a straight part. They would be selected on neither side of a corner.
+  Candidates without_straight_parts(const Candidates& all) const
+  {
+    const double tolerance = CGAL::to_double(m_tolerance) * straight_part;
+    std::vector<Thinning_vertex> vertices = all.vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      vertices[i].is_kept = vertices[i].is_kept || !all.is_straight[i];
+      vertices[i].free_steps = 1;
+    }
+    const std::vector<std::size_t> indices = Polyline_thinning(vertices, tolerance)();
+    Candidates few;
+    for (std::size_t k = 0; k < indices.size(); ++k)
+    {
+      const std::size_t i = indices[k];
+      few.vertices.push_back(all.vertices[i]);
+      few.points.push_back(all.points[i]);
+      few.is_straight.push_back(all.is_straight[i]);
+      if (k > 0 && indices[k - 1] + 1 < i) few.vertices.back().height = tolerance;
+    }
+    return few;
+  }
+
+  // Lets a closed curve begin at an end of a piece that is kept, or else at that with the sharpest turn: at the corner of a
+  // polygon, and not inside one of its sides.
+  static void turn_to_corner(Candidates& c)
+  {
+    const std::size_t n = c.points.size() - 1; // the last one is the first one
+    std::size_t corner = 0;
+    double least_cosine = 2;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (c.points[i].part != c.points[i].parts) continue;
+      const double cosine = c.vertices[i].is_kept || (i == 0 && c.vertices[n].is_kept)
+                              ? -2
+                              : turn_cosine(c.vertices[i > 0 ? i - 1 : n - 1], c.vertices[i], c.vertices[i + 1]);
+      if (cosine >= least_cosine) continue;
+      least_cosine = cosine;
+      corner = i;
+    }
+    c.vertices[0].height = c.vertices[n].height;
+    c.vertices[0].is_kept = c.vertices[n].is_kept;
+    const auto turn = [&](auto& v) {
+      v.pop_back();
+      std::rotate(v.begin(), v.begin() + corner, v.end());
+      v.push_back(v.front());
+    };
+    turn(c.vertices);
+    turn(c.points);
+    turn(c.is_straight);
+  }
+
+  static double turn_cosine(const Thinning_vertex& p, const Thinning_vertex& q, const Thinning_vertex& r)
+  {
+    double product = 0, first = 0, second = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double v = q.point[i] - p.point[i], w = r.point[i] - q.point[i];
+      product += v * w;
+      first += v * v;
+      second += w * w;
+    }
+    return first > 0 && second > 0 ? product / std::sqrt(first * second) : 1;
+  }
+
+  static std::vector<Curve_point> selected(const Candidates& c, const std::vector<std::size_t>& indices)
+  {
+    std::vector<Curve_point> points;
+    for (std::size_t i : indices) points.push_back(c.points[i]);
+    return points;
+  }
+
+  const Curve& m_curve;
+  FT m_tolerance;
+};
+
+// The points of a whole curve for a polyline within the tolerance.
+template <class Curve>
+std::vector<Curve_point> thinned_points(const Curve& curve, const typename Curve::FT& tolerance)
+{
+  return Curve_thinning<Curve>(curve, tolerance).whole([](std::size_t) { return false; });
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,344 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The points of offset curves: within the tolerance, and few.
+
+#include "data_meshes.h"
+#include "generated_meshes.h"
+#include "geodesic_types.h"
+#include "test_check.h"
+#include "thin_polylines.h"
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_offset_points {
+
+using namespace test;
+
+typedef std::vector<Geodesic::Offset_curve> Curves;
+
+Surface_mesh mesh_of(const Soup& soup)
+{
+  Surface_mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  return mesh;
+}
+
+double size_of(const Surface_mesh& mesh)
+{
+  double size = 0;
+  for (const auto v : mesh.vertices())
+    for (int i = 0; i < 3; ++i) size = (std::max)(size, std::abs(mesh.point(v)[i]));
+  return size;
+}
+
+// All curves at multiples of a part of the largest distance.
+Curves curves_at_levels(const Surface_mesh& mesh, std::size_t levels)
+{
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(*vertices(mesh).begin());
+  geodesic.build();
+  std::vector<double> distances;
+  for (std::size_t i = 1; i <= levels; ++i)
+    distances.push_back(geodesic.largest_vertex_distance() * static_cast<double>(i) / static_cast<double>(levels + 1));
+  Curves curves;
+  geodesic.offset_curves(distances, std::back_inserter(curves));
+  CHECK(curves.size() >= levels);
+  return curves;
+}
+
+// At most 1.3 times the points that Douglas and Peucker need, of the points of all pieces or of a much finer polyline.
+void few_points(const std::string& name, const Curves& curves, double tolerance, double size)
+{
+  std::size_t written = 0, piecewise = 0, needed = 0;
+  for (const auto& curve : curves)
+  {
+    check_thin_polyline(curve, tolerance, size);
+    written += curve_points(curve, tolerance).size();
+    const Polyline_3 points = piecewise_points(curve, tolerance);
+    piecewise += points.size();
+    needed += (std::min)(points_needed(points, tolerance), points_needed(piecewise_points(curve, tolerance / 64), tolerance));
+  }
+  std::cout << name << ", tolerance " << tolerance << ": " << written << " points, " << needed << " needed, " << piecewise
+            << " piece by piece\n";
+  CHECK_DETAIL(static_cast<double>(written) <= 1.3 * static_cast<double>(needed),
+               std::to_string(written) + " points, needed " + std::to_string(needed));
+}
+
+void generated()
+{
+  const std::pair<const char*, Soup> soups[] = {{"cube", cube_grid(10)},
+                                                {"turned cube", rotated(cube_grid(12), 5)},
+                                                {"grid", jittered_grid(40, 40, 7)},
+                                                {"coarse rectangle", random_rectangle(4, 3, 5, 2, 3)},
+                                                {"torus", torus(40, 30)},
+                                                {"icosphere", icosphere(3)},
+                                                {"needles", needle_fan(60)}};
+  for (const auto& [name, soup] : soups)
+  {
+    const Surface_mesh mesh = mesh_of(soup);
+    const double size = size_of(mesh);
+    const Curves curves = curves_at_levels(mesh, 15);
+    for (double part : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6})
+    {
+      Report::instance().set_context(std::string(name) + ", tolerance " + std::to_string(part));
+      few_points(name, curves, part * size, size);
+    }
+  }
+}
+
+void data_meshes()
+{
+  for (const char* name : {"fandisk.off", "armadillo.off"})
+  {
+    const std::filesystem::path file = std::filesystem::path(data_directory()) / name;
+    Surface_mesh mesh;
+    if (!std::filesystem::exists(file))
+    {
+      std::cout << "no " << name << "\n";
+      continue;
+    }
+    Report::instance().set_context(name);
+    if (!CHECK(read_data_mesh(file, 1000000, mesh).empty())) continue;
+    const double size = size_of(mesh);
+    const Curves curves = curves_at_levels(mesh, 20);
+    for (double part : {1e-2, 1e-3, 1e-4}) few_points(name, curves, part * size, size);
+  }
+}
+
+// An offset inside a square is a square: five points, at its corners.
+void squares()
+{
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    for (const double shift : {0., 0.3137})
+    {
+      const Soup flat = jittered_grid(20, 20, seed), turned = rotated(flat, seed);
+      const Surface_mesh mesh = mesh_of(seed % 2 == 1 ? flat : turned);
+      const double d = 0.1 + 0.7 * seed;
+      // any affine map of the plane of a grid is given by three of its points
+      const auto& points = seed % 2 == 1 ? flat.points : turned.points;
+      const Point_3 origin = points[0];
+      const double width = std::sqrt(CGAL::squared_distance(points[0], points[20]));
+      const Vector_3 x = (points[20] - points[0]) / width, y = (points[21 * 20] - points[0]) / width;
+      const auto at = [&](double u, double v) { return origin + width * (u * x + v * y); };
+      const double low = 0.2 + shift * 0.1, high = 0.8 - shift * 0.07; // less than half of the area
+      const double inner = d / 20; // in widths
+      Geodesic geodesic(mesh);
+      const auto square = geodesic.locate_polyline(
+        std::vector<Point_3>{at(low, low), at(high, low), at(high, high), at(low, high)}, true);
+      geodesic.add_source_polyline(square.locations, square.is_closed);
+      geodesic.build();
+      Curves curves;
+      geodesic.offset_curves(std::vector<double>{inner * width}, std::back_inserter(curves),
+                             CGAL::Offset_selection(CGAL::Offset_side::INSIDE));
+      if (!CHECK(curves.size() == 1)) continue;
+      CHECK(curves[0].number_of_pieces() > 20);
+      for (double tolerance : {1e-2, 1e-4, 1e-6, 1e-9})
+      {
+        Report::instance().set_context("square " + std::to_string(seed) + ", tolerance " + std::to_string(tolerance));
+        const Polyline_3 polyline = curve_points(curves[0], tolerance * width);
+        CHECK_DETAIL(polyline.size() == 5, std::to_string(polyline.size()));
+        for (double u : {low + inner, high - inner})
+          for (double v : {low + inner, high - inner})
+          {
+            double nearest = infinity;
+            for (const Point_3& p : polyline)
+              nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, at(u, v))));
+            // a corner may be replaced by a point where the polyline leaves its face, within a part of the tolerance
+            CHECK_DETAIL(nearest <= tolerance * width / 256 + 1e-11 * width, values(nearest, 0));
+          }
+        check_thin_polyline(curves[0], tolerance * width, width);
+      }
+    }
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// In files with true arcs, an arc or a segment is one however many faces it crosses: the outer offset of a square has four of
+// each, the inner one four segments; a circle has two arcs in a DXF file and three in an SVG file. Faces may be in one plane
+// up to seven digits, which makes thousands of pieces of a circle.
+void true_arcs()
+{
+  for (const bool is_rounded : {false, true})
+    for (const std::size_t n : {20, 100})
+    {
+      Report::instance().set_context("true arcs, " + std::to_string(n) + (is_rounded ? ", rounded" : ""));
+      Soup soup = jittered_grid(n, n, 3);
+      if (is_rounded) soup = rotated(soup, 4);
+      if (is_rounded)
+        for (Point_3& p : soup.points) p = Point_3(float(p.x()), float(p.y()), float(p.z()));
+      const Surface_mesh mesh = mesh_of(soup);
+      const Vector_3 x = soup.points[n] - soup.points[0], y = soup.points[(n + 1) * n] - soup.points[0];
+      const auto at = [&](double u, double v) { return soup.points[0] + u * x + v * y; };
+      const double width = std::sqrt(x * x);
+      const auto write = [&](Geodesic& geodesic, double distance, std::string& dxf, std::string& svg)
+      {
+        Curves curves;
+        geodesic.build_with_offset_curves(distance, std::back_inserter(curves));
+        std::ostringstream dxf_stream, svg_stream;
+        CHECK(CGAL::IO::write_offset_DXF(dxf_stream, curves, 1e-4 * width) && CGAL::IO::write_offset_SVG(svg_stream, curves));
+        dxf = dxf_stream.str();
+        svg = svg_stream.str();
+        return curves.size();
+      };
+      std::string dxf, svg;
+      Geodesic circle(mesh);
+      circle.add_source_point(circle.locate(at(0.48, 0.51)));
+      CHECK(write(circle, 0.4 * width, dxf, svg) == 1);
+      CHECK_DETAIL(occurrences(svg, " A") <= 4 && occurrences(svg, " L") == 0, std::to_string(occurrences(svg, " A")));
+      if (is_rounded) continue;
+      CHECK_DETAIL(occurrences(dxf, "AcDbPolyline\n90\n2\n") == 1, "a circle is two bulges");
+      Geodesic square(mesh);
+      const auto polyline =
+        square.locate_polyline(std::vector<Point_3>{at(0.2, 0.2), at(0.8, 0.2), at(0.8, 0.8), at(0.2, 0.8)}, true);
+      square.add_source_polyline(polyline.locations, true);
+      CHECK(write(square, 0.1 * width, dxf, svg) == 2);
+      CHECK_DETAIL(occurrences(svg, " A") == 4 && occurrences(svg, " L") == 8,
+                   std::to_string(occurrences(svg, " A")) + " arcs, " + std::to_string(occurrences(svg, " L")) + " segments");
+      CHECK(occurrences(dxf, "AcDbPolyline\n90\n8\n") == 1 && occurrences(dxf, "AcDbPolyline\n90\n4\n") == 1);
+    }
+}
+
+// Two polylines on one line, of which one turns back by 1: each point is on both.
+void turn_back()
+{
+  const Polyline_3 p = {Point_3(0, 0, 0), Point_3(3, 0, 0)},
+                   q = {Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(1, 0, 0), Point_3(3, 0, 0)};
+  CHECK(!Frechet_decision(p, q, 0.499)() && Frechet_decision(p, q, 0.501)());
+  CHECK(!Frechet_decision(q, p, 0.499)() && Frechet_decision(q, p, 0.501)());
+  CHECK(Frechet_decision(q, q, 1e-6)() && !Frechet_decision(q, Polyline_3(q.rbegin(), q.rend()), 2.999)());
+}
+
+// Circles of few pieces, with tolerances from less than rounding to more than the mesh.
+void circles_in_faces()
+{
+  Random random(11);
+  const Surface_mesh needles = mesh_of(needle_fan(9)), grid = mesh_of(jittered_grid(6, 6, 2));
+  for (const Surface_mesh* mesh : {&needles, &grid})
+    for (int i = 0; i < 100; ++i)
+    {
+      Geodesic geodesic(*mesh);
+      const auto face = *std::next(faces(*mesh).begin(), static_cast<std::ptrdiff_t>(uniform_index(random, num_faces(*mesh))));
+      const double u = uniform(random), v = uniform(random) * (1 - u);
+      geodesic.add_source_point(Geodesic::Face_location(face, {u, v, 1 - u - v}));
+      Curves curves;
+      const double radius = std::pow(10., uniform(random, -6, -1));
+      geodesic.build_with_offset_curves(radius, std::back_inserter(curves));
+      for (const double tolerance : {1e-2 * radius, 0.3 * radius, radius, 8 * radius, 1e3, 1e300})
+      {
+        Report::instance().set_context("circle " + std::to_string(i) + ", tolerance " + std::to_string(tolerance / radius));
+        for (const auto& curve : curves) check_thin_polyline(curve, tolerance, size_of(*mesh));
+      }
+      // the angle of the arcs is so small that discretize() has few chords, which may be farther off than the tolerance
+      Report::instance().set_context("circle " + std::to_string(i) + ", tolerances less than rounding");
+      for (const auto& curve : curves)
+        for (const double tolerance : {1e-25, 1e-300, std::numeric_limits<double>::denorm_min()})
+        {
+          double chords = 0;
+          for (const auto& piece : curve.pieces()) chords += double(piece.number_of_chords(tolerance));
+          if (chords < 1e5) CHECK(curve_points(curve, tolerance).size() <= piecewise_points(curve, tolerance).size());
+        }
+    }
+}
+
+// Closed curves that are smaller than the tolerance remain triangles.
+void small_curves()
+{
+  const Surface_mesh cube = mesh_of(cube_grid(3)), grid = mesh_of(jittered_grid(6, 6, 2));
+  for (const Surface_mesh* mesh : {&cube, &grid})
+    for (double radius : {1e-6, 1e-3, 0.3, 1.1})
+      for (bool is_inside : {false, true})
+      {
+        Geodesic geodesic(*mesh);
+        const auto face = *std::next(faces(*mesh).begin(), 31);
+        if (is_inside) geodesic.add_source_point(Geodesic::Face_location(face, {0.3, 0.3, 0.4}));
+        else geodesic.add_source_point(source(halfedge(face, *mesh), *mesh));
+        Curves curves;
+        geodesic.build_with_offset_curves(radius, std::back_inserter(curves));
+        CHECK(!curves.empty());
+        for (double factor : {1e-3, 0.1, 0.5, 1., 2., 100., 1e6})
+        {
+          Report::instance().set_context("radius " + std::to_string(radius) + ", tolerance " + std::to_string(factor * radius));
+          for (const auto& curve : curves) check_thin_polyline(curve, factor * radius, size_of(*mesh));
+        }
+      }
+}
+
+// The points where source or side change are points of VTK files, so that the values of points are right.
+void values_of_points()
+{
+  Report::instance().set_context("values of points");
+  const Surface_mesh mesh = mesh_of(random_rectangle(4, 3, 100, 3, 1));
+  Geodesic geodesic(mesh);
+  const Point_3 a(1.5, 1.4, 0), b(2.3, 1.6, 0);
+  const std::size_t first = geodesic.add_source_point(geodesic.locate(a)), second = geodesic.add_source_point(geodesic.locate(b));
+  for (double tolerance : {1e-3, 0.05, 0.3, 10.})
+  {
+    Curves curves;
+    geodesic.build_with_offset_curves(0.7, std::back_inserter(curves));
+    if (!CHECK(curves.size() == 1)) return;
+    std::stringstream os;
+    CHECK(CGAL::IO::write_offset_VTK(os, curves, tolerance));
+    const auto skip_to = [&](const std::string& word) { for (std::string w; w != word && os >> w;) continue; };
+    std::size_t n = 0;
+    skip_to("POINTS");
+    os >> n;
+    skip_to("double");
+    Polyline_3 points;
+    for (double x, y, z; points.size() < n && os >> x >> y >> z;) points.push_back(Point_3(x, y, z));
+    skip_to("POINT_DATA");
+    skip_to("source");
+    skip_to("int");
+    std::vector<std::size_t> sources;
+    for (std::size_t s; sources.size() < n && os >> s;) sources.push_back(s);
+    if (!CHECK(sources.size() == n && points.size() == n && n >= 3)) continue;
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      // a point belongs to its source, or to both; a segment to the source of its end
+      const auto off = [&](const Point_3& p, std::size_t s)
+      { return std::sqrt(CGAL::squared_distance(p, s == first ? a : b)) - 0.7; };
+      CHECK(sources[i] == first || sources[i] == second);
+      const std::size_t next = (i + 1) % n, s = sources[next];
+      CHECK_DETAIL(std::abs(off(points[i], s)) <= 1e-10 && std::abs(off(points[next], s)) <= 1e-10,
+                   values(off(points[i], s), off(points[next], s)));
+      changes += sources[i] != s ? 1 : 0;
+    }
+    CHECK_DETAIL(changes == 2, std::to_string(changes) + " changes");
+  }
+}
+
+} // namespace test_offset_points
+
+GEODESIC_OFFSET_TEST(test_offset_points)
+{
+  const std::vector<std::pair<const char*, void (*)()>> tests = {{"squares", squares},
+                                                               {"true arcs", true_arcs},
+                                                               {"turn back", turn_back},
+                                                               {"circles in faces", circles_in_faces},
+                                                               {"small curves", small_curves},
+                                                               {"values of points", values_of_points},
+                                                               {"generated meshes", generated},
+                                                               {data_case, data_meshes}};
+  return run_tests("test_offset_points", tests);
+}
