@@ -21,6 +21,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -336,7 +337,9 @@ private:
   bool walk_loop(std::size_t i, const Point& start)
   {
     const FT& tie = m_arcs.tolerances().tie;
-    if (m_cell->depth(start) < tie) return true;
+    // a loop may run along the sides, with all its corners on them up to rounding, but not all of it
+    FT deepest = m_cell->depth(start);
+    if (deepest < -tie) return true;
     bool is_known = false;
     m_arcs.for_each_through(start, none, [&](std::size_t j) { is_known = is_known || this->is_followed(j, start); });
     if (is_known) return true;
@@ -355,6 +358,11 @@ private:
       }
       if (known != none)
       { // back on this chain, maybe behind where it started
+        if (deepest < tie)
+        {
+          m_pieces.resize(first);
+          return true;
+        }
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
@@ -362,6 +370,7 @@ private:
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
       }
+      deepest = (std::max)(deepest, m_cell->depth(m_arcs[run.arc].middle(run.start, run.end)));
       add_piece(run, first);
       run = best_run(run, run.end);
       if (!run.is_valid() || run.gate != none) return false;
@@ -385,14 +394,20 @@ private:
     return false;
   }
 
-  // The number of a part that the run shares with a chain; none if there is none.
+  // The number of a part that the run shares with a chain; none if there is none. Where a chain changes arcs, it may go back
+  // and forth within a tie: a run that starts so near to the end of a longer part does not share it.
   std::size_t followed_by(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
+    const FT& tie = m_arcs.tolerances().tie;
     for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
-      if (CGAL::is_positive(a.advance(run.start, m_followed[f].end)) &&
-          CGAL::is_positive(a.advance(m_followed[f].start, run.end)))
+    {
+      const Point &start = m_followed[f].start, &end = m_followed[f].end;
+      const FT rest = a.advance(run.start, end);
+      if (CGAL::is_positive(rest) && CGAL::is_positive(a.advance(start, run.end)) &&
+          (rest > tie || !(a.advance(start, end) > FT(2) * tie)))
         return f;
+    }
     return none;
   }
 

@@ -77,7 +77,8 @@ public:
       const Point v = w.image() - o;
       if (!cut_near_part(false, dot(v, u), cross(u, v), FT(m_level - w.sigma), lo, hi)) return;
     }
-    add(lo, hi, w.distance_at(o + lo * u), w.distance_at(o + hi * u), reversed);
+    // the ray slack may leave an end outside of the cone: the straight way is none there, and the one round the chord is
+    add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
   }
 
   // The disk of radius r about c.

@@ -1,0 +1,418 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Compares what the tracer makes of one level in one face with the exact arrangement of the same windows: the same gates are
+// connected, there are the same loops, and the Hausdorff distance of the chains is rounding.
+//
+// The tracer must have the topology of the exact level. Otherwise it must have that of the exact level lowered or raised by
+// `Oracle_unit::margin`: then the topology changes within that multiple of rounding, and either one is right. Where several
+// events are so near to one level, rounding decides each of them: the tracer must have the topology of the exact level whose
+// windows are moved by the margin, or not, one by one. Chains of the size
+// of rounding prove themselves that the topology changes within rounding, and are not compared. Everything else is a
+// difference.
+
+#ifndef GEODESIC_OFFSET_TEST_OFFSET_ORACLE_H
+#define GEODESIC_OFFSET_TEST_OFFSET_ORACLE_H
+
+#include "face_oracle.h"
+#include "field_features.h"
+#include "geodesic_types.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_cutting.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace test {
+
+/// Lengths in units of the level plus the longest edge of the face and of its neighbours: an upper bound of the coordinates of
+/// all images whose circles cross the face, and of those in the neighbours, which share the crossings of the edges.
+struct Oracle_unit
+{
+  /// Strips that start in the face are widened by this, so that those of both sides of a source meet: 2^9 units in the last
+  /// place.
+  static constexpr double widening = 1.2e-13;
+  /// Levels this near to a change of topology are undecided: 2^11 units in the last place, two shifts of the level by which
+  /// levels are cut below themselves (see the manual).
+  static constexpr double margin = 4.6e-13;
+  /// Chains this near to each other are the same: 2^14 units in the last place, the size of cells that the tracer does not
+  /// divide. Chains that are not must be as near as the exact chains of levels that differ by the margin.
+  static constexpr double apart = 3.7e-12;
+};
+
+/// A geodesic object whose faces can be cut one by one.
+class Cut_geodesic : public Open_geodesic
+{
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh> Traits;
+  typedef CGAL::Surface_mesh_geodesic_distance<Traits> Distance;
+
+public:
+  using Open_geodesic::Open_geodesic;
+
+  const auto& mesh() const { return Distance::unfolded(); }
+  const auto& initial() const { return Distance::built().initial; }
+  const auto& field() const { return Distance::built().field; }
+};
+
+/// The chains of single levels in single faces, by the tracer.
+class Face_tracing
+{
+public:
+  typedef CGAL::Geodesic_offset::internal::Index Index;
+  typedef CGAL::Geodesic_offset::internal::Unfolded_mesh<double> Mesh;
+  typedef CGAL::Geodesic_offset::internal::Initial_windows<double> Initial;
+  typedef CGAL::Geodesic_offset::internal::Geodesic_field<double> Field;
+
+  Face_tracing(const Mesh& mesh, const Initial& initial, const Field& field)
+    : mesh_(mesh), initial_(initial), field_(field), cut_(mesh, initial, field)
+  {}
+
+  std::vector<Level_chain> operator()(Index face, double level)
+  {
+    const CGAL::Offset_levels<double> levels(std::vector<double>{level});
+    CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, levels, field_.maximum);
+    cut_.levels = cutting.levels_of(face);
+    cutting.find_crossings(face, [](Index) { return true; }, cut_);
+    Index number = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * face + Index(k);
+      for (auto& c : cut_.crossings[std::size_t(k)]) c.gate = number++;
+      cut_.add_gates(k, cut_.crossings[std::size_t(k)], mesh_.twin(h) < h);
+    }
+    cutting.find_chains(cut_);
+    forced_joints_ += cutting.number_of_forced_joints();
+
+    std::vector<double> position(number);
+    for (const auto& g : cut_.gates) position[g.gate.id] = position_of(g.gate);
+    std::vector<Level_chain> chains;
+    for (const auto& c : cut_.chains)
+    {
+      const bool is_loop = c.start == CGAL::Geodesic_offset::internal::no_index;
+      Level_chain chain{is_loop, is_loop ? 0 : position[c.start], is_loop ? 0 : position[c.end], {}};
+      for (std::size_t i = c.first; i < c.last; ++i)
+      {
+        const auto& p = cut_.pieces[i];
+        if (p.is_straight) chain.arcs.emplace_back(p.start, p.end);
+        else chain.arcs.emplace_back(p.start, p.end, p.center, p.radius);
+      }
+      chains.push_back(std::move(chain));
+    }
+    return chains;
+  }
+
+  /// The windows of the face that was cut last, or that is set now.
+  const Face_field& windows_of(Index face)
+  {
+    cut_.field.set_face(face);
+    return cut_.field;
+  }
+  const Face_field& windows() const { return cut_.field; }
+
+  /// The longest edge of a face and of its neighbours.
+  double size_about(Index face) const
+  {
+    double size = 0;
+    const auto add = [&](Index f) {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) size = (std::max)(size, mesh_[h].length);
+    };
+    add(face);
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      if (mesh_.twin(h) != CGAL::Geodesic_offset::internal::no_index) add(mesh_.face(mesh_.twin(h)));
+    return size;
+  }
+
+  std::size_t number_of_forced_joints() const { return forced_joints_; }
+
+private:
+  template <class Gate>
+  double position_of(const Gate& gate) const
+  {
+    const auto& frame = cut_.field.frame();
+    const double t = frame.along(gate.side, gate.point) / frame.edge_length(gate.side);
+    return gate.side + (std::max)(0., (std::min)(1., t));
+  }
+
+  const Mesh& mesh_;
+  const Initial& initial_;
+  const Field& field_;
+  CGAL::Geodesic_offset::internal::Face_cut<double> cut_;
+  std::size_t forced_joints_ = 0;
+};
+
+struct Oracle_counts
+{
+  std::size_t faces = 0;    // compared, each at one level
+  std::size_t empty = 0;    // of these, the level does not pass
+  std::size_t chains = 0, loops = 0, arcs = 0, windows = 0; // in them; arcs are the tracer's
+  std::size_t with_points = 0; // chains of the size of rounding are not compared
+  std::size_t near_event = 0; // the topology is that of a level within the margin
+  std::size_t several_events = 0; // the topology is that of windows whose levels are within the margin, each its own
+  std::size_t ill_conditioned = 0; // the distance of chains exceeds rounding, and so does that of exact levels within the margin
+  std::size_t left_out = 0; // faces with too many windows
+  std::size_t topology = 0; // differences: other gates are connected, or loops are missing
+  std::size_t apart = 0;    // differences: chains are too far from each other
+  std::size_t forced = 0;   // joints
+  std::size_t thrown = 0;   // exceptions
+  double worst_distance = 0; // of chains that are not ill-conditioned, in the unit
+
+  void add(const Oracle_counts& o)
+  {
+    faces += o.faces;
+    empty += o.empty;
+    chains += o.chains;
+    loops += o.loops;
+    arcs += o.arcs;
+    windows += o.windows;
+    with_points += o.with_points;
+    near_event += o.near_event;
+    several_events += o.several_events;
+    ill_conditioned += o.ill_conditioned;
+    left_out += o.left_out;
+    topology += o.topology;
+    apart += o.apart;
+    forced += o.forced;
+    thrown += o.thrown;
+    worst_distance = (std::max)(worst_distance, o.worst_distance);
+  }
+  std::size_t differences() const { return topology + apart + forced + thrown; }
+};
+
+class Offset_oracle
+{
+public:
+  typedef Face_tracing::Index Index;
+  typedef std::vector<Level_chain> Chains;
+
+  std::size_t most_windows = 80; // faces with more are left out: exact unions take long
+
+  Oracle_counts counts;
+
+  /// Compares one level in one face. `report(text)` is called for differences.
+  template <class Function>
+  void compare(Face_tracing& tracing, Index face, double level, const Function& report)
+  {
+    if (tracing.windows_of(face).windows().size() > most_windows)
+    {
+      ++counts.left_out;
+      return;
+    }
+    const auto report_level = [&](const std::string& text) {
+      char buffer[64];
+      std::snprintf(buffer, sizeof(buffer), "face %u, level %.17g: ", face, level);
+      report(buffer + text + text_of(tracing.windows()));
+    };
+    ++counts.faces;
+    try
+    {
+      const std::size_t forced = tracing.number_of_forced_joints();
+      const Chains actual = tracing(face, level);
+      if (tracing.number_of_forced_joints() > forced)
+      {
+        ++counts.forced;
+        report_level("forced joints");
+      }
+      const double unit = level + tracing.size_about(face);
+      compare(tracing.windows_of(face), cut_of(level), unit, actual, report_level);
+    }
+    catch (const std::exception& e)
+    {
+      ++counts.thrown;
+      report_level(e.what());
+    }
+  }
+
+  /// The same for chains of any origin. `unit`: see Oracle_unit.
+  template <class Function>
+  void compare(const Face_field& field, double cut, double unit, const Chains& all_actual, const Function& report)
+  {
+    counts.windows += field.windows().size();
+    for (const Level_chain& c : all_actual) counts.arcs += c.arcs.size();
+    const double apart = Oracle_unit::apart * unit, margin = Oracle_unit::margin * unit;
+    const Chains actual = without_points(all_actual, apart);
+    counts.with_points += actual.size() < all_actual.size();
+    const Chain_topology topology(actual);
+    count(topology);
+    {
+      const Face_oracle oracle(field, Oracle_unit::widening * unit, false);
+      const Chains exact = without_points(oracle.chains(oracle.nearer_than(cut)), apart);
+      if (topology == Chain_topology(exact) && note(farthest_chain(actual, exact), unit)) return;
+    }
+    // what rounding decides is decided with all paths
+    const Face_oracle oracle(field, Oracle_unit::widening * unit, true);
+    const auto moved = [&](double margins) {
+      return without_points(oracle.chains(oracle.nearer_than(cut + margins * margin)), apart);
+    };
+    const Chains exact[] = {moved(-2), moved(-1), moved(0), moved(1), moved(2)};
+    bool fits[5];
+    for (int i = 0; i < 5; ++i) fits[i] = topology == Chain_topology(exact[i]);
+    // Near an event chains move by square roots: from the event to the margin they move 1 / (sqrt(2) - 1) times as far as from
+    // the margin to twice the margin.
+    double allowed = apart;
+    for (int i = 0; i < 4; ++i)
+      if (Chain_topology(exact[i]) == Chain_topology(exact[i + 1]))
+        allowed = (std::max)(allowed, apart + 2.5 * farthest_chain(exact[i], exact[i + 1]));
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 1; i < 4; ++i)
+      if (fits[i]) least = (std::min)(least, farthest_chain(actual, exact[i]));
+    if (least <= allowed)
+    {
+      counts.near_event += !fits[2];
+      counts.ill_conditioned += !note(least, unit);
+      return;
+    }
+    // several events at one level: rounding decides each of them on its own
+    const bool is_event = !(Chain_topology(exact[1]) == Chain_topology(exact[2])) ||
+                          !(Chain_topology(exact[2]) == Chain_topology(exact[3]));
+    Random random(1);
+    const std::size_t n = field.windows().size();
+    for (std::size_t i = 0; i < 2 * n + patterns && is_event; ++i)
+    { // first each window on its own, then all of them by lot
+      std::vector<double> levels(n, cut);
+      if (i < 2 * n) levels[i / 2] += i % 2 == 0 ? margin : -margin;
+      else
+        for (double& l : levels) l += (double(uniform_index(random, 3)) - 1) * margin;
+      const Chains mixed = without_points(oracle.chains(oracle.nearer_than(levels)), apart);
+      if (!(topology == Chain_topology(mixed)) || farthest_chain(actual, mixed) > allowed) continue;
+      ++counts.several_events;
+      return;
+    }
+    if (!fits[1] && !fits[2] && !fits[3])
+    {
+      ++counts.topology;
+      std::string text = text_of(all_actual) + " instead of " + text_of(exact[2]) + " (lowered by the margin " +
+                         text_of(exact[1]) + "; raised " + text_of(exact[3]) + ")";
+      for (double factor = 4; factor < 1e5; factor *= 4)
+        for (const double sign : {-1., 1.})
+          if (topology == Chain_topology(moved(sign * factor)))
+            return report(text + "; right for the level moved by " + std::to_string(sign * factor) + " margins");
+      return report(text);
+    }
+    ++counts.apart;
+    char buffer[96];
+    std::snprintf(buffer, sizeof(buffer), "chains are %.3g apart; rounding of the level moves them by %.3g: ", least, allowed);
+    report(buffer + text_of(all_actual) + "; exactly " + text_of(exact[2]) + "; lowered by the margin " + text_of(exact[1]) +
+           "; raised " + text_of(exact[3]));
+  }
+
+private:
+  static constexpr std::size_t patterns = 64; // of levels of windows, by lot
+
+  void count(const Chain_topology& t)
+  {
+    counts.chains += t.number_of_open_chains();
+    counts.loops += t.number_of_loops();
+    counts.empty += t.number_of_open_chains() + t.number_of_loops() == 0;
+  }
+
+  // Calls f(point) for points of a chain.
+  template <class Function>
+  static void for_each_sample(const Level_chain& chain, const Function& f)
+  {
+    for (const Chain_arc& arc : chain.arcs)
+      for (const double t : {0., 0.25, 0.5, 0.75, 1.}) f(arc.at(t));
+  }
+
+  // How far samples of one chain are from another one.
+  static double farthest(const Level_chain& from, const Level_chain& to)
+  {
+    double worst = 0;
+    for_each_sample(from, [&](const Point_in_face& p) { worst = (std::max)(worst, to.distance(p)); });
+    return worst;
+  }
+
+  // The largest Hausdorff distance of two chains, if each is paired with the nearest one. As many on both sides.
+  static double farthest_chain(const Chains& a, const Chains& b)
+  {
+    double worst = 0;
+    std::vector<char> is_used(b.size(), 0);
+    for (const Level_chain& c : a)
+    {
+      double best = std::numeric_limits<double>::infinity();
+      std::size_t nearest = b.size();
+      for (std::size_t j = 0; j < b.size(); ++j)
+      {
+        if (is_used[j] || c.is_closed != b[j].is_closed) continue;
+        const double d = (std::max)(farthest(c, b[j]), farthest(b[j], c));
+        if (d < best) nearest = j;
+        best = (std::min)(best, d);
+      }
+      if (nearest < b.size()) is_used[nearest] = 1;
+      worst = (std::max)(worst, best);
+    }
+    return worst;
+  }
+
+  // Keeps the distance of chains if it is rounding.
+  bool note(double distance, double unit)
+  {
+    if (!(distance <= Oracle_unit::apart * unit)) return false;
+    counts.worst_distance = (std::max)(counts.worst_distance, distance / unit);
+    return true;
+  }
+
+  // Chains without those of the size of rounding. Distances do not change faster than the way, so a level that is moved by the
+  // size of a chain does not have it any more: its topology changes within that multiple of rounding.
+  static Chains without_points(const Chains& chains, double size)
+  {
+    Chains result;
+    for (const Level_chain& c : chains)
+      if (size_of(c) > size) result.push_back(c);
+    return result;
+  }
+
+  static double size_of(const Level_chain& chain)
+  {
+    double reach = 0;
+    for_each_sample(chain, [&](const Point_in_face& p) { reach = (std::max)(reach, length(p - chain.arcs[0].start)); });
+    return reach;
+  }
+
+  static std::string size_text(const Level_chain& chain)
+  {
+    char buffer[40];
+    std::snprintf(buffer, sizeof(buffer), " of size %.2g", size_of(chain));
+    return buffer;
+  }
+
+  static std::string text_of(const Chains& chains)
+  {
+    std::string text;
+    for (const Level_chain& c : chains)
+    {
+      char buffer[80];
+      if (c.is_closed)
+        std::snprintf(buffer, sizeof(buffer), "a loop about (%.9g, %.9g)", c.arcs[0].start.x, c.arcs[0].start.y);
+      else std::snprintf(buffer, sizeof(buffer), "%.15g to %.15g", c.from, c.to);
+      text += (text.empty() ? "" : ", ") + std::string(buffer) + " in " + std::to_string(c.arcs.size()) + " pieces" + size_text(c);
+    }
+    return text.empty() ? "nothing" : text;
+  }
+
+  static std::string text_of(const Face_field& field)
+  {
+    char buffer[400];
+    const auto& frame = field.frame();
+    std::snprintf(buffer, sizeof(buffer), "\n  face 0 0, %.17g %.17g, %.17g %.17g", frame.corner(1).x, frame.corner(1).y,
+                  frame.corner(2).x, frame.corner(2).y);
+    std::string text = buffer;
+    for (const Face_window& w : field.windows())
+    {
+      std::snprintf(buffer, sizeof(buffer), "\n  %s, origin %d: %.17g %.17g, sigma %.17g, left %.17g %.17g, right %.17g %.17g",
+                    w.is_parallel() ? "parallel" : "point", int(w.origin), w.x, w.y, w.sigma, w.left.x, w.left.y,
+                    w.right.x, w.right.y);
+      text += buffer;
+    }
+    return text;
+  }
+};
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_OFFSET_ORACLE_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The tracer against exact arrangements of the same windows, face by face: cases that it once got wrong, and a bounded run of
+// benchmark/Surface_mesh_geodesic_offset/Robustness/offset_oracle.cpp. The oracle comes first: it finds each kind of damage.
+
+#include "oracle_run.h"
+#include "test_check.h"
+
+#include <functional>
+#include <string>
+
+namespace test_offset_oracle {
+
+using namespace test;
+
+typedef Offset_oracle::Chains Chains;
+
+// What the oracle says of the chains of a random face that the function has changed; `none` if they are too few.
+enum Verdict { none, right, topology, apart };
+
+Verdict verdict(unsigned seed, const std::function<bool(Chains&)>& change)
+{
+  Random random(seed);
+  Random_windows windows(random);
+  Face_tracing tracing(windows.mesh(), windows.initial(), windows.field());
+  const double level = windows.level();
+  Chains chains = tracing(windows.face(), level);
+  if (!change(chains)) return none;
+  Offset_oracle oracle;
+  const double unit = level + tracing.size_about(windows.face());
+  oracle.compare(tracing.windows_of(windows.face()), cut_of(level), unit, chains, [](const std::string&) {});
+  return oracle.counts.topology > 0 ? topology : oracle.counts.apart > 0 ? apart : right;
+}
+
+// A chain of a size far above rounding, less than a half turn from end to end.
+bool is_large(const Level_chain& chain)
+{
+  return length(chain.arcs.back().end - chain.arcs[0].start) > 0.01;
+}
+
+void oracle_finds_damage()
+{
+  std::size_t found[4] = {0, 0, 0, 0};
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    Report::instance().set_context("seed " + std::to_string(seed));
+    CHECK(verdict(seed, [](Chains&) { return true; }) == right);
+    const auto expect = [&](std::size_t kind, Verdict expected, const std::function<bool(Chains&)>& change) {
+      const Verdict v = verdict(seed, change);
+      if (v == none) return;
+      CHECK_DETAIL(v == expected, std::to_string(kind));
+      ++found[kind];
+    };
+    expect(0, topology, [](Chains& c) { // a missing chain or loop
+      if (c.size() != 1 || !(is_large(c[0]) || c[0].is_closed)) return false;
+      c.clear();
+      return true;
+    });
+    expect(1, topology, [](Chains& c) { // other gates connected
+      if (c.size() != 2 || c[0].is_closed || c[1].is_closed || !is_large(c[0]) || !is_large(c[1])) return false;
+      std::swap(c[0].to, c[1].to);
+      return true;
+    });
+    expect(2, topology, [](Chains& c) { // a loop that is none
+      if (c.empty() || c[0].is_closed || !is_large(c[0])) return false;
+      c[0].is_closed = true;
+      return true;
+    });
+    expect(3, apart, [](Chains& c) { // a moved end
+      if (c.empty() || c[0].is_closed || !is_large(c[0])) return false;
+      Chain_arc& a = c[0].arcs.back();
+      const Point_in_face v = a.end - a.start;
+      a = Chain_arc(a.start, a.end + (1e-3 / length(v)) * v);
+      return true;
+    });
+  }
+  for (const std::size_t n : found) CHECK(n > 0);
+}
+
+void check(const Oracle_run& run)
+{
+  const Oracle_counts& c = run.counts();
+  CHECK_DETAIL(c.topology == 0, std::to_string(c.topology) + " faces with other topology");
+  CHECK_DETAIL(c.apart == 0, std::to_string(c.apart) + " faces whose chains are too far apart");
+  CHECK_DETAIL(c.forced == 0, std::to_string(c.forced) + " faces with forced joints");
+  CHECK_DETAIL(c.thrown == 0, std::to_string(c.thrown) + " exceptions");
+}
+
+// Seeds of random windows whose curves were wrong: gates of needles moved by the rays that are allowed beside a cone; a loop
+// that was closed where two arcs go over into each other; loops along the sides of the face.
+void earlier_faults()
+{
+  for (const unsigned seed : {1137u, 5531u, 7436u, 119924u})
+  {
+    Report::instance().set_context("seed " + std::to_string(seed));
+    Oracle_options options;
+    options.seed = seed;
+    options.faces = 1;
+    Oracle_run run(options);
+    run.random_windows();
+    check(run);
+  }
+}
+
+void search()
+{
+  Report::instance().set_context("");
+  Oracle_options options;
+  options.faces = 250;
+  Oracle_run random(options), real(options);
+  Oracle_run::print_head();
+  random.random_windows();
+  random.print("random windows");
+  check(random);
+  CHECK(random.counts().chains > 250 && random.counts().loops > 15 && random.counts().arcs > 1000);
+  real.real_faces();
+  real.print("real faces");
+  check(real);
+  CHECK(real.counts().chains > 100 && real.counts().faces == 250);
+}
+
+} // namespace test_offset_oracle
+
+GEODESIC_OFFSET_TEST(test_offset_oracle)
+{
+  oracle_finds_damage();
+  earlier_faults();
+  search();
+  return Report::instance().finish("test_offset_oracle");
+}
