@@ -66,16 +66,24 @@ public:
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
     if (!clip(-cross(l, o - w.left), -cross(l, u), internal::length(l), lo, hi)) return;
     if (!clip(cross(r, o - w.right), cross(r, u), internal::length(r), lo, hi)) return;
+    // in front of the source, or of the edge by which the window enters: rays may run along it up to the ray slack
+    const FT nearest = w.origin == STARTS_IN_FACE ? FT(0) : FT((std::min)(w.distance_at(w.left), w.distance_at(w.right)));
     if (w.is_parallel())
     {
       const FT start = w.distance_at(o), slope = -dot(w.image(), u);
-      if (w.origin == STARTS_IN_FACE && !clip(start, slope, FT(1), lo, hi)) return; // in front of the source
+      if (!clip(FT(start - nearest), slope, FT(1), lo, hi)) return;
       if (!cut_near_part(true, FT(-slope), FT(0), FT(m_level - start), lo, hi)) return;
     }
     else
     {
       const Point v = w.image() - o;
       if (!cut_near_part(false, dot(v, u), cross(u, v), FT(m_level - w.sigma), lo, hi)) return;
+      FT first = lo, last = hi; // what is nearer than both ends of the chord
+      if (w.origin < STARTS_IN_FACE && !has_foot(w) && cut_near_part(false, dot(v, u), cross(u, v), FT(nearest - w.sigma), first, last))
+      {
+        if (first == lo) lo = last;
+        else if (last == hi) hi = first;
+      }
     }
     // the ray slack may leave an end outside of the cone: the straight way is none there, and the one round the chord is
     add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
@@ -119,6 +127,13 @@ public:
 
 private:
   typedef std::pair<FT, FT> Interval;
+
+  // Is the point of the chord that is nearest to the image none of its ends?
+  static bool has_foot(const Face_window<FT>& w)
+  {
+    const Point chord = w.right - w.left;
+    return CGAL::is_positive(dot(chord, w.image() - w.left)) && CGAL::is_negative(dot(chord, w.image() - w.right));
+  }
 
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
   static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
