@@ -99,7 +99,6 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
     valid = w[k] >= -slack && w[k] <= FT(1) + slack;
     if (w[k] <= eps)
     {
-      w[k] = FT(0);
       ++zeros;
       zero = k;
     }
@@ -110,9 +109,14 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
                                 " does not lie in the face, or the face is not of this mesh");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
-  const int k = (zero + 1) % 3; // halfedge k is opposite to corner `zero`
+  // Halfedge k is opposite to corner `zero`. The point is projected on it: on a needle, a coordinate of the size of rounding
+  // stands for a long way along the halfedge.
+  const int k = (zero + 1) % 3;
   const Index h = 3 * face + Index(k);
-  return Surface_point<FT>::on_edge(h, mesh[h].length * (w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3])));
+  const FT length = mesh[h].length, t = position_in_frame(mesh, h, w[(k + 1) % 3], w[zero]).x;
+  if (t <= eps * length) return Surface_point<FT>::at_vertex(mesh.source(h));
+  if (length - t <= eps * length) return Surface_point<FT>::at_vertex(mesh.target(h));
+  return Surface_point<FT>::on_edge(h, t);
 }
 
 // name(): the number by which the user knows the face, which need not be one of the mesh.

@@ -59,6 +59,21 @@ struct Validation_face
     return (std::max)({-w[0] * height(0), -w[1] * height(1), -w[2] * height(2)});
   }
 
+  // The weights of a point that may be outside by rounding: then, of its projection on an edge.
+  Weights projected(const Weights& w) const
+  {
+    const int k = int(std::min_element(w.begin(), w.end()) - w.begin());
+    if (!(w[k] < 0)) return w;
+    const int from = (k + 1) % 3, to = (k + 2) % 3;
+    const Point edge = corner[to] - corner[from];
+    const double t = dot(edge, point(w) - corner[from]) / dot(edge, edge);
+    Weights result;
+    result[k] = 0;
+    result[to] = (std::min)((std::max)(t, 0.), 1.);
+    result[from] = 1 - result[to];
+    return result;
+  }
+
   // The way from a point inside along a unit direction to where it leaves the face.
   double way_out(const Point& p, const Point& direction) const
   {
@@ -178,7 +193,8 @@ public:
   double distance_at(Index face, Weights w) const
   {
     typename Geodesic::Barycentric_coordinates exact;
-    for (int k = 0; k < 3; ++k) exact[k] = FT((std::max)(w[k], 0.));
+    w = face_at(face).projected(w);
+    for (int k = 0; k < 3; ++k) exact[k] = FT(w[k]);
     return CGAL::to_double(m_geodesic.distance_to_sources(Face_location(m_faces[face], exact)));
   }
   double distance_at(const Face& face, const Point& p) const { return distance_at(face.face, face.weights(p)); }
