@@ -63,11 +63,12 @@ public:
   void spread_from_pseudo_source(Index v, Front& front) const
   {
     if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
-    const bool was_hidden = m_state.vertex_state[v] & Wavefront_state<FT>::WAS_HIDDEN;
+    const bool all_round = (m_state.vertex_state[v] & Wavefront_state<FT>::WAS_HIDDEN) ||
+                           m_state.is_beside_image(v, m_state.field.back[v].pseudo_source);
     m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
     const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
-    if (was_hidden)
+    if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
     m_sector.for_each_sector_behind(
       back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });

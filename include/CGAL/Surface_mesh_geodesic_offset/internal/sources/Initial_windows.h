@@ -148,6 +148,15 @@ public:
   // a half turn), in the frame of the point's face or halfedge; without them, all directions.
   void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
   {
+    if (from && to)
+    {
+      if (const FT angle = lost_angle(p); CGAL::is_positive(angle)) return add_wider_sector(p, *from, *to, angle, root);
+    }
+    add_exact_sector(p, from, to, root);
+  }
+
+  void add_exact_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
+  {
     if (p.kind == Surface_point_::FACE)
     {
       add_sector_in_face(p.element, {p.x, p.y}, from, to, root);
@@ -205,6 +214,44 @@ public:
   }
 
 private:
+  // The angle by which rounding may turn rays from p where they leave the faces of p. The ends of windows on an edge of length
+  // L are rounded to 2 u L, and windows shorter than 64 u L are left out; seen from p at distance r, the latter is an angle of
+  // 64 u L / r. Twice that, since two rays may be turned. Zero above r = 2^-20 L (see Wavefront_state::is_beside_image()).
+  FT lost_angle(const Surface_point_& p) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else
+    {
+      FT result(0);
+      for (const Index f : faces_of(m_mesh, p))
+      {
+        Point position;
+        unsigned edges_of_p;
+        position_in_face(m_mesh, p, f, position, edges_of_p);
+        const Face_frame<FT> frame(m_mesh, f);
+        for (int k = 0; k < 3; ++k)
+        {
+          if (edges_of_p & 1u << k) continue;
+          const FT height = frame.height(k, position), lost = Number_policy<FT>::rounding(128) * frame.longest_edge();
+          result = (std::max)(result, height > lost ? FT(lost / height) : FT(1));
+        }
+      }
+      return result > Number_policy<FT>::rounding(double(1 << 27)) ? result : FT(0);
+    }
+  }
+
+  // The sector, wider by an angle at both ends: rays behind the strips beside it are as long as those of the strips, or
+  // longer. In two parts, since it may be more than a half turn.
+  void add_wider_sector(const Surface_point_& p, const Point& from, const Point& to, const FT& angle, Root root)
+  {
+    const Point first = (FT(1) / length(from)) * from, last = (FT(1) / length(to)) * to, difference = last - first;
+    const Point middle = {first.x + last.x + difference.y, first.y + last.y - difference.x};
+    const Point before = {first.x + angle * first.y, first.y - angle * first.x};
+    const Point behind = {last.x - angle * last.y, last.y + angle * last.x};
+    add_exact_sector(p, &before, &middle, root);
+    add_exact_sector(p, &middle, &behind, root);
+  }
+
   // What a fan sends into one face, at its corner at the source of h; the rays are counterclockwise from `lower` to `upper`.
   void add_corner(Index h, const Ray* lower, const Ray* upper, Root root)
   {
