@@ -31,16 +31,15 @@ public:
   explicit Shallow_loop(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh), m_edge(mesh.mean_edge_length()) {}
 
   // Is the curve such a loop? The distance inside a small one is the smallest of the functions of its pieces. At this scale
-  // they are linear, so a point in the middle rises above the level by a third of the largest rise, at least. An open curve
-  // is half of one: it cuts off such a vertex of the border.
-  bool operator()(bool closed, const Pieces& pieces, const FT& level) const
+  // they are linear, so a point in the middle rises above the level by a third of the largest rise, at least.
+  bool operator()(const Pieces& pieces, const FT& level) const
   {
     FT sum(0);
     for (const Piece& p : pieces) sum += length(p.end - p.start);
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
     if (sum <= Offset_tolerances<FT>(magnitude).error) return true; // the distance rises by less than the length
-    const FT rise = closed ? rise_inside(pieces) : rise_at_vertex(pieces);
+    const FT rise = rise_inside(pieces);
     return Number_policy<FT>::is_finite(rise) && rise <= FT(2) * Offset_tolerances<FT>::level_shift(magnitude);
   }
 
