@@ -40,6 +40,10 @@ struct Offset_tolerances
   // slowly as that, the length of the loop is the level shift divided by the slope.
   static FT longest_shallow_loop(const FT& magnitude) { return unit(26) * magnitude; }
 
+  // It is left out if the distance inside rises above the level by no more than this: four level shifts, since the upper
+  // bound of the rise is up to three times the rise (in a triangle, height and radius of the inscribed circle).
+  static FT shallow_rise(const FT& magnitude) { return unit(12) * magnitude; }
+
   // A selection by sides divides curves into parts; rounding leaves parts up to this length: the smallest cell of a face
   // as large as the mean edge.
   static FT shortest_part(const FT& magnitude) { return unit(14) * magnitude; }

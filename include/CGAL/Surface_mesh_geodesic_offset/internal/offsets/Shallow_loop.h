@@ -30,83 +30,66 @@ public:
 
   explicit Shallow_loop(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh), m_edge(mesh.mean_edge_length()) {}
 
-  // Is the curve such a loop? The distance inside a small one is the smallest of the functions of its pieces. At this scale
-  // they are linear, so a point in the middle rises above the level by a third of the largest rise, at least.
+  // Is a closed curve such a loop? The distance inside is at most the rise of each piece's function; so this is certain.
   bool operator()(const Pieces& pieces, const FT& level) const
   {
     FT sum(0);
     for (const Piece& p : pieces) sum += length(p.end - p.start);
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
-    if (sum <= Offset_tolerances<FT>(magnitude).error) return true; // the distance rises by less than the length
-    const FT rise = rise_inside(pieces);
-    return Number_policy<FT>::is_finite(rise) && rise <= FT(2) * Offset_tolerances<FT>::level_shift(magnitude);
+    // the distance rises by no more than half the length
+    const FT most = Offset_tolerances<FT>::shallow_rise(magnitude);
+    return sum <= FT(2) * most || rise(pieces) <= most;
   }
 
 private:
   typedef Point_in_face<FT> Point;
 
-  // At the middle of a loop in one face, at the middle of the chord on the edge of a loop in two, or at the vertex that all
-  // faces of the loop share.
-  FT rise_inside(const Pieces& pieces) const
+  // An upper bound of the rise of the distance inside. In each face, of the piece whose function rises least: it is convex,
+  // so it is largest at the ends of the pieces of the face, or at the vertex that the loop surrounds.
+  FT rise(const Pieces& pieces) const
   {
-    const Index face = pieces.front().face;
-    const auto is_in = [&](Index f) { return [f](const Piece& p) { return p.face == f; }; };
-    if (std::all_of(pieces.begin(), pieces.end(), is_in(face)))
+    std::vector<Index> faces;
+    for (const Piece& p : pieces) faces.push_back(p.face);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    const Index v = faces.size() > 2 ? common_vertex(faces) : no_index;
+    if (faces.size() > 2 && v == no_index) return Number_policy<FT>::infinity(); // more than one vertex inside
+
+    FT result(0);
+    std::vector<Point> corners;
+    for (const Index f : faces)
     {
-      Point sum{FT(0), FT(0)};
-      for (const Piece& p : pieces) sum = sum + p.start;
-      return rise_at(pieces, [&](Index) { return (FT(1) / FT(double(pieces.size()))) * sum; });
+      corners.clear();
+      if (v != no_index) corners.push_back(Face_frame<FT>(m_mesh, f).corner(corner_of(f, v)));
+      for (const Piece& p : pieces)
+        if (p.face == f)
+        {
+          corners.push_back(p.start);
+          corners.push_back(p.end);
+        }
+      FT least = Number_policy<FT>::infinity();
+      for (const Piece& p : pieces)
+      {
+        if (p.face != f) continue;
+        FT rise(0);
+        for (const Point& q : corners)
+          rise = (std::max)(rise, FT((p.is_straight ? dot(p.center, q) : length(q - p.center)) - p.radius));
+        least = (std::min)(least, rise);
+      }
+      result = (std::max)(result, least);
     }
-    const FT at_vertex = rise_at_vertex(pieces);
-    if (Number_policy<FT>::is_finite(at_vertex)) return at_vertex;
-    // in two faces: the middle of the ends on their common edge
-    return rise_at(pieces, [&](Index f) {
-      Point sum{FT(0), FT(0)};
-      int n = 0;
-      for (const Piece& p : pieces)
-        if (p.face == f && p.start_edge < 3)
-        {
-          sum = sum + p.start;
-          ++n;
-        }
-      for (const Piece& p : pieces)
-        if (p.face == f && p.end_edge < 3)
-        {
-          sum = sum + p.end;
-          ++n;
-        }
-      return (FT(1) / FT(double((std::max)(n, 1)))) * sum;
-    });
+    return result;
   }
 
-  // At a vertex that all faces of the loop share and that is farther than the level; infinite if there is none.
-  FT rise_at_vertex(const Pieces& pieces) const
+  Index common_vertex(const std::vector<Index>& faces) const
   {
-    const Index face = pieces.front().face;
-    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    for (Index h = 3 * faces.front(); h < 3 * faces.front() + 3; ++h)
     {
       const Index v = m_mesh.source(h);
-      if (!std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return this->corner_of(p.face, v) < 3; }))
-        continue;
-      const auto corner = [&](Index f) { return Face_frame<FT>(this->m_mesh, f).corner(this->corner_of(f, v)); };
-      const FT rise = rise_at(pieces, corner);
-      if (!CGAL::is_negative(rise)) return rise;
+      if (std::all_of(faces.begin(), faces.end(), [&](Index f) { return this->corner_of(f, v) < 3; })) return v;
     }
-    return Number_policy<FT>::infinity();
-  }
-
-  // The smallest rise of the pieces' functions at a point, which `point(face)` gives in the frame of a face.
-  template <class Function>
-  FT rise_at(const Pieces& pieces, const Function& point) const
-  {
-    FT rise = Number_policy<FT>::infinity();
-    for (const Piece& p : pieces)
-    {
-      const Point q = point(p.face);
-      rise = (std::min)(rise, FT((p.is_straight ? dot(p.center, q) : length(q - p.center)) - p.radius));
-    }
-    return rise;
+    return no_index;
   }
 
   int corner_of(Index face, Index v) const
