@@ -314,23 +314,42 @@ private:
     return !CGAL::is_negative(a.advance(enter, run.start)) && m_arcs.passes(i, run.start) ? run.start : run.end;
   }
 
-  // Loops that touch no side of the cell lie round a source inside, or round a place where the distance is largest. In the
-  // latter case all arcs bulge inwards, so the loop has corners, where one arc comes out from under another.
+  // Loops that touch no side of the cell: round a source inside, or round a place where the distance is largest. All of an
+  // arc that is visible in the cell belongs to a chain or to a loop. What is visible changes only where other arcs and the
+  // sides of the cell meet the arc: so one point between any two such places is enough.
   bool walk_loops()
   {
-    bool fits = true;
-    for (std::size_t i = 0; i < m_arcs.size() && fits; ++i)
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
     {
       const Arc& a = m_arcs[i];
-      if (a.window().origin == STARTS_IN_FACE && !walk_loop(i, a.start())) return false;
+      m_events.clear();
+      const auto add = [&](const Point& p) {
+        if (a.is_between(a.start(), p, a.end())) m_events.push_back(p);
+      };
+      Point enter, leave;
       m_arcs.for_each_near(i, [&](std::size_t j) {
-        Point enter, leave;
-        if (fits && a.meet(m_arcs[j], FT(0), enter, leave) && m_arcs.passes(i, leave) && m_arcs.passes(j, leave) &&
-            a.is_between(a.start(), leave, a.end()))
-          fits = walk_loop(i, leave);
+        if (!a.meet(m_arcs[j], FT(0), enter, leave)) return;
+        add(enter);
+        add(leave);
       });
+      for (int k = 0; k < 3; ++k)
+        if (a.meet(m_cell->outside(k), enter, leave))
+        {
+          add(enter);
+          add(leave);
+        }
+      std::sort(m_events.begin(), m_events.end(),
+                [&](const Point& p, const Point& q) { return CGAL::is_positive(a.advance(p, q)); });
+      Point from = a.start();
+      m_events.push_back(a.end());
+      for (std::size_t e = 0; e < m_events.size(); ++e)
+      {
+        const Point to = m_events[e];
+        if (a.advance(from, to) > m_arcs.tolerances().tie && !walk_loop(i, a.middle(from, to))) return false;
+        from = to;
+      }
     }
-    return fits;
+    return true;
   }
 
   // A loop through a point of an arc, if there is one. False if it is lost on the way.
@@ -351,11 +370,7 @@ private:
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
       const std::size_t known = followed_by(run);
-      if (known != none && known < first_followed)
-      { // another chain goes on here, which is known
-        m_pieces.resize(first);
-        return true;
-      }
+      if (known != none && known < first_followed) return false; // a chain that came from somewhere else goes on here
       if (known != none)
       { // back on this chain, maybe behind where it started
         if (deepest < tie)
@@ -465,6 +480,7 @@ private:
   Cell m_face; // its gates are numbered as they come
   const Cell* m_cell = nullptr;
   std::vector<char> m_is_used; // the gates of the cell that are ends of chains
+  std::vector<Point> m_events; // on an arc
   std::vector<Followed> m_followed;
   std::vector<std::size_t> m_last_followed; // per arc
   std::vector<Chain> m_chains;
