@@ -98,15 +98,16 @@ public:
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
-  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out. The ends of the segment are near exactly if the caller says so, whatever
-  // the intervals are; so the number of calls is odd exactly if both ends differ.
+  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out. The ends of the segment
+  // are near exactly if the caller says so, whatever the intervals are; so the number of calls is odd exactly if both ends
+  // differ.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
   {
     if (source_is_near) add(FT(0), FT(0));
     if (target_is_near) add(m_length, m_length);
     std::sort(m_intervals.begin(), m_intervals.end());
-    const FT gap = Offset_tolerances<FT>::interval_gap(m_length);
+    const FT gap = Offset_tolerances<FT>::interval_gap(m_length + m_level);
     std::size_t n = 0;
     for (const Interval& i : m_intervals)
     {

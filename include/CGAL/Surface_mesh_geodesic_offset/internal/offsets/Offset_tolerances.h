@@ -28,9 +28,10 @@ struct Offset_tolerances
   // looked for in both: 2^14 u times the largest distance of the face, far above the rounding of the bounds (2^4 u).
   static FT bound_slack(const FT& largest_distance) { return unit(14) * largest_distance; }
 
-  // Near intervals of an edge that are this near to each other are one: 2^6 u times the length of the edge, the error of
-  // their ends along the edge where neighbouring windows share one.
-  static FT interval_gap(const FT& edge_length) { return unit(6) * edge_length; }
+  // Near intervals of a segment, and gaps between them, up to this are left out: two errors of a distance, 2^6 u times the
+  // level plus the length of the segment. In an interval, or gap, of the width w the distance differs from the level by at
+  // most w / 2, since it is 1-Lipschitz: by no more than its error.
+  static FT interval_gap(const FT& magnitude) { return unit(6) * magnitude; }
 
   // A source may lie on an edge; the bounding rays of its windows are then within 2^8 u times the edge's length of it.
   static FT ray_slack(const FT& edge_length) { return unit(8) * edge_length; }
