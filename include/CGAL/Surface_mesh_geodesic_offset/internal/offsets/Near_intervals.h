@@ -62,39 +62,31 @@ public:
   // A window in a face, on the segment from o in the unit direction u.
   void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
   {
-    FT lo(0), hi = m_length;
-    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
-    if (!clip(-cross(l, o - w.left), -cross(l, u), internal::length(l), lo, hi)) return;
-    if (!clip(cross(r, o - w.right), cross(r, u), internal::length(r), lo, hi)) return;
-    // in front of the source, or of the edge by which the window enters: rays may run along it up to the ray slack
-    const FT nearest = w.origin == STARTS_IN_FACE ? FT(0) : FT((std::min)(w.distance_at(w.left), w.distance_at(w.right)));
-    if (w.is_parallel())
-    {
-      const FT start = w.distance_at(o), slope = -dot(w.image(), u);
-      if (!clip(FT(start - nearest), slope, FT(1), lo, hi)) return;
-      if (!cut_near_part(true, FT(-slope), FT(0), FT(m_level - start), lo, hi)) return;
-    }
-    else
-    {
-      const Point v = w.image() - o;
-      if (!cut_near_part(false, dot(v, u), cross(u, v), FT(m_level - w.sigma), lo, hi)) return;
-      FT first = lo, last = hi; // what is nearer than both ends of the chord
-      if (w.origin < STARTS_IN_FACE && !has_foot(w) && cut_near_part(false, dot(v, u), cross(u, v), FT(nearest - w.sigma), first, last))
-      {
-        if (first == lo) lo = last;
-        else if (last == hi) hi = first;
-      }
-    }
-    // the ray slack may leave an end outside of the cone: the straight way is none there, and the one round the chord is
-    add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
+    add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
+      if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
+                          : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
+        add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
+    });
+    // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord, unless it starts
+    // in the face: the straight one is none, and in a narrow corner it is shorter by much more than the slack.
+    add_cone(w, o, u, Offset_tolerances<FT>::ray_slack(m_length), [&](const FT& from, const FT& to) {
+      const auto add_paths = [&](const Point& bend, const FT& r) {
+        FT lo = from, hi = to;
+        if (!cut_near_part(bend, r, o, u, lo, hi)) return;
+        if (reversed) add(m_length - hi, m_length - lo);
+        else add(lo, hi);
+      };
+      if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_paths(w.image(), FT(m_level - w.sigma));
+      add_paths(w.left, FT(m_level - w.distance_at(w.left)));
+      add_paths(w.right, FT(m_level - w.distance_at(w.right)));
+    });
   }
 
   // The disk of radius r about c.
   void add_disk(const Point& c, const FT& r, const Point& o, const Point& u)
   {
     FT lo(0), hi = m_length;
-    const Point v = c - o;
-    if (cut_near_part(false, dot(v, u), cross(u, v), r, lo, hi)) add(lo, hi);
+    if (cut_near_part(c, r, o, u, lo, hi)) add(lo, hi);
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
@@ -129,13 +121,6 @@ public:
 private:
   typedef std::pair<FT, FT> Interval;
 
-  // Is the point of the chord that is nearest to the image none of its ends?
-  static bool has_foot(const Face_window<FT>& w)
-  {
-    const Point chord = w.right - w.left;
-    return CGAL::is_positive(dot(chord, w.image() - w.left)) && CGAL::is_negative(dot(chord, w.image() - w.right));
-  }
-
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
   static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
   {
@@ -155,10 +140,31 @@ private:
     return lo < hi;
   }
 
-  // Cuts [lo, hi] down to where a + b t >= 0, up to rounding of the given magnitude: a source may lie on the segment.
-  bool clip(const FT& a, const FT& b, const FT& magnitude, FT& lo, FT& hi) const
+  // The same for the distance from a point, on the segment from o in the unit direction u.
+  static bool cut_near_part(const Point& c, const FT& r, const Point& o, const Point& u, FT& lo, FT& hi)
   {
-    const FT allowance = Offset_tolerances<FT>::ray_slack(m_length) * magnitude;
+    const Point v = c - o;
+    return cut_near_part(false, dot(v, u), cross(u, v), r, lo, hi);
+  }
+
+  // Calls f(lo, hi) for the part of the segment that a window's rays reach, or pass within the slack. A source may lie along the
+  // segment, which is then in front of it up to rounding.
+  template <class Function>
+  void add_cone(const Face_window<FT>& w, const Point& o, const Point& u, const FT& slack, const Function& f) const
+  {
+    FT lo(0), hi = m_length;
+    const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
+    if (!clip(-cross(l, o - w.left), -cross(l, u), slack * internal::length(l), lo, hi)) return;
+    if (!clip(cross(r, o - w.right), cross(r, u), slack * internal::length(r), lo, hi)) return;
+    if (w.is_parallel() && w.origin == STARTS_IN_FACE && // in front of the source
+        !clip(w.distance_at(o), -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi))
+      return;
+    f(lo, hi);
+  }
+
+  // Cuts [lo, hi] down to where a + b t >= -allowance.
+  static bool clip(const FT& a, const FT& b, const FT& allowance, FT& lo, FT& hi)
+  {
     const FT g0 = a + b * lo + allowance, g1 = a + b * hi + allowance;
     if (CGAL::is_negative(g0) && CGAL::is_negative(g1)) return false;
     const FT old = lo;
