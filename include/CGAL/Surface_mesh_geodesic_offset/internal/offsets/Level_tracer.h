@@ -283,8 +283,9 @@ private:
 
   // The next run of a chain, from the end of the last one, or from the gate where the chain starts: of all arcs that pass
   // there, the one that can be followed farthest. A fan counts only where there is no other, since it ties with the windows
-  // beside its gap; and an arc that turns back only if nothing goes ahead: where both sides of a strip are as near to each
-  // other as rounding, each of them passes all points of the other one.
+  // beside its gap; an arc that turns back only if nothing goes ahead: where both sides of a strip are as near to each
+  // other as rounding, each of them passes all points of the other one; and the end of a part that is known already only if
+  // there is nothing else: where three arcs meet within rounding, it leads back and forth between two of them.
   Run best_run(const Run& last, const Point& p) const
   {
     Run best;
@@ -293,10 +294,12 @@ private:
     m_arcs.for_each_through(p, last.arc, [&](std::size_t i) {
       const Point start = last.is_covered ? joint(last, i) : p;
       const bool turns_back = last.is_valid() && CGAL::is_negative(dot(m_arcs[i].tangent(p), heading));
-      const int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
+      int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
       if (best.is_valid() && rank > best_rank) return;
       const Run run = run_of(i, start, !last.is_valid());
-      if (!run.is_valid() || (best.is_valid() && rank == best_rank && !(run.length > best.length))) return;
+      if (!run.is_valid()) return;
+      if (is_known_end(run)) rank += 4;
+      if (best.is_valid() && (rank > best_rank || (rank == best_rank && !(run.length > best.length)))) return;
       best = run;
       best_rank = rank;
     });
@@ -424,6 +427,21 @@ private:
         return f;
     }
     return none;
+  }
+
+  // Is the run a short end of a longer part of the chains of the cell? Short: four ties. Arcs that cross at 30
+  // degrees or more tie within two ties of the common point, before it and behind it.
+  bool is_known_end(const Run& run) const
+  {
+    const Arc& a = m_arcs[run.arc];
+    const Offset_tolerances<FT>& t = m_arcs.tolerances();
+    if (run.length > FT(4) * t.tie) return false;
+    for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
+    {
+      const Point &start = m_followed[f].start, &end = m_followed[f].end;
+      if (a.advance(start, end) > FT(4) * t.tie && CGAL::abs(a.advance(run.end, end)) <= t.tie) return true;
+    }
+    return false;
   }
 
   auto pieces_at(std::size_t i) const { return m_pieces.begin() + std::ptrdiff_t(i); }
