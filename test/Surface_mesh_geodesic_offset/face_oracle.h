@@ -187,7 +187,7 @@ public:
       const bool is_corner = w.origin == internal::STARTS_AT_CORNER;
       if (is_corner && w.is_empty() && !with_bent_paths) continue;
       const bool is_everywhere = !w.is_parallel() && w.origin >= internal::STARTS_IN_FACE;
-      add_part(i, w, field.lowest(i), cone(w, is_everywhere));
+      add_part(w, field.lowest(i), cone(w, is_everywhere));
       if (!with_bent_paths || w.origin >= internal::STARTS_IN_FACE) continue;
       for (const Point_in_face& p : {w.left, w.right})
       {
@@ -196,7 +196,7 @@ public:
         bent.y = p.y;
         bent.sigma = w.distance_at(p);
         bent.bits = 0;
-        add_part(i, bent, bent.sigma, std::vector<Exact_point>(corner_.begin(), corner_.end()));
+        add_part(bent, bent.sigma, std::vector<Exact_point>(corner_.begin(), corner_.end()));
       }
     }
   }
@@ -206,12 +206,13 @@ public:
   /// The points that are nearer than d.
   Region nearer_than(double d) const
   {
-    return union_of([d](const Part&) { return d; });
-  }
-  /// The same, with one level for each window of the field.
-  Region nearer_than(const std::vector<double>& d) const
-  {
-    return union_of([&](const Part& part) { return d[part.number]; });
+    std::vector<Region_polygon> whole;
+    std::vector<Region_part> clipped;
+    for (const Part& part : parts_)
+      if (part.lowest < d + widening_) add(part, d, whole, clipped);
+    Region region;
+    region.join(whole.begin(), whole.end(), clipped.begin(), clipped.end());
+    return region;
   }
 
   /// The boundary of a region inside the face.
@@ -230,21 +231,8 @@ public:
   }
 
 private:
-  template <class Function>
-  Region union_of(const Function& level) const
-  {
-    std::vector<Region_polygon> whole;
-    std::vector<Region_part> clipped;
-    for (const Part& part : parts_)
-      if (const double d = level(part); part.lowest < d + widening_) add(part, d, whole, clipped);
-    Region region;
-    region.join(whole.begin(), whole.end(), clipped.begin(), clipped.end());
-    return region;
-  }
-
   struct Part
   {
-    std::size_t number; // of the window in the field
     Face_window window;
     double lowest; // no point is nearer, up to the widening
     std::vector<Exact_point> cone; // the points of the face that the rays reach, counterclockwise
@@ -260,9 +248,9 @@ private:
     return t <= rounding ? a : t >= 1 - rounding ? b : a + Exact(t) * (b - a);
   }
 
-  void add_part(std::size_t number, const Face_window& w, double lowest, std::vector<Exact_point> cone)
+  void add_part(const Face_window& w, double lowest, std::vector<Exact_point> cone)
   {
-    if (cone.size() > 2) parts_.push_back(Part{number, w, lowest, std::move(cone)});
+    if (cone.size() > 2) parts_.push_back(Part{w, lowest, std::move(cone)});
   }
 
   // a x + b y + c, with the coefficients of a double computation

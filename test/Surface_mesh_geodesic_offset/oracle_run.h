@@ -67,13 +67,13 @@ public:
   static void print_head()
   {
     std::printf("%-15s %8s %7s %8s %6s %9s %9s %7s %7s %7s %7s %6s %9s %6s %6s %6s %9s\n", "kind", "faces", "empty", "chains", "loops",
-                "pieces", "windows", "points", "event", "several", "ill", "left", "topology", "apart", "forced", "thrown", "distance");
+                "pieces", "windows", "points", "event", "band", "ill", "left", "topology", "apart", "forced", "thrown", "distance");
   }
   void print(const char* name) const
   {
     const Oracle_counts& c = counts();
     std::printf("%-15s %8zu %7zu %8zu %6zu %9zu %9zu %7zu %7zu %7zu %7zu %6zu %9zu %6zu %6zu %6zu %9.1e\n", name, c.faces, c.empty,
-                c.chains, c.loops, c.arcs, c.windows, c.with_points, c.near_event, c.several_events, c.ill_conditioned, c.left_out, c.topology, c.apart,
+                c.chains, c.loops, c.arcs, c.windows, c.with_points, c.near_event, c.within_band, c.ill_conditioned, c.left_out, c.topology, c.apart,
                 c.forced, c.thrown, c.worst_distance);
     std::fflush(stdout);
   }
