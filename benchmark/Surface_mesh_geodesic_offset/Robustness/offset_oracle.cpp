@@ -15,7 +15,7 @@
 //
 // A table on stdout, a row for each kind: faces; of these, faces that the level does not pass; chains from gate to gate, loops
 // and pieces of the tracer; windows; faces whose topology is that of a level that differs by rounding, see offset_oracle.h;
-// faces whose chains are farther apart than rounding, as are the exact chains of levels that differ by rounding; faces left
+// faces whose chains bound the level of a distance that differs by rounding; faces whose chains are farther apart than rounding, as are the exact chains of levels that differ by rounding; faces left
 // out; faces with other topology; faces whose chains are too far apart; faces with forced joints; exceptions; and the largest
 // distance of chains that rounding has not moved, in levels plus lengths of the longest edge of the face. The exit code is 1 if
 // anything differs, and 2 for options that are wrong.

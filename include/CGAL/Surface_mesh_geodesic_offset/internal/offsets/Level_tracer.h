@@ -413,14 +413,16 @@ private:
   }
 
   // The number of a part that the run shares with a chain; none if there is none. Where a chain changes arcs, it may go back
-  // and forth within a tie: a run that starts so near to the end of a longer part does not share it.
+  // and forth within a tie: a run that starts so near to the end of a longer part does not share it. A part without extent,
+  // where a chain starts and ends at one point, shares nothing.
   std::size_t followed_by(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
-    const FT& tie = m_arcs.tolerances().tie;
+    const FT &tie = m_arcs.tolerances().tie, &error = m_arcs.tolerances().error;
     for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
     {
       const Point &start = m_followed[f].start, &end = m_followed[f].end;
+      if (!(a.advance(start, end) > error)) continue;
       const FT rest = a.advance(run.start, end);
       if (CGAL::is_positive(rest) && CGAL::is_positive(a.advance(start, run.end)) &&
           (rest > tie || !(a.advance(start, end) > FT(2) * tie)))
@@ -429,17 +431,16 @@ private:
     return none;
   }
 
-  // Is the run a short end of a longer part of the chains of the cell? Short: four ties. Arcs that cross at 30
-  // degrees or more tie within two ties of the common point, before it and behind it.
+  // Is the run the end of a part that the chains of the cell follow, of which the longer half is behind? A loop that comes back
+  // to its first part finds the beginning of it.
   bool is_known_end(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
-    const Offset_tolerances<FT>& t = m_arcs.tolerances();
-    if (run.length > FT(4) * t.tie) return false;
     for (std::size_t f = m_last_followed[run.arc]; f != none; f = m_followed[f].previous)
     {
       const Point &start = m_followed[f].start, &end = m_followed[f].end;
-      if (a.advance(start, end) > FT(4) * t.tie && CGAL::abs(a.advance(run.end, end)) <= t.tie) return true;
+      if (a.advance(start, end) > FT(2) * run.length && CGAL::abs(a.advance(run.end, end)) <= m_arcs.tolerances().tie)
+        return true;
     }
     return false;
   }
