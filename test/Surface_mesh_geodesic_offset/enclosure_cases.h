@@ -102,9 +102,12 @@ private:
   {
     case_.kind = "flat cap behind a saddle";
     const double height = power(-16, -1), tilt = one_of(2) ? tiny(-17, -3) : number(-0.5, 0.5);
-    const std::size_t s = add(-power(-3, 1), tilt * number(0, 1), 0), v = add(0, 0, 0);
+    const double x = power(-3, 1), y = tilt * number(0, 1);
+    const std::size_t s = add(-x, y, 0), v = add(0, 0, 0);
     const std::size_t p = add(height * number(0.5, 2), -power(-2, 1), 0), q = add(height * number(0.5, 2), power(-2, 1), 0);
-    const std::size_t t = add(power(-2, 1), tiny(-16, -8) - tilt * number(0, 1), 0);
+    // straight on, up to rounding or a little more
+    const double far = one_of(2) ? std::ldexp(1, int(index(5)) - 2) : number(0.2, 5);
+    const std::size_t t = add(far * x, -far * y + tiny(-17, -8), 0);
     const std::size_t m = add(number(-1, 0), number(-1, 0), number(0.2, 2));
     add_triangle(v, p, q);
     add_triangle(v, q, s);

@@ -11,6 +11,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +35,12 @@ public:
     const Certified_propagation face(m_state.mesh, h);
     double best, entry;
     sort_by_exit(h, face, windows, n, best, entry);
+    if (m_most_faces >= most_faces)
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of images "
+                               "are proven for fewer");
+    if (!(m_largest_radius < m_state.queue.width()))
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the mean edge");
+    const double room = Number_policy<double>::is_finite(best) ? face.error_of_entry(best, entry) : 0.;
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
     const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
@@ -57,7 +66,6 @@ public:
       {
         // one angle, one split, with room for rounding
         const double split = face.entry_of_apex(w);
-        const double room = length_error * (std::abs(w.x) + face.length);
         const bool may_be_best = w.is_parallel() || m_exit[i].lowest <= best;
         left_to_apex = may_be_best || split <= entry + room;
         right_from_apex = may_be_best || split >= entry - room;
@@ -102,6 +110,7 @@ private:
     const Index apex = m_state.unfolded.apex(h);
     m_exit.resize(n);
     m_farthest = m_largest_radius = 0;
+    m_most_faces = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
       const Window& w = windows[i];
@@ -112,6 +121,7 @@ private:
       }
       m_farthest = (std::max)(m_farthest, (std::max)(w.d0, w.d1));
       m_largest_radius = (std::max)(m_largest_radius, w.radius);
+      m_most_faces = (std::max)(m_most_faces, w.faces());
       bool is_certain;
       m_exit[i].exit = exit_of(face, w, is_certain);
       if (m_exit[i].exit != BOTH) continue;
@@ -127,7 +137,8 @@ private:
       const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * v.x + face.sl * v.y),
                                        face.sl * v.x - face.cl * v.y};
       const double away = std::abs(v.x) + std::abs(v.y);
-      m_state.arrive(apex, d, error, back, length_error * (1 + (face.length + face.left_length) / away));
+      m_state.arrive(apex, d, error, back,
+                     length_error * (1 + (face.length + face.left_length) / away) + 4 * w.error_of_image() / away);
     }
     best = list.split_distance;
     entry = list.split_entry;
@@ -150,6 +161,7 @@ private:
   Certified_state::Output m_left, m_right;
   std::vector<Sorted> m_exit;
   double m_farthest = 0, m_largest_radius = 0; // of the windows that are propagated
+  Index m_most_faces = 0;
 };
 
 } // namespace internal

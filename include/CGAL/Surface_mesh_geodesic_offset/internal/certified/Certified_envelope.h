@@ -164,14 +164,15 @@ private:
   void unite(Window& a, const Window& w, double difference)
   {
     const double radius = (std::max)(a.radius, w.radius + difference);
-    if (a.is_propagated() && !w.is_propagated() && radius > a.radius && w.b0 < a.b1)
-    { // the rays of a are worth less now
+    if (a.is_propagated() && !w.is_propagated() && (radius > a.radius || w.faces() > a.faces()) && w.b0 < a.b1)
+    { // the rays of a are worth less now, or have been unfolded more often
       m_envelope.push_back(w);
       return;
     }
     if (w.is_propagated() == a.is_propagated())
     {
       a.radius = radius;
+      a.set_faces_of_both(w);
       if (w.b1 <= a.b1) return;
       a.b1 = w.b1;
       a.d1 = w.d1;

@@ -116,8 +116,18 @@ private:
       m_unfolded.for_each_fan(v, spread_fan);
       return;
     }
-    m_sector.for_each_sector_behind(a.back, spread_sector, angle);
-    if (m_unfolded.has_several_fans(v)) m_unfolded.for_each_fan(v, spread_fan);
+    bool is_empty = true;
+    m_sector.for_each_sector_behind(
+      a.back,
+      [&](const Ray& from, const Ray& to, Index first) {
+        is_empty = false;
+        spread_sector(from, to, first);
+      },
+      angle);
+    // In a corner of nearly half a turn, a widened sector may begin where the path came from; without a border it seems empty
+    // then. All directions are right, too.
+    is_empty = is_empty && m_unfolded.first_on_border(a.back.corner) == no_index;
+    if (m_unfolded.has_several_fans(v) || is_empty) m_unfolded.for_each_fan(v, spread_fan);
   }
 
   // Beyond it, directions are taken as unknown.
@@ -154,9 +164,12 @@ private:
       w.set_image({m_mesh[e].length - apex.x, -apex.y});
       w.sigma = sigma;
       w.radius = radius;
-      const double size = m_mesh.length(e);
-      const auto exit = [&](const Ray& r) { return (std::min)(m_mesh.to_unit(m_sector.exit_of_ray(h, r)), size); };
-      w.set_interval(upper ? exit(*upper) : 0., lower ? exit(*lower) : size);
+      // Exits are rounded outward, by twice the roundings of a quotient, a product and the edge's length. In a flat face that
+      // turns rays by far more than any error of their direction. All of the face can be seen from the vertex, so nothing is
+      // added to the radius.
+      const double size = m_mesh.length(e), rounding = length_error * size;
+      const auto exit = [&](const Ray& r) { return m_mesh.to_unit(m_sector.exit_of_ray(h, r)); };
+      w.set_interval(upper ? (std::max)(exit(*upper) - rounding, 0.) : 0., lower ? (std::min)(exit(*lower) + rounding, size) : size);
       m_state.add(g, w);
     });
   }

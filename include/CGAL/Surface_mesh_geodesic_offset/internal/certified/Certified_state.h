@@ -78,7 +78,7 @@ public:
     auto output = m_single.start(g, takes_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
-    const double length = mesh.length(g), margin = pruning_margin(w.radius, (std::max)(w.d0, w.d1), length);
+    const double length = mesh.length(g), margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
     const Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
                                     margin);
     if (pruning.trim(output.next()))

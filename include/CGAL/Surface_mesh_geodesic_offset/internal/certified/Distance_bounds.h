@@ -62,7 +62,7 @@ struct Arrival
     if (from >= lower() && to <= distance + radius && o.angle + std::abs(cross) / dot <= angle) return true;
     if (has_spread) return false;
     distance = 0.5 * (from + to);
-    radius = 0.5 * (to - from) * (1 + 0x1p-50);
+    radius = 0.5 * (to - from) * (1 + 0x1p-50) + 0x1p-51 * distance; // the roundings of `from`, `to` and their mean
     angle = (std::max)(angle, 2 * std::abs(cross) / dot + o.angle);
     return true;
   }
