@@ -62,6 +62,9 @@ public:
       m_halfedges[h].length =
         t < h ? m_halfedges[t].length : edge_length(points[unfolded.source(h)], points[unfolded.target(h)]);
     }
+    for (Index h = 0; h < m_halfedges.size(); ++h)
+      if (unfolded.source(h) != no_index && !(length(h) > 0x1p-200)) // squares of areas have all their digits above it
+        throw std::invalid_argument("Surface_mesh_geodesic_enclosure: an edge is shorter than 1e-60 times the longest one");
     for (Index f = 0; f < unfolded.number_of_faces(); ++f)
       if (unfolded.source(3 * f) != no_index) find_corners(f, points);
     for (Index v = 0; v < unfolded.number_of_vertices(); ++v) m_can_bend[v] = bends(v);
