@@ -103,6 +103,15 @@ public:
     {
       ++counts.refused;
     }
+    catch (const std::logic_error& e)
+    { // in debug mode, a statement of the error analysis that does not hold
+      ++counts.violations;
+      if (printed_ > 0)
+      {
+        --printed_;
+        log_ << name << ": " << e.what() << std::endl;
+      }
+    }
     counts.violated_meshes += counts.violations > before;
   }
 

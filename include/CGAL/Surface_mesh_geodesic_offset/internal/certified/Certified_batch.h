@@ -77,14 +77,14 @@ public:
       if (goes_left && to_left.is_open())
       {
         Window& child = to_left.next();
-        if (face.left_child(w, left_end, left_to_apex, child) && !by_left.is_filtered(child.b0, child.d0) &&
+        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) && !by_left.is_filtered(child.b0, child.d0) &&
             by_left.trim(child))
           to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
         Window& child = to_right.next();
-        if (face.right_child(w, right_begin, right_from_apex, child) && !by_right.is_filtered(child.b1, child.d1) &&
+        if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) && !by_right.is_filtered(child.b1, child.d1) &&
             by_right.trim(child))
           to_right.keep(child.minimum());
       }
@@ -100,7 +100,8 @@ private:
   struct Sorted
   {
     Exit exit;
-    double lowest; // for BOTH, the least that the distance of the apex may be
+    double lowest;  // for BOTH, the least that the distance of the apex may be
+    double lateral; // how much longer a path to the apex may be: zero if the apex certainly is in the rays
   };
 
   void sort_by_exit(Index h, const Certified_propagation& face, const Window* windows, std::size_t n, double& best,
@@ -124,13 +125,18 @@ private:
       m_most_faces = (std::max)(m_most_faces, w.faces());
       bool is_certain;
       m_exit[i].exit = exit_of(face, w, is_certain);
+      m_exit[i].lateral = 0;
       if (m_exit[i].exit != BOTH) continue;
-      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, is_certain);
+      if (!is_certain) m_exit[i].lateral = face.lateral_error(w);
+      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, m_exit[i].lateral);
       m_exit[i].lowest = d - error;
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_apex(w, d, error);)
       if (d + error < list.split_distance)
       {
         list.split_distance = d + error;
         list.split_entry = face.entry_of_apex(w);
+        CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_entry(
+          w, list.split_entry, face.error_of_entry(list.split_distance, list.split_entry));)
       }
       // the way back, in the frame of the corner at the apex
       const Point_in_face<double> v = face.from_apex(w);
@@ -138,7 +144,8 @@ private:
                                        face.sl * v.x - face.cl * v.y};
       const double away = std::abs(v.x) + std::abs(v.y);
       m_state.arrive(apex, d, error, back,
-                     length_error * (1 + (face.length + face.left_length) / away) + 4 * w.error_of_image() / away);
+                     length_error * (1 + (face.length + face.left_length) / away) +
+                       4 * w.error_of_image() / away CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
     }
     best = list.split_distance;
     entry = list.split_entry;
@@ -148,10 +155,17 @@ private:
   static Exit exit_of(const Certified_propagation& face, const Window& w, bool& is_certain)
   {
     const int side = face.clear_side(w, is_certain);
-    if (is_certain) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    if (is_certain)
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b0, side > 0 ? POSITIVE : side < 0 ? ZERO : NEGATIVE);
+                                       face.certificate().check_side(w, w.b1, side < 0 ? NEGATIVE : side > 0 ? ZERO : POSITIVE);)
+      return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    }
     const Sign from = face.side_of_apex(w, w.b0);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b0, from);)
     if (from == POSITIVE) return RIGHT;
     const Sign to = face.side_of_apex(w, w.b1);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b1, to);)
     if (to == NEGATIVE) return LEFT;
     is_certain = from == NEGATIVE && to == POSITIVE;
     return BOTH;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
@@ -41,6 +42,7 @@ public:
       take(w, i + 1 != m_order.end() ? i[1]->b0 : length);
     }
     while (m_order.has_later()) take(m_order.pop_later(), length);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
     return m_envelope;
   }
 

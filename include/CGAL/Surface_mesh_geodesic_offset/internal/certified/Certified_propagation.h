@@ -8,12 +8,17 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 
 #include <boost/config.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -26,7 +31,9 @@ public:
   Certified_propagation(const Certified_mesh& mesh, Index h)
     : Certified_propagation(mesh[h], mesh[mesh.unfolded().next(h)], mesh[mesh.unfolded().previous(h)], mesh.apex(h))
   {
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate = std::make_shared<Certificate_of_face>(mesh, h);)
   }
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(const Certificate_of_face& certificate() const { return *m_certificate; })
 
   // On which side of the apex the rays of a window pass, if that is clear by much more than rounding, which leaves the low
   // digits out: -1 if all of them to the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false
@@ -60,12 +67,14 @@ public:
     return w.sigma + internal::length(from_apex(w));
   }
 
-  // How far a window's distance at the apex may be off. If it is not certain that the apex is in its rays, the way round the
-  // end of its interval is longer by a little; which end that is does not matter.
-  double error_at_apex(const Certified_window& w, double distance, bool is_certain) const
+  // If it is not certain that the apex is in the rays of a window, the way round the end of its interval is longer by this
+  // at most; which end that is does not matter.
+  double lateral_error(const Certified_window& w) const { return (std::max)(way_around(w, w.b0), way_around(w, w.b1)); }
+
+  // How far a window's distance at the apex may be off.
+  double error_at_apex(const Certified_window& w, double distance, double lateral) const
   {
     const double rounding = side_error * (distance + (w.is_parallel() ? length + left_length : 0.));
-    const double lateral = is_certain ? 0. : (std::max)(way_around(w, w.b0), way_around(w, w.b1));
     return w.radius + rounding + lateral + 4 * w.error_of_image();
   }
 
@@ -85,30 +94,50 @@ public:
     return length_error * size + 4 * image_error * (2 * size + 1) * slope;
   }
 
-  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex. False if nothing is left.
-  BOOST_FORCEINLINE bool left_child(const Certified_window& w, double end, bool to_apex, Certified_window& child) const
+  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex, to which paths are longer by
+  // `lateral` then. False if nothing is left.
+  BOOST_FORCEINLINE bool left_child(const Certified_window& w, double end, bool to_apex, double lateral,
+                                    Certified_window& child) const
   {
     const double off = w.error_of_image();
-    if (!turn(w, m_to_left, w.image(), child)) return false;
-    double from, to = left_length, grazing = 0;
-    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from, grazing)) return false;
+    if (!turn(w, m_to_left, w.image(), child))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, true, false);)
+      return false;
+    }
+    double from, to = left_length, grazing = to_apex ? lateral : 0.;
+    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from, grazing))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, true, true);)
+      return false;
+    }
     if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, off, to, grazing);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
     child.set_interval(from, to);
-    child.radius = w.radius + (from > 0 || !to_apex ? detour(to, off) + grazing : 0.);
+    child.radius = w.b0 > 0 || !to_apex || grazing > 0 ? sum_of_radii(w.radius, detour(to, off) + grazing) : w.radius;
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, end, to_apex, true, child);)
     return true;
   }
 
   // The child on r -> q of the rays that enter from `begin` to b1.
-  BOOST_FORCEINLINE bool right_child(const Certified_window& w, double begin, bool from_apex, Certified_window& child) const
+  BOOST_FORCEINLINE bool right_child(const Certified_window& w, double begin, bool from_apex, double lateral,
+                                     Certified_window& child) const
   {
     const double off = w.error_of_image();
     const Double_double_2 image = w.image();
-    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
-    double from, to = right_length, grazing = 0; // counted from q
-    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1, -corner_error), cr, sr, off, from, grazing)) return false;
+    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, false);)
+      return false;
+    }
+    double from, to = right_length, grazing = from_apex ? lateral : 0.; // counted from q
+    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1, -corner_error), cr, sr, off, from, grazing))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, true);)
+      return false;
+    }
     if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin, corner_error), cr, sr, off, to, grazing);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
@@ -129,8 +158,12 @@ public:
     const double rounding = 2 * unit_roundoff * right_length;
     child.set_interval(to < right_length ? (std::max)(0., right_length - to - rounding) : 0.,
                        from > 0 ? (std::min)(right_length, right_length - from + rounding) : right_length);
-    child.radius = w.radius + (from > 0 || !from_apex ? detour(to, off) + grazing + 4 * rounding : 0.);
-    return child.b0 < child.b1;
+    child.radius = w.b1 < length || !from_apex || grazing > 0
+                     ? sum_of_radii(w.radius, detour(to, off) + grazing + 4 * rounding)
+                     : w.radius;
+    if (!(child.b0 < child.b1)) return false;
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, begin, from_apex, false, child);)
+    return true;
   }
 
 private:
@@ -154,6 +187,9 @@ private:
     child.bits = w.bits_of_child();
     return true;
   }
+
+  // Rounded up.
+  static double sum_of_radii(double a, double b) { return (a + b) * (1 + 2 * unit_roundoff); }
 
   double way_around(const Certified_window& w, double b) const { return w.way_around(m_apex.x, apex_y, place(b)); }
 
@@ -230,6 +266,7 @@ private:
     return 6 * exit_error * size + (w.is_parallel() || 6 * off * size < 2 * r * r ? 6 * off * size / r : 2 * r);
   }
 
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::shared_ptr<const Certificate_of_face> m_certificate;)
   const Rotation m_to_left, m_to_right; // into the frames of p -> r and r -> q
   const Double_double m_length, m_right_length;
   const Double_double_2 m_apex;

@@ -55,11 +55,12 @@ public:
   }
 
   // A path to v, up to the radius, that leaves v along `back`, which is known up to an angle.
-  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back, double angle)
+  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back,
+              double angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, const std::vector<Precise>& directions))
   {
     field.bounds.update(v, distance, radius);
     if (!mesh.can_be_pseudo_source(v) || distance - radius > field.bounds.upper(v)) return;
-    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index}))
+    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index CGAL_GEODESIC_OFFSET_CERTIFICATE(, directions)}))
       queue.push_vertex((std::max)(queue.bucket_of(distance), queue.current()), v);
   }
 
