@@ -49,7 +49,8 @@ public:
     : m_length(mesh.precise()[h].length), m_left_length(mesh.precise()[mesh.unfolded().previous(h)].length),
       m_right_length(mesh.precise()[mesh.unfolded().next(h)].length), m_apex(mesh.precise().apex(h)),
       m_left(mesh.precise()[h].corner), m_right(mesh.precise()[mesh.unfolded().next(h)].corner),
-      m_rounded_length(mesh.length(h)), m_mesh(mesh.precise())
+      m_rounded_length(mesh.length(h)), m_rounded_left_length(mesh.length(mesh.unfolded().previous(h))),
+      m_rounded_right_length(mesh.length(mesh.unfolded().next(h))), m_mesh(mesh.precise())
   {
   }
 
@@ -106,12 +107,13 @@ public:
     child.precise = m_mesh.add(unfolded(p, to_left));
     const double near = to_left ? w.b0 : w.b1;
     const Precise& edge = to_left ? m_left_length : m_right_length;
+    const double rounded_edge = to_left ? m_rounded_left_length : m_rounded_right_length;
     // from the corner at which both edges meet
     const Precise child_near = to_left ? Precise(child.b0) : Precise(m_right_length - child.b1);
     const Precise child_far = to_left ? Precise(child.b1) : Precise(m_right_length - child.b0);
-    const bool is_whole = to_left ? child.b1 >= rounded(edge) : child.b0 == 0;
+    const bool is_whole = to_left ? child.b1 >= rounded_edge : child.b0 == 0;
     const Precise near_den = denominator(p, to_left, near), far_den = denominator(p, to_left, far);
-    const bool starts_at_corner = to_left ? child.b0 == 0 : child.b1 >= rounded(edge);
+    const bool starts_at_corner = to_left ? child.b0 == 0 : child.b1 >= rounded_edge;
     if (near_den > 0 && !starts_at_corner)
       check_certificate(child_near <= from_corner(to_left, near) * -p.y / near_den, "near exit");
     if (!is_whole)
@@ -130,11 +132,10 @@ public:
           check_certificate(through(p, b, x, y) - p.distance(x, y) <= allowed, "radius of a child");
       }
     }
-    check_window(child, rounded(edge));
+    check_window(child, rounded_edge);
   }
 
 private:
-  static double rounded(const Precise& x) { return x.convert_to<double>(); }
   Precise place(double b) const { return b < m_rounded_length ? Precise(b) : m_length; }
 
   // The path to (x, y) by way of (b, 0).
@@ -164,9 +165,28 @@ private:
 
   const Precise m_length, m_left_length, m_right_length;
   const Precise_2 m_apex, m_left, m_right;
-  const double m_rounded_length;
+  const double m_rounded_length, m_rounded_left_length, m_rounded_right_length;
   const Precise_mesh& m_mesh;
 };
+
+// What is cut off an interval, or all of it, is farther than by way of an end of the halfedge, by more than the radius.
+inline void check_pruning(const Certified_window& before, const Certified_window* after, double upper_source,
+                          double upper_target, double length, double radius)
+{
+  const Precise_image& p = *before.precise;
+  const auto by_source = [&](double t) { return p.distance(t) - t > Precise(upper_source) + radius; };
+  const auto by_target = [&](double t) { return p.distance(t) + t > Precise(upper_target) + length + radius; };
+  if (!after) return check_certificate(by_source(before.b1) || by_target(before.b0), "window that is pruned");
+  check_certificate(before.b0 == after->b0 || by_source(after->b0), "interval trimmed from its source");
+  check_certificate(before.b1 == after->b1 || by_target(after->b1), "interval trimmed from its target");
+}
+
+inline void check_filter(const Certified_window& w, double t, double far_x, double far_yy, double upper, double radius)
+{
+  const Precise u = Precise(t) - far_x;
+  check_certificate(w.precise->distance(t) > upper + radius + boost::multiprecision::sqrt(Precise(u * u + far_yy)),
+                    "window that is filtered");
+}
 
 // As Certificate_of_face::check_apex, for a point (x, y) and the ends b0 and b1 of the interval.
 inline void check_query(const Certified_window& w, const Precise& x, const Precise& y, const Precise& b0, const Precise& b1,

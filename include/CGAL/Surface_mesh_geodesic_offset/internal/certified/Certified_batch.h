@@ -52,6 +52,7 @@ public:
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
     by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(by_left.set_radius(m_largest_radius); by_right.set_radius(m_largest_radius);)
     auto to_left = m_left.start(left, m_state.takes_windows(left), n);
     auto to_right = m_right.start(right, m_state.takes_windows(right), n);
     for (std::size_t i = 0; i < n; ++i)
@@ -77,14 +78,14 @@ public:
       if (goes_left && to_left.is_open())
       {
         Window& child = to_left.next();
-        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) && !by_left.is_filtered(child.b0, child.d0) &&
+        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) && !by_left.is_filtered(child, child.b0, child.d0) &&
             by_left.trim(child))
           to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
         Window& child = to_right.next();
-        if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) && !by_right.is_filtered(child.b1, child.d1) &&
+        if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) && !by_right.is_filtered(child, child.b1, child.d1) &&
             by_right.trim(child))
           to_right.keep(child.minimum());
       }

@@ -158,6 +158,17 @@ private:
     return (std::max)(0x1p-44, 16 * unit_roundoff * (corners + 8));
   }
 
+  // Where a ray from the source of h leaves the face, as Vertex_sector::exit_of_ray, but in the frame with twice the digits:
+  // doubles know the height of a flat face only up to the rounding of its length, and exits turn with the height. The error is
+  // at most 8 u of the edge beyond, and that of a ray which is turned by 8 u.
+  double exit_of_ray(Index h, const Ray& r) const
+  {
+    const Double_double_2 apex = m_mesh.apex(h);
+    const double b = r.x * apex.y.high - r.y * apex.x.high, a = r.y * m_mesh.length(h), size = m_mesh.length(m_unfolded.next(h));
+    if (!(b > 0)) return 0.;
+    return a > 0 ? b / (b + a) * size : size;
+  }
+
   // The rays from a vertex in a sector.
   void spread(const Ray& from, const Ray& to, Index first, double sigma, double radius)
   {
@@ -176,11 +187,10 @@ private:
       w.set_image({m_mesh[e].length - apex.x, -apex.y});
       w.sigma = sigma;
       w.radius = radius;
-      // Exits are rounded outward, by twice the roundings of a quotient, a product and the edge's length. In a flat face that
-      // turns rays by far more than any error of their direction. All of the face can be seen from the vertex, so nothing is
-      // added to the radius.
+      // Exits are rounded outward, by more than twice their roundings. In a flat face these turn rays by far more than any error
+      // of their direction. All of the face can be seen from the vertex, so nothing is added to the radius.
       const double size = m_mesh.length(e), rounding = length_error * size;
-      const auto exit = [&](const Ray& r) { return m_mesh.to_unit(m_sector.exit_of_ray(h, r)); };
+      const auto exit = [&](const Ray& r) { return exit_of_ray(h, r); };
       w.set_interval(upper ? (std::max)(exit(*upper) - rounding, 0.) : 0.,
                      lower ? (std::min)(exit(*lower) + rounding, size) : size);
 #ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES

@@ -80,8 +80,9 @@ public:
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
     const double length = mesh.length(g), margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
-    const Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
-                                    margin);
+    Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
+                              margin);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(pruning.set_radius(w.radius);)
     if (pruning.trim(output.next()))
       output.keep(output.next().minimum());
     m_single.finish(output);
