@@ -194,9 +194,9 @@ private:
   double way_around(const Certified_window& w, double b) const { return w.way_around(m_apex.x, apex_y, place(b)); }
 
   // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 22 u of the exit's
-  // distance from the corner at most, and by what the image's error moves them. The path through the interval's end is longer
-  // by twice that.
-  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 4 * off; }
+  // distance from the corner at most, and by what the image's error moves them: 4 sqrt(2) off, and off for the image itself.
+  // The path through the interval's end is longer by twice that.
+  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 16 * off; }
 
   // A point of the halfedge; its end is the vertex itself.
   Double_double place(double b) const { return b < length ? Double_double(b) : m_length; }
@@ -213,7 +213,7 @@ private:
   //
   // With r = |to_image|, the exit is at t = b |y| / den, where den is r times the sine of the angle between ray and edge. If the
   // image moves by `off`, the exit moves by no more than b s r off / (den den'), with the smallest den' on the way: not by
-  // off / |y| of t, which is far too much for an edge that is long against r. A ray with den' near zero grazes the edge.
+  // off / |y| of t, which is far too much for an edge that is long against r. A ray with den' < den / 2 grazes the edge.
   bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t,
                  double& grazing) const
   {
@@ -221,7 +221,7 @@ private:
     across(w, to_image, c, s, den, error);
     if (den <= -(error + off)) return false;
     const double least = den - error - off;
-    if (least > 0)
+    if (least > error + off)
     {
       double y = -w.y;
       const double aside = s * (std::abs(to_image) + y) * off;
@@ -239,7 +239,7 @@ private:
     double den, error;
     across(w, to_image, c, s, den, error);
     const double least = den - error - off;
-    if (!(least > 0))
+    if (!(least > error + off))
     {
       grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
       return;
@@ -259,11 +259,12 @@ private:
   }
 
   // How much longer paths around the interval's end are than rays that graze an edge, the angle between both being at most
-  // (error + off) / r: all points of the face are that much beside the ray.
+  // (2 (error + off) + off) / r: all points of the face are that much beside the ray, times its size. The error is below
+  // sqrt(2) r exit_error, and r here the sum of the coordinates, up to sqrt(2) times the length.
   double way_around_grazed(const Certified_window& w, double to_image, double off) const
   {
     const double size = length + left_length + right_length, r = w.is_parallel() ? 1. : std::abs(to_image) - w.y;
-    return 6 * exit_error * size + (w.is_parallel() || 6 * off * size < 2 * r * r ? 6 * off * size / r : 2 * r);
+    return 6 * exit_error * size + (w.is_parallel() || 9 * off * size < 2 * r * r ? 9 * off * size / r : 2 * r);
   }
 
   CGAL_GEODESIC_OFFSET_CERTIFICATE(std::shared_ptr<const Certificate_of_face> m_certificate;)

@@ -272,7 +272,8 @@ private:
     const Precise_mesh& mesh = m_mesh.precise();
     Precise_2 image = mesh.beyond_edge(face, k, {precise(p.x), precise(p.y)}, is_direction);
     if (!is_direction)
-    {
+    { // a source on the edge is in front of it, too, if only by what 200 bits can tell
+      image.y = (std::min)(image.y, Precise(-0x1p-150));
       w.precise = mesh.add({image.x, image.y, Precise(0), false});
       return;
     }
