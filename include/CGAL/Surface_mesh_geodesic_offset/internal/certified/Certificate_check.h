@@ -34,11 +34,13 @@ inline void check_window(const Certified_window& w, double length)
   check_certificate(p.is_parallel == w.is_parallel(), "kind of an image");
   check_certificate(precise_length(precise(w.image().x) - p.x, precise(w.image().y) - p.y) <= w.error_of_image(),
                     "error of an image");
-  check_certificate(boost::multiprecision::abs(precise({w.sigma, w.sigma_low}) - p.sigma) <= 4 * w.error_of_image() * (1 + std::abs(w.sigma)),
-                    "error of sigma");
+  const Precise off_sigma = boost::multiprecision::abs(precise({w.sigma, w.sigma_low}) - p.sigma);
+  check_certificate(off_sigma <= 4 * w.error_of_image() * (1 + std::abs(w.sigma)), "error of sigma");
   for (const auto& [t, d] : {std::make_pair(w.b0, w.d0), std::make_pair(w.b1, w.d1)})
-    check_certificate(boost::multiprecision::abs(d - p.distance(t)) <= length_error * (std::abs(d) + length) + w.error_of_image(),
-                      "distance at the end of an interval");
+  {
+    const Precise off = boost::multiprecision::abs(d - p.distance(t));
+    check_certificate(off <= length_error * (std::abs(d) + length) + w.error_of_image(), "distance at the end of an interval");
+  }
 }
 
 // The face of a halfedge, and the windows that cross it.
@@ -213,7 +215,8 @@ inline void check_envelope(const Certified_window* first, const Certified_window
       const bool is_represented = std::any_of(envelope.begin(), envelope.end(), [&](const Certified_window& x) {
         if (!(x.b0 <= t && t <= x.b1)) return false;
         const Precise_image &p = *w->precise, &q = *x.precise;
-        if (p.is_parallel == q.is_parallel && boost::multiprecision::abs(p.sigma - q.sigma) <= x.radius + w->error_of_image() &&
+        if (p.is_parallel == q.is_parallel &&
+            boost::multiprecision::abs(p.sigma - q.sigma) <= x.radius + w->error_of_image() &&
             precise_length(p.x - q.x, p.y - q.y) <= w->error_of_image() + x.error_of_image())
           return true;
         return q.distance(t) + x.radius < d - w->radius;

@@ -36,10 +36,11 @@ public:
     double best, entry;
     sort_by_exit(h, face, windows, n, best, entry);
     if (m_most_faces >= most_faces)
-      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of images "
-                               "are proven for fewer");
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of "
+                               "images are proven for fewer");
     if (!(m_largest_radius < m_state.queue.width()))
-      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the mean edge");
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the "
+                               "mean edge");
     const double room = Number_policy<double>::is_finite(best) ? face.error_of_entry(best, entry) : 0.;
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
@@ -78,15 +79,15 @@ public:
       if (goes_left && to_left.is_open())
       {
         Window& child = to_left.next();
-        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) && !by_left.is_filtered(child, child.b0, child.d0) &&
-            by_left.trim(child))
+        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) &&
+            !by_left.is_filtered(child, child.b0, child.d0) && by_left.trim(child))
           to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
         Window& child = to_right.next();
-        if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) && !by_right.is_filtered(child, child.b1, child.d1) &&
-            by_right.trim(child))
+        if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) &&
+            !by_right.is_filtered(child, child.b1, child.d1) && by_right.trim(child))
           to_right.keep(child.minimum());
       }
     }
@@ -144,9 +145,9 @@ private:
       const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * v.x + face.sl * v.y),
                                        face.sl * v.x - face.cl * v.y};
       const double away = std::abs(v.x) + std::abs(v.y);
+      const double angle = length_error * (1 + (face.length + face.left_length) / away) + 4 * w.error_of_image() / away;
       m_state.arrive(apex, d, error, back,
-                     length_error * (1 + (face.length + face.left_length) / away) +
-                       4 * w.error_of_image() / away CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
+                     angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
     }
     best = list.split_distance;
     entry = list.split_entry;

@@ -191,10 +191,10 @@ private:
       if (m_unfolded.source(h) == no_index) continue;
       const Halfedge& e = m_halfedges[h];
       const Precise_halfedge& p = (*m_precise)[h];
-      check_certificate(boost::multiprecision::abs(internal::precise(e.length) - p.length) <= Precise(0x1p-98) * p.length, "length of an edge");
-      check_certificate(precise_length(internal::precise(e.corner.x) - p.corner.x, internal::precise(e.corner.y) - p.corner.y) <=
-                          Precise(0x1p-98),
-                        "corner of a face");
+      const Precise off = boost::multiprecision::abs(internal::precise(e.length) - p.length);
+      check_certificate(off <= Precise(0x1p-98) * p.length, "length of an edge");
+      const Precise x = internal::precise(e.corner.x) - p.corner.x, y = internal::precise(e.corner.y) - p.corner.y;
+      check_certificate(precise_length(x, y) <= Precise(0x1p-98), "corner of a face");
     }
   }
 

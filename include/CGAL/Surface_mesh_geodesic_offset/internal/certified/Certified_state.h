@@ -79,7 +79,8 @@ public:
     auto output = m_single.start(g, takes_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
-    const double length = mesh.length(g), margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
+    const double length = mesh.length(g);
+    const double margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
     Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
                               margin);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(pruning.set_radius(w.radius);)

@@ -120,7 +120,8 @@ struct Certified_window
   // that, nor by more than 2 r.
   double way_around(const Double_double& px, double py, const Double_double& b) const
   {
-    const double along = std::abs((px.high - b.high) + (px.low - b.low)) + py, r = is_parallel() ? 1. : std::abs(to_image(b)) - y;
+    const double along = std::abs((px.high - b.high) + (px.low - b.low)) + py;
+    const double r = is_parallel() ? 1. : std::abs(to_image(b)) - y;
     const double by_image = 6 * error_of_image() * along; // r is the sum of both coordinates, up to sqrt(2) r
     return 5 * side_error * along + 8 * corner_error * (std::abs(px.high) + py + b.high) +
            (is_parallel() || by_image < 2 * r * r ? by_image / r : 2 * r);
