@@ -7,20 +7,15 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Arithmetic_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <cfenv>
-#include <cfloat>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
-
-#if defined(__FAST_MATH__) || FLT_EVAL_METHOD > 0
-#error "Surface_mesh_geodesic_enclosure: bounds are certain only where every operation rounds to double, as IEEE 754 says"
-#endif
 
 namespace CGAL {
 
@@ -34,12 +29,14 @@ methods.
 The bounds are those of the mesh whose vertices have exactly the given coordinates, rounded to `double` if they are of another
 type. The location of a source or of a query is classified first: barycentric coordinates that are zero up to round-off
 (1e-13) put it on the edge, or at the vertex. \ref SurfaceMeshGeodesicOffsetErrorAnalysis says how the bounds are computed
-and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for sources from which
-every shortest path crosses fewer than 2^16 faces without a bend.
+and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for paths that cross
+fewer than 2^16 faces without a bend; if there may be others, the build ends with an exception.
 
 The computation takes up to twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
 arithmetic with round to nearest, where every operation rounds to `double`: the header does not compile with `-ffast-math`,
-nor for x87 registers.
+nor with `-ffinite-math-only`, `-freciprocal-math` or `-fassociative-math` alone, nor where x87 registers are used, be it for
+some operations only (`-mfpmath=both`). Builds check the arithmetic, too, as not all compilers tell their options, and builds
+and queries check the rounding mode.
 
 The template parameters are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be `double`.
 */
@@ -90,19 +87,18 @@ public:
   /// \throws std::logic_error if the rounding mode is not to nearest, or the compiler has rearranged floating point
   ///         operations
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than some
-  ///         1e-4, no window may be certainly nearer than another one, so that the number of windows doubles in each face
-  /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60
+  ///         1e-4, no window may be certainly nearer than another one, so that the number of windows doubles in each face;
+  ///         or if a path may cross 2^16 faces without a bend, or a distance is uncertain by more than a quarter of the mean
+  ///         edge, beyond what is proven
+  /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60, or an edge is shorter than 1e-60 times the
+  ///         longest one
   template <class NamedParameters = parameters::Default_named_parameters>
   void build(const NamedParameters& np = parameters::default_values())
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    if (std::fegetround() != FE_TONEAREST)
-      throw std::logic_error("Surface_mesh_geodesic_enclosure: the rounding mode must be to nearest");
-    volatile const double one = 1, tiny = 0x1p-60; // of which the compiler must not know
-    const auto sum = Geodesic_offset::internal::two_sum(double(one), double(tiny));
-    if (sum.high != 1 || sum.low != 0x1p-60)
-      throw std::logic_error("Surface_mesh_geodesic_enclosure: the compiler has rearranged floating point operations");
+    Geodesic_offset::internal::check_rounding_mode();
+    Geodesic_offset::internal::check_arithmetic();
     const bool keeps = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
     if (!m_mesh) m_mesh = std::make_shared<Mesh>(this->unfolded(), [&](auto v) { return coordinates(v); });
     m_built = std::make_shared<Build>(*m_mesh, this->m_sources.initial_windows(this->unfolded()), keeps);
@@ -121,11 +117,13 @@ public:
   /// a lower and an upper bound of the distance from a `vertex_descriptor` or a `Face_location` to the nearest source; both
   /// are infinite if the point is unreachable. Takes constant time at vertices; elsewhere time linear in the number of
   /// windows of a face.
-  /// \throws std::logic_error if `!is_built()`, or if the location is not a vertex and the windows were not kept
+  /// \throws std::logic_error if `!is_built()`, if the location is not a vertex and the windows were not kept, or if the
+  ///         rounding mode is not to nearest
   /// \throws std::invalid_argument if the location is not valid
   template <class Location>
   std::pair<double, double> distance_bounds(const Location& location) const
   {
+    Geodesic_offset::internal::check_rounding_mode();
     const Surface_point p = this->classified(location);
     const Build& b = built();
     if (p.kind != Surface_point::VERTEX && !b.field.has_windows())

@@ -11,6 +11,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +35,13 @@ public:
     const Certified_propagation face(m_state.mesh, h);
     double best, entry;
     sort_by_exit(h, face, windows, n, best, entry);
+    if (m_most_faces >= most_faces)
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of "
+                               "images are proven for fewer");
+    if (!(m_largest_radius < m_state.queue.width()))
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the "
+                               "mean edge");
+    const double room = Number_policy<double>::is_finite(best) ? face.error_of_entry(best, entry) : 0.;
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
     const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
@@ -43,6 +53,7 @@ public:
     // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
     by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(by_left.set_radius(m_largest_radius); by_right.set_radius(m_largest_radius);)
     auto to_left = m_left.start(left, m_state.takes_windows(left), n);
     auto to_right = m_right.start(right, m_state.takes_windows(right), n);
     for (std::size_t i = 0; i < n; ++i)
@@ -57,7 +68,6 @@ public:
       {
         // one angle, one split, with room for rounding
         const double split = face.entry_of_apex(w);
-        const double room = length_error * (std::abs(w.x) + face.length);
         const bool may_be_best = w.is_parallel() || m_exit[i].lowest <= best;
         left_to_apex = may_be_best || split <= entry + room;
         right_from_apex = may_be_best || split >= entry - room;
@@ -69,15 +79,15 @@ public:
       if (goes_left && to_left.is_open())
       {
         Window& child = to_left.next();
-        if (face.left_child(w, left_end, left_to_apex, child) && !by_left.is_filtered(child.b0, child.d0) &&
-            by_left.trim(child))
+        if (face.left_child(w, left_end, left_to_apex, m_exit[i].lateral, child) &&
+            !by_left.is_filtered(child, child.b0, child.d0) && by_left.trim(child))
           to_left.keep(child.minimum());
       }
       if (goes_right && to_right.is_open())
       {
         Window& child = to_right.next();
-        if (face.right_child(w, right_begin, right_from_apex, child) && !by_right.is_filtered(child.b1, child.d1) &&
-            by_right.trim(child))
+        if (face.right_child(w, right_begin, right_from_apex, m_exit[i].lateral, child) &&
+            !by_right.is_filtered(child, child.b1, child.d1) && by_right.trim(child))
           to_right.keep(child.minimum());
       }
     }
@@ -92,7 +102,8 @@ private:
   struct Sorted
   {
     Exit exit;
-    double lowest; // for BOTH, the least that the distance of the apex may be
+    double lowest;  // for BOTH, the least that the distance of the apex may be
+    double lateral; // how much longer a path to the apex may be: zero if the apex certainly is in the rays
   };
 
   void sort_by_exit(Index h, const Certified_propagation& face, const Window* windows, std::size_t n, double& best,
@@ -102,6 +113,7 @@ private:
     const Index apex = m_state.unfolded.apex(h);
     m_exit.resize(n);
     m_farthest = m_largest_radius = 0;
+    m_most_faces = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
       const Window& w = windows[i];
@@ -112,22 +124,30 @@ private:
       }
       m_farthest = (std::max)(m_farthest, (std::max)(w.d0, w.d1));
       m_largest_radius = (std::max)(m_largest_radius, w.radius);
+      m_most_faces = (std::max)(m_most_faces, w.faces());
       bool is_certain;
       m_exit[i].exit = exit_of(face, w, is_certain);
+      m_exit[i].lateral = 0;
       if (m_exit[i].exit != BOTH) continue;
-      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, is_certain);
+      if (!is_certain) m_exit[i].lateral = face.lateral_error(w);
+      const double d = face.distance_at_apex(w), error = face.error_at_apex(w, d, m_exit[i].lateral);
       m_exit[i].lowest = d - error;
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_apex(w, d, error);)
       if (d + error < list.split_distance)
       {
         list.split_distance = d + error;
         list.split_entry = face.entry_of_apex(w);
+        CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_entry(
+          w, list.split_entry, face.error_of_entry(list.split_distance, list.split_entry));)
       }
       // the way back, in the frame of the corner at the apex
       const Point_in_face<double> v = face.from_apex(w);
       const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * v.x + face.sl * v.y),
                                        face.sl * v.x - face.cl * v.y};
       const double away = std::abs(v.x) + std::abs(v.y);
-      m_state.arrive(apex, d, error, back, length_error * (1 + (face.length + face.left_length) / away));
+      const double angle = length_error * (1 + (face.length + face.left_length) / away) + 4 * w.error_of_image() / away;
+      m_state.arrive(apex, d, error, back,
+                     angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, {face.certificate().direction_at_apex(w)}));
     }
     best = list.split_distance;
     entry = list.split_entry;
@@ -137,10 +157,17 @@ private:
   static Exit exit_of(const Certified_propagation& face, const Window& w, bool& is_certain)
   {
     const int side = face.clear_side(w, is_certain);
-    if (is_certain) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    if (is_certain)
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b0, side > 0 ? POSITIVE : side < 0 ? ZERO : NEGATIVE);
+                                       face.certificate().check_side(w, w.b1, side < 0 ? NEGATIVE : side > 0 ? ZERO : POSITIVE);)
+      return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
+    }
     const Sign from = face.side_of_apex(w, w.b0);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b0, from);)
     if (from == POSITIVE) return RIGHT;
     const Sign to = face.side_of_apex(w, w.b1);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_side(w, w.b1, to);)
     if (to == NEGATIVE) return LEFT;
     is_certain = from == NEGATIVE && to == POSITIVE;
     return BOTH;
@@ -150,6 +177,7 @@ private:
   Certified_state::Output m_left, m_right;
   std::vector<Sorted> m_exit;
   double m_farthest = 0, m_largest_radius = 0; // of the windows that are propagated
+  Index m_most_faces = 0;
 };
 
 } // namespace internal

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
@@ -41,6 +42,7 @@ public:
       take(w, i + 1 != m_order.end() ? i[1]->b0 : length);
     }
     while (m_order.has_later()) take(m_order.pop_later(), length);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
     return m_envelope;
   }
 
@@ -164,14 +166,15 @@ private:
   void unite(Window& a, const Window& w, double difference)
   {
     const double radius = (std::max)(a.radius, w.radius + difference);
-    if (a.is_propagated() && !w.is_propagated() && radius > a.radius && w.b0 < a.b1)
-    { // the rays of a are worth less now
+    if (a.is_propagated() && !w.is_propagated() && (radius > a.radius || w.faces() > a.faces()) && w.b0 < a.b1)
+    { // the rays of a are worth less now, or have been unfolded more often
       m_envelope.push_back(w);
       return;
     }
     if (w.is_propagated() == a.is_propagated())
     {
       a.radius = radius;
+      a.set_faces_of_both(w);
       if (w.b1 <= a.b1) return;
       a.b1 = w.b1;
       a.d1 = w.d1;

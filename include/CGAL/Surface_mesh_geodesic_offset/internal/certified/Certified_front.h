@@ -78,7 +78,8 @@ private:
     // back to the nearest point, in the frame of the corner's halfedge
     const Double_double_2 back = in_frame(sources.direction(s.face, k), {way.x, way.y});
     m_state.arrive(m_unfolded.source(h), distance, 4 * s.moved, Ray{h, back.x.high, back.y.high},
-                   distance > 0 ? length_error * (1 + reach / distance) : Number_policy<double>::infinity());
+                   distance > 0 ? length_error * (1 + reach / distance)
+                                : Number_policy<double>::infinity() CGAL_GEODESIC_OFFSET_CERTIFICATE(, {}));
   }
 
   void take(Index h)
@@ -106,6 +107,15 @@ private:
   // Behind a vertex, at angles of at least pi to where the path came from, as far as that is known.
   void spread_behind(Index v, const Arrival& a)
   {
+#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
+    m_certificate.clear();
+    spread_sectors_behind(v, a);
+    for (const Precise& direction : a.directions) m_certificate.check(a.back.corner, direction);
+  }
+
+  void spread_sectors_behind(Index v, const Arrival& a)
+  {
+#endif
     const auto spread_sector = [&](const Ray& from, const Ray& to, Index first) {
       spread(from, to, first, a.distance, a.radius);
     };
@@ -116,8 +126,18 @@ private:
       m_unfolded.for_each_fan(v, spread_fan);
       return;
     }
-    m_sector.for_each_sector_behind(a.back, spread_sector, angle);
-    if (m_unfolded.has_several_fans(v)) m_unfolded.for_each_fan(v, spread_fan);
+    bool is_empty = true;
+    m_sector.for_each_sector_behind(
+      a.back,
+      [&](const Ray& from, const Ray& to, Index first) {
+        is_empty = false;
+        spread_sector(from, to, first);
+      },
+      angle);
+    // In a corner of nearly half a turn, a widened sector may begin where the path came from; without a border it seems empty
+    // then. All directions are right, too.
+    is_empty = is_empty && m_unfolded.first_on_border(a.back.corner) == no_index;
+    if (m_unfolded.has_several_fans(v) || is_empty) m_unfolded.for_each_fan(v, spread_fan);
   }
 
   // Beyond it, directions are taken as unknown.
@@ -138,6 +158,17 @@ private:
     return (std::max)(0x1p-44, 16 * unit_roundoff * (corners + 8));
   }
 
+  // Where a ray from the source of h leaves the face, as Vertex_sector::exit_of_ray, but in the frame with twice the digits:
+  // doubles know the height of a flat face only up to the rounding of its length, and exits turn with the height. The error is
+  // at most 8 u of the edge beyond, and that of a ray which is turned by 8 u.
+  double exit_of_ray(Index h, const Ray& r) const
+  {
+    const Double_double_2 apex = m_mesh.apex(h);
+    const double b = r.x * apex.y.high - r.y * apex.x.high, a = r.y * m_mesh.length(h), size = m_mesh.length(m_unfolded.next(h));
+    if (!(b > 0)) return 0.;
+    return a > 0 ? b / (b + a) * size : size;
+  }
+
   // The rays from a vertex in a sector.
   void spread(const Ray& from, const Ray& to, Index first, double sigma, double radius)
   {
@@ -146,17 +177,28 @@ private:
       m_state.schedule(m_unfolded.face(h));
       const double along_e = sigma + m_mesh.length(h), along_p = sigma + m_mesh.length(p);
       const auto error = [&](double d) { return radius + length_error * d; };
-      m_state.arrive(m_unfolded.source(e), along_e, error(along_e), Ray{e, m_unfolded[e].apex_x, m_unfolded[e].apex_y}, 0.);
-      m_state.arrive(m_unfolded.source(p), along_p, error(along_p), Ray{p, 1., 0.}, 0.);
+      m_state.arrive(m_unfolded.source(e), along_e, error(along_e), Ray{e, m_unfolded[e].apex_x, m_unfolded[e].apex_y},
+                     0. CGAL_GEODESIC_OFFSET_CERTIFICATE(, {m_mesh.precise()[e].angle}));
+      m_state.arrive(m_unfolded.source(p), along_p, error(along_p), Ray{p, 1., 0.},
+                     0. CGAL_GEODESIC_OFFSET_CERTIFICATE(, {Precise(0)}));
       if (g == no_index) return;
       const Double_double_2 apex = m_mesh.apex(e);
       Window w{};
       w.set_image({m_mesh[e].length - apex.x, -apex.y});
       w.sigma = sigma;
       w.radius = radius;
-      const double size = m_mesh.length(e);
-      const auto exit = [&](const Ray& r) { return (std::min)(m_mesh.to_unit(m_sector.exit_of_ray(h, r)), size); };
-      w.set_interval(upper ? exit(*upper) : 0., lower ? exit(*lower) : size);
+      // Exits are rounded outward, by more than twice their roundings. In a flat face these turn rays by far more than any error
+      // of their direction. All of the face can be seen from the vertex, so nothing is added to the radius.
+      const double size = m_mesh.length(e), rounding = length_error * size;
+      const auto exit = [&](const Ray& r) { return exit_of_ray(h, r); };
+      w.set_interval(upper ? (std::max)(exit(*upper) - rounding, 0.) : 0.,
+                     lower ? (std::min)(exit(*lower) + rounding, size) : size);
+#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
+      const Precise_2 p_apex = m_mesh.precise().apex(e);
+      w.precise = m_mesh.precise().add({m_mesh.precise()[e].length - p_apex.x, -p_apex.y, Precise(sigma), false});
+      check_window(w, size);
+      m_certificate.add(h, w.b0, w.b1);
+#endif
       m_state.add(g, w);
     });
   }
@@ -167,6 +209,7 @@ private:
   Vertex_sector<double> m_sector;
   Certified_envelope m_envelope;
   Certified_batch m_propagate;
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(Certificate_of_sector m_certificate{m_mesh};)
 };
 
 } // namespace internal

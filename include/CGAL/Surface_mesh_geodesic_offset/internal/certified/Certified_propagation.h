@@ -8,12 +8,17 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 
 #include <boost/config.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -26,7 +31,9 @@ public:
   Certified_propagation(const Certified_mesh& mesh, Index h)
     : Certified_propagation(mesh[h], mesh[mesh.unfolded().next(h)], mesh[mesh.unfolded().previous(h)], mesh.apex(h))
   {
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate = std::make_shared<Certificate_of_face>(mesh, h);)
   }
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(const Certificate_of_face& certificate() const { return *m_certificate; })
 
   // On which side of the apex the rays of a window pass, if that is clear by much more than rounding, which leaves the low
   // digits out: -1 if all of them to the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false
@@ -60,12 +67,14 @@ public:
     return w.sigma + internal::length(from_apex(w));
   }
 
-  // How far a window's distance at the apex may be off. If it is not certain that the apex is in its rays, the way round the
-  // end of its interval is longer by a little.
-  double error_at_apex(const Certified_window& w, double distance, bool is_certain) const
+  // If it is not certain that the apex is in the rays of a window, the way round the end of its interval is longer by this
+  // at most; which end that is does not matter.
+  double lateral_error(const Certified_window& w) const { return (std::max)(way_around(w, w.b0), way_around(w, w.b1)); }
+
+  // How far a window's distance at the apex may be off.
+  double error_at_apex(const Certified_window& w, double distance, double lateral) const
   {
     const double rounding = side_error * (distance + (w.is_parallel() ? length + left_length : 0.));
-    const double lateral = is_certain ? 0. : 6 * side_error * (length + left_length);
     return w.radius + rounding + lateral + 4 * w.error_of_image();
   }
 
@@ -77,31 +86,59 @@ public:
     return x + (apex_x - x) * (w.y / (w.y - apex_y));
   }
 
-  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex. False if nothing is left.
-  BOOST_FORCEINLINE bool left_child(const Certified_window& w, double end, bool to_apex, Certified_window& child) const
+  // How far the entry above may be off, for a window with this distance at the apex or more: by roundings of the coordinates,
+  // and by the error of the image, which moves the entry by the cotangent of the ray's angle more.
+  double error_of_entry(double distance, double entry) const
+  {
+    const double size = distance + length + left_length, slope = 1 + std::abs(apex_x - entry) / apex_y;
+    return length_error * size + 4 * image_error * (2 * size + 1) * slope;
+  }
+
+  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex, to which paths are longer by
+  // `lateral` then. False if nothing is left.
+  BOOST_FORCEINLINE bool left_child(const Certified_window& w, double end, bool to_apex, double lateral,
+                                    Certified_window& child) const
   {
     const double off = w.error_of_image();
-    if (!turn(w, m_to_left, w.image(), child)) return false;
-    double from, to = left_length;
-    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from)) return false;
-    if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, off, to);
+    if (!turn(w, m_to_left, w.image(), child))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, true, false);)
+      return false;
+    }
+    double from, to = left_length, grazing = to_apex ? lateral : 0.;
+    if (!near_exit(w, w.to_image(place(w.b0)), w.b0, cl, sl, off, from, grazing))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, true, true);)
+      return false;
+    }
+    if (!to_apex) far_exit(w, w.to_image(place(end)), end, cl, sl, off, to, grazing);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
     child.set_interval(from, to);
-    child.radius = w.radius + (from > 0 || !to_apex ? detour(to, off) : 0.);
+    child.radius = w.b0 > 0 || !to_apex || grazing > 0 ? sum_of_radii(w.radius, detour(to, off) + grazing) : w.radius;
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, end, to_apex, true, child);)
     return true;
   }
 
   // The child on r -> q of the rays that enter from `begin` to b1.
-  BOOST_FORCEINLINE bool right_child(const Certified_window& w, double begin, bool from_apex, Certified_window& child) const
+  BOOST_FORCEINLINE bool right_child(const Certified_window& w, double begin, bool from_apex, double lateral,
+                                     Certified_window& child) const
   {
     const double off = w.error_of_image();
     const Double_double_2 image = w.image();
-    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child)) return false;
-    double from, to = right_length; // counted from q
-    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1), cr, sr, off, from)) return false;
-    if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin), cr, sr, off, to);
+    if (!turn(w, m_to_right, w.is_parallel() ? image : Double_double_2{image.x - m_length, image.y}, child))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, false);)
+      return false;
+    }
+    double from, to = right_length, grazing = from_apex ? lateral : 0.; // counted from q
+    if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1, -corner_error), cr, sr, off, from, grazing))
+    {
+      CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, true);)
+      return false;
+    }
+    if (!from_apex) far_exit(w, -w.to_image(place(begin)), from_target(begin, corner_error), cr, sr, off, to, grazing);
     if (!(from < to)) return false;
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
@@ -121,8 +158,12 @@ public:
     const double rounding = 2 * unit_roundoff * right_length;
     child.set_interval(to < right_length ? (std::max)(0., right_length - to - rounding) : 0.,
                        from > 0 ? (std::min)(right_length, right_length - from + rounding) : right_length);
-    child.radius = w.radius + (from > 0 || !from_apex ? detour(to, off) + 4 * rounding : 0.);
-    return child.b0 < child.b1;
+    child.radius = w.b1 < length || !from_apex || grazing > 0
+                     ? sum_of_radii(w.radius, detour(to, off) + grazing + 4 * rounding)
+                     : w.radius;
+    if (!(child.b0 < child.b1)) return false;
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_child(w, begin, from_apex, false, child);)
+    return true;
   }
 
 private:
@@ -143,46 +184,90 @@ private:
     const Double_double_2 turned = rotation(image);
     if (turned.y.high >= -Certified_mesh::flat * (std::abs(turned.x.high) + length)) return false;
     child.set_image(turned);
-    child.bits = w.bits & 1u;
+    child.bits = w.bits_of_child();
     return true;
   }
 
+  // Rounded up.
+  static double sum_of_radii(double a, double b) { return (a + b) * (1 + 2 * unit_roundoff); }
+
+  double way_around(const Certified_window& w, double b) const { return w.way_around(m_apex.x, apex_y, place(b)); }
+
   // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 22 u of the exit's
-  // distance from the corner at most. The path through the interval's end is longer by twice that.
-  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 4 * off; }
+  // distance from the corner at most, and by what the image's error moves them: 4 sqrt(2) off, and off for the image itself.
+  // The path through the interval's end is longer by twice that.
+  static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 16 * off; }
 
   // A point of the halfedge; its end is the vertex itself.
   Double_double place(double b) const { return b < length ? Double_double(b) : m_length; }
 
-  // From the point b to q, up to rounding of itself.
-  double from_target(double b) const { return b < length ? (length - b) + m_length.low : 0.; }
+  // From the point b to q, up to rounding of itself, and off by `aside` of the length: m_length may be less or more.
+  double from_target(double b, double aside) const
+  {
+    return b < length ? (std::max)(0., (length - b) + (m_length.low + aside * length)) : 0.;
+  }
 
   // Where the ray from (b, 0) leaves through the edge at the origin in direction (c, s), rounded towards the origin or away
   // from it. `to_image`: from b to the image; `off`: the error of the image. The first function is false if the ray
   // certainly does not meet the line of the edge.
-  static bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t)
+  //
+  // With r = |to_image|, the exit is at t = b |y| / den, where den is r times the sine of the angle between ray and edge. If the
+  // image moves by `off`, the exit moves by no more than b s r off / (den den'), with the smallest den' on the way: not by
+  // off / |y| of t, which is far too much for an edge that is long against r. A ray with den' < den / 2 grazes the edge.
+  bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t,
+                 double& grazing) const
   {
     double den, error;
-    across(w, to_image, c, s, off, den, error);
-    if (den <= -error) return false;
-    t = (std::max)(0., b * (-w.y - off)) / (den + error) * (1 - exit_error);
+    across(w, to_image, c, s, den, error);
+    if (den <= -(error + off)) return false;
+    const double least = den - error - off;
+    if (least > error + off)
+    {
+      double y = -w.y;
+      const double aside = s * (std::abs(to_image) + y) * off;
+      if (8 * aside > unit_roundoff * (y * least)) y -= 2 * (aside / least);
+      t = (std::max)(0., b * y) / (den + error) * (1 - exit_error);
+      return true;
+    }
+    t = (std::max)(0., b * (-w.y - off)) / (den + error + off) * (1 - exit_error);
+    grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
     return true;
   }
-  static void far_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t)
+  void far_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t,
+                double& grazing) const
   {
     double den, error;
-    across(w, to_image, c, s, off, den, error);
-    if (den > error) t = (std::min)(t, b * (off - w.y) / (den - error) * (1 + exit_error));
+    across(w, to_image, c, s, den, error);
+    const double least = den - error - off;
+    if (!(least > error + off))
+    {
+      grazing = (std::max)(grazing, way_around_grazed(w, to_image, off));
+      return;
+    }
+    double y = -w.y;
+    const double aside = s * (std::abs(to_image) + y) * off;
+    if (8 * aside > unit_roundoff * (y * least)) y += 2 * (aside / least);
+    t = (std::min)(t, b * y / (den - error) * (1 + exit_error));
   }
 
-  // The sine of the angle between ray and edge, times the length of the ray so far.
-  static void across(const Certified_window& w, double to_image, double c, double s, double off, double& den, double& error)
+  // The sine of the angle between ray and edge, times the length of the ray so far, and its rounding error.
+  static void across(const Certified_window& w, double to_image, double c, double s, double& den, double& error)
   {
     const double p = s * to_image, q = c * w.y;
     den = p - q;
-    error = exit_error * (std::abs(p) + std::abs(q)) + off;
+    error = exit_error * (std::abs(p) + std::abs(q));
   }
 
+  // How much longer paths around the interval's end are than rays that graze an edge, the angle between both being at most
+  // (2 (error + off) + off) / r: all points of the face are that much beside the ray, times its size. The error is below
+  // sqrt(2) r exit_error, and r here the sum of the coordinates, up to sqrt(2) times the length.
+  double way_around_grazed(const Certified_window& w, double to_image, double off) const
+  {
+    const double size = length + left_length + right_length, r = w.is_parallel() ? 1. : std::abs(to_image) - w.y;
+    return 6 * exit_error * size + (w.is_parallel() || 9 * off * size < 2 * r * r ? 9 * off * size / r : 2 * r);
+  }
+
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::shared_ptr<const Certificate_of_face> m_certificate;)
   const Rotation m_to_left, m_to_right; // into the frames of p -> r and r -> q
   const Double_double m_length, m_right_length;
   const Double_double_2 m_apex;

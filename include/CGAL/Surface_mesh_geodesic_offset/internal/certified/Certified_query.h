@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
@@ -69,12 +70,18 @@ private:
     {
       const Index h = 3 * face + Index(k), v = m_mesh.unfolded().source(h);
       const double height = (std::max)(p.y.high, 0.), way = length(Point{p.x.high, height});
-      take(m_field.bounds.lower(v) + way - moved, m_field.bounds.upper(v) + way + moved);
+      const double rounding = length_error * (m_field.bounds.upper(v) + way);
+      take(m_field.bounds.lower(v) + way - moved - rounding, m_field.bounds.upper(v) + way + moved + rounding);
       const auto place = [&](double b) { return b < m_mesh.length(h) ? Double_double(b) : m_mesh[h].length; };
       m_field.for_each_window(h, [&](const Certified_window& w) {
-        if (w.side_of(p.x, height, place(w.b0)) == POSITIVE || w.side_of(p.x, height, place(w.b1)) == NEGATIVE) return;
+        const Double_double b0 = place(w.b0), b1 = place(w.b1);
+        const Sign from = w.side_of(p.x, height, b0), to = w.side_of(p.x, height, b1);
+        if (from == POSITIVE || to == NEGATIVE) return;
         const double d = w.distance_at(p.x.high, height);
-        const double error = w.radius + length_error * d + moved + 4 * w.error_of_image();
+        double error = w.radius + length_error * d + moved + 4 * w.error_of_image();
+        if (from == ZERO) error += w.way_around(p.x, height, b0);
+        if (to == ZERO) error += w.way_around(p.x, height, b1);
+        CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)
         take(d - error, d + error);
       });
       // on to the frame of the next halfedge

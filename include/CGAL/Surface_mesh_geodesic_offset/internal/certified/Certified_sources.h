@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
@@ -153,6 +154,7 @@ public:
         // a point that rounding has moved to the edge is in front of it by less than the error of an image
         if (w.y > -0.01 * image_error) w.set_image({w.image().x, -0.01 * image_error});
         w.set_interval(0., m_mesh.length(g));
+        CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, s.first, false, w); check_window(w, m_mesh.length(g));)
         f(g, w);
         continue;
       }
@@ -233,6 +235,7 @@ private:
     w.set_image(beyond_edge(s.face, k, {-n.x, -n.y}, true));
     if (w.y >= -Certified_mesh::flat) return false;
     const Double_double_2 a = beyond_edge(s.face, k, s.first, false);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, {-n.x, -n.y}, true, w, &s.first);)
     const Double_double_2 axis = beyond_edge(s.face, k, along, true);
     const Double_double sigma = w.image().x * a.x + w.image().y * a.y;
     w.sigma = sigma.high;
@@ -261,6 +264,26 @@ private:
     return true;
   }
 
+#ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
+  // The image of a source, or the direction to it for a segment from `first`, beyond halfedge k of the face.
+  void set_precise(Index face, int k, const Double_double_2& p, bool is_direction, Certified_window& w,
+                   const Double_double_2* first = nullptr) const
+  {
+    const Precise_mesh& mesh = m_mesh.precise();
+    Precise_2 image = mesh.beyond_edge(face, k, {precise(p.x), precise(p.y)}, is_direction);
+    if (!is_direction)
+    { // a source on the edge is in front of it, too, if only by what 200 bits can tell
+      image.y = (std::min)(image.y, Precise(-0x1p-150));
+      w.precise = mesh.add({image.x, image.y, Precise(0), false});
+      return;
+    }
+    const Precise size = precise_length(image.x, image.y); // 1 up to rounding
+    image = {image.x / size, image.y / size};
+    const Precise_2 a = mesh.beyond_edge(face, k, {precise(first->x), precise(first->y)}, false);
+    w.precise = mesh.add({image.x, image.y, image.x * a.x + image.y * a.y, true});
+  }
+#endif
+
   Certified_window edge_window(const Certified_source& s) const
   {
     const double length = m_mesh.length(3 * s.face + Index(s.on_edge));
@@ -269,6 +292,7 @@ private:
     Certified_window w{};
     w.bits = 1u;
     w.y = -1;
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(w.precise = m_mesh.precise().add({Precise(0), Precise(-1), Precise(0), true});)
     w.radius = 4 * s.moved;
     w.set_interval((std::max)(0., (std::min)(a, b) - s.moved), (std::min)(length, (std::max)(a, b) + s.moved));
     return w;

@@ -55,11 +55,12 @@ public:
   }
 
   // A path to v, up to the radius, that leaves v along `back`, which is known up to an angle.
-  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back, double angle)
+  void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back,
+              double angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, const std::vector<Precise>& directions))
   {
     field.bounds.update(v, distance, radius);
     if (!mesh.can_be_pseudo_source(v) || distance - radius > field.bounds.upper(v)) return;
-    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index}))
+    if (m_arrivals.add(v, {back, angle, distance, radius, false, no_index CGAL_GEODESIC_OFFSET_CERTIFICATE(, directions)}))
       queue.push_vertex((std::max)(queue.bucket_of(distance), queue.current()), v);
   }
 
@@ -78,9 +79,11 @@ public:
     auto output = m_single.start(g, takes_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
-    const double length = mesh.length(g), margin = pruning_margin(w.radius, (std::max)(w.d0, w.d1), length);
-    const Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
-                                    margin);
+    const double length = mesh.length(g);
+    const double margin = pruning_margin(w.radius + 4 * w.error_of_image(), (std::max)(w.d0, w.d1), length);
+    Certified_pruning pruning(length, field.bounds.upper(unfolded.source(g)), field.bounds.upper(unfolded.target(g)),
+                              margin);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(pruning.set_radius(w.radius);)
     if (pruning.trim(output.next()))
       output.keep(output.next().minimum());
     m_single.finish(output);

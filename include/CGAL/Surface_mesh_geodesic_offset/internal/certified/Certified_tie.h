@@ -28,7 +28,7 @@ public:
 
   Certified_tie(const Window& a, const Window& b, double length)
     : m_a(a), m_b(b),
-      m_margin(a.radius + b.radius +
+      m_margin(a.radius + b.radius + 2 * (a.error_of_image() + b.error_of_image()) +
                2 * length_error * ((std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1)) + length))
   {
   }

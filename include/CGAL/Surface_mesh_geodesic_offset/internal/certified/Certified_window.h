@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
@@ -26,8 +27,13 @@ constexpr double length_error = 16 * unit_roundoff;
 constexpr double side_error = 8 * unit_roundoff;
 constexpr double exit_error = 6 * unit_roundoff;
 
-// Error of an image after fewer than 2^16 faces, relative to its distance and the longest edge, which is between 1 and 2.
+// Error of an image after at most `most_faces` faces without a bend, relative to its distance and the longest edge, which is
+// between 1 and 2.
 constexpr double image_error = 0x1p-72;
+constexpr Index most_faces = 0xffff;
+
+// Error of a corner, and of an apex, relative to the length of the edges.
+constexpr double corner_error = 0x1p-97;
 
 // As `Window`, with the image in twice the digits. The interval holds all rays that may be shortest, and some beside them
 // that are within rounding of one; so every point that it reaches has a path that is longer than the window says by
@@ -38,11 +44,17 @@ struct Certified_window
   double b0, b1, d0, d1;
   double radius;
   double x_low, y_low, sigma_low;
-  Index bits; // bit 0: parallel; bit 1: already propagated
+  Index bits; // bit 0: parallel; bit 1: already propagated; from bit 2 on: number of faces since the last bend
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(const Precise_image* precise;)
 
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
+
+  // Faces that the image has been unfolded across.
+  Index faces() const { return bits >> 2; }
+  Index bits_of_child() const { return (bits & ~2u) + 4u; }
+  void set_faces_of_both(const Certified_window& o) { bits = (std::max)(bits >> 2, o.bits >> 2) << 2 | (bits & 3u); }
 
   Double_double_2 image() const { return {{x, x_low}, {y, y_low}}; }
   void set_image(const Double_double_2& image)
@@ -93,10 +105,26 @@ struct Certified_window
   // certain.
   Sign side_of(const Double_double& px, double py, const Double_double& b) const
   {
+    // Image, b and p move by no more than their errors; so from b the image turns by its error, and so does the point. All
+    // sizes are those of vectors from b: coordinates themselves may be much larger.
     const double from_b = to_image(b), along = (px.high - b.high) + (px.low - b.low), value = y * along - from_b * py;
-    const double error = side_error * (std::abs(from_b) * py + std::abs(y) * (std::abs(px.high) + b.high)) +
-                         error_of_image() * (std::abs(px.high) + b.high + py);
+    const double error = side_error * (std::abs(from_b) * py + std::abs(y * along)) +
+                         error_of_image() * (std::abs(along) + py) +
+                         corner_error * (std::abs(px.high) + py + b.high) * (std::abs(from_b) + std::abs(y));
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
+  }
+
+  // How much longer the path around the end b of the interval is than the distance of a point p for which side_of() is not
+  // certain. The point is beside the ray through b by twice the error above over the length r of the ray up to b, so by
+  // 16 u |p - b| + 2 off |p - b|_1 / r + 2 corner_error (|p|_1 + b) sqrt(2) at most; the path is longer by no more than twice
+  // that, nor by more than 2 r.
+  double way_around(const Double_double& px, double py, const Double_double& b) const
+  {
+    const double along = std::abs((px.high - b.high) + (px.low - b.low)) + py;
+    const double r = is_parallel() ? 1. : std::abs(to_image(b)) - y;
+    const double by_image = 6 * error_of_image() * along; // r is the sum of both coordinates, up to sqrt(2) r
+    return 5 * side_error * along + 8 * corner_error * (std::abs(px.high) + py + b.high) +
+           (is_parallel() || by_image < 2 * r * r ? by_image / r : 2 * r);
   }
 
   double minimum() const

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
 #include <algorithm>
@@ -49,6 +50,7 @@ struct Arrival
   double distance, radius;
   bool has_spread;
   Index next; // of the same vertex
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::vector<Precise> directions;) // of all paths, as angles to the corner
 
   double lower() const { return distance - radius; }
 
@@ -59,10 +61,12 @@ struct Arrival
     const double cross = back.x * o.back.y - back.y * o.back.x, dot = back.x * o.back.x + back.y * o.back.y;
     if (!(std::abs(cross) <= same_direction * dot)) return false;
     const double from = (std::min)(lower(), o.lower()), to = (std::max)(distance + radius, o.distance + o.radius);
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(
+      if (!has_spread) directions.insert(directions.end(), o.directions.begin(), o.directions.end());)
     if (from >= lower() && to <= distance + radius && o.angle + std::abs(cross) / dot <= angle) return true;
     if (has_spread) return false;
     distance = 0.5 * (from + to);
-    radius = 0.5 * (to - from) * (1 + 0x1p-50);
+    radius = 0.5 * (to - from) * (1 + 0x1p-50) + 0x1p-51 * distance; // the roundings of `from`, `to` and their mean
     angle = (std::max)(angle, 2 * std::abs(cross) / dot + o.angle);
     return true;
   }

@@ -1,0 +1,332 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Geodesic distances from their definition, for small meshes: a reference for certified bounds, and for everything else. It
+// includes no header of the package and shares no idea with it.
+//
+// A shortest path is a sequence of straight pieces between vertices and sources. Each piece crosses a sequence of faces, none
+// of them twice, and is a straight segment in the plane into which these faces are unfolded one after the other. So from
+// each start the search unfolds all such sequences, with the cone of directions that can be seen through all edges
+// crossed, and takes down the vertices and the query points inside the cone. Dijkstra's algorithm joins the pieces.
+//
+// Numbers have 113 bits: unfolding is exact to some 1e-32 of the size of the faces.
+
+#ifndef GEODESIC_OFFSET_TEST_REFERENCE_DISTANCES_H
+#define GEODESIC_OFFSET_TEST_REFERENCE_DISTANCES_H
+
+#ifndef __SIZEOF_FLOAT128__
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+class Reference_distances
+{
+public:
+#ifdef __SIZEOF_FLOAT128__
+  __extension__ typedef __float128 Number;
+#else
+  typedef boost::multiprecision::cpp_bin_float_quad Number;
+#endif
+  typedef std::array<double, 3> Point;
+  typedef std::array<std::size_t, 3> Triangle;
+
+  /// A point of a triangle, by weights of its corners, which are divided by their sum. Weights of zero put it on an edge or at
+  /// a corner.
+  struct Location
+  {
+    std::size_t triangle;
+    std::array<double, 3> weights;
+  };
+
+  /// Vertices at infinity have this distance.
+  static Number infinity() { return Number(std::numeric_limits<double>::max()); }
+
+  /// The triangles form a manifold with borders, each pair of neighbours with one orientation.
+  Reference_distances(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+    : triangles_(triangles), sides_(triangles.size()), number_of_vertices_(points.size())
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, int>> side_of;
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      for (int k = 0; k < 3; ++k) side_of[{triangles[f][k], triangles[f][(k + 1) % 3]}] = {f, k};
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      for (int k = 0; k < 3; ++k)
+      {
+        Side& s = sides_[f][k];
+        const std::size_t p = triangles[f][k], q = triangles[f][(k + 1) % 3], r = triangles[f][(k + 2) % 3];
+        const Vector along = difference(points[q], points[p]), to_apex = difference(points[r], points[p]);
+        s.length = root(dot(along, along));
+        s.apex = {dot(along, to_apex) / s.length, root(square_of_area(points[p], points[q], points[r])) / s.length};
+        const auto beyond = side_of.find({q, p});
+        if (beyond != side_of.end()) s.beyond = beyond->second;
+      }
+  }
+
+  /// computes the distances of all vertices and of the queries from the nearest source.
+  void solve(const std::vector<std::size_t>& source_vertices, const std::vector<Location>& sources,
+             const std::vector<Location>& queries)
+  {
+    queries_.clear();
+    for (const Location& q : queries) queries_.push_back({q.triangle, in_plane(q)});
+    distances_.assign(number_of_vertices_ + queries.size(), infinity());
+    done_.assign(number_of_vertices_, false);
+    for (std::size_t v : source_vertices) distances_[v] = 0;
+    bound_edges(source_vertices, sources);
+    for (const Location& s : sources) leave(s);
+    for (;;)
+    {
+      std::size_t nearest = number_of_vertices_;
+      for (std::size_t v = 0; v < number_of_vertices_; ++v)
+        if (!done_[v] && distances_[v] < infinity() &&
+            (nearest == number_of_vertices_ || distances_[v] < distances_[nearest]))
+          nearest = v;
+      if (nearest == number_of_vertices_) return;
+      done_[nearest] = true;
+      leave(nearest);
+    }
+  }
+
+  const Number& of_vertex(std::size_t v) const { return distances_[v]; }
+  const Number& of_query(std::size_t q) const { return distances_[number_of_vertices_ + q]; }
+  std::size_t number_of_vertices() const { return number_of_vertices_; }
+
+private:
+  typedef std::array<Number, 3> Vector;
+  struct Planar
+  {
+    Number x, y;
+  };
+
+  // The side from corner k to the next one: the third corner in the plane where the side is the x axis, and the triangle on
+  // the other side with the number of its side there.
+  struct Side
+  {
+    Number length;
+    Planar apex;
+    std::pair<std::size_t, int> beyond{no_triangle, 0};
+  };
+  static constexpr std::size_t no_triangle = std::size_t(-1);
+
+  struct Query
+  {
+    std::size_t triangle;
+    std::array<Number, 3> weights;
+  };
+
+  static Vector difference(const Point& p, const Point& q)
+  {
+    return {Number(p[0]) - Number(q[0]), Number(p[1]) - Number(q[1]), Number(p[2]) - Number(q[2])};
+  }
+  static Number dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+  static Number cross(const Planar& a, const Planar& b) { return a.x * b.y - a.y * b.x; }
+  static Number absolute(const Number& x) { return x < Number(0) ? -x : x; }
+
+  // Newton's iteration from the root in double: 53, 106, 212 bits.
+  static Number root(const Number& square)
+  {
+    if (!(square > Number(0))) return Number(0);
+    Number r(std::sqrt(double(square)));
+    for (int i = 0; i < 3; ++i) r = (r + square / r) / Number(2);
+    return r;
+  }
+  static Number length(const Planar& p) { return root(p.x * p.x + p.y * p.y); }
+
+  // Square of twice the area, from the two shortest sides, which lose fewest digits.
+  static Number square_of_area(const Point& p, const Point& q, const Point& r)
+  {
+    const std::array<Vector, 3> u = {difference(q, p), difference(r, q), difference(p, r)};
+    int longest = 0;
+    for (int k : {1, 2})
+      if (dot(u[k], u[k]) > dot(u[longest], u[longest])) longest = k;
+    const Vector &a = u[(longest + 1) % 3], &b = u[(longest + 2) % 3];
+    const Vector n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return dot(n, n);
+  }
+
+  static std::array<Number, 3> in_plane(const Location& l)
+  {
+    const Number sum = Number(l.weights[0]) + Number(l.weights[1]) + Number(l.weights[2]);
+    return {Number(l.weights[0]) / sum, Number(l.weights[1]) / sum, Number(l.weights[2]) / sum};
+  }
+
+  // The corners of a triangle where its side k runs from a to b.
+  std::array<Planar, 3> placed(std::size_t triangle, int k, const Planar& a, const Planar& b) const
+  {
+    const Side& s = sides_[triangle][k];
+    const Planar u = {(b.x - a.x) / s.length, (b.y - a.y) / s.length};
+    std::array<Planar, 3> corners;
+    corners[k] = a;
+    corners[(k + 1) % 3] = b;
+    corners[(k + 2) % 3] = {a.x + s.apex.x * u.x - s.apex.y * u.y, a.y + s.apex.x * u.y + s.apex.y * u.x};
+    return corners;
+  }
+
+  static Planar at(const std::array<Planar, 3>& corners, const std::array<Number, 3>& weights)
+  {
+    return {weights[0] * corners[0].x + weights[1] * corners[1].x + weights[2] * corners[2].x,
+            weights[0] * corners[0].y + weights[1] * corners[1].y + weights[2] * corners[2].y};
+  }
+
+  // Paths along edges: upper bounds that end the search where nothing new can be found.
+  void bound_edges(const std::vector<std::size_t>& source_vertices, const std::vector<Location>& sources)
+  {
+    bounds_.assign(number_of_vertices_, infinity());
+    for (std::size_t v : source_vertices) bounds_[v] = 0;
+    for (const Location& s : sources)
+      for (int k = 0; k < 3; ++k)
+      { // no farther than the longer side at the corner
+        const Number d = (std::max)(sides_[s.triangle][k].length, sides_[s.triangle][(k + 2) % 3].length);
+        lower(bounds_[triangles_[s.triangle][k]], d);
+      }
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      for (std::size_t f = 0; f < triangles_.size(); ++f)
+        for (int k = 0; k < 3; ++k)
+        {
+          const std::size_t p = triangles_[f][k], q = triangles_[f][(k + 1) % 3];
+          const Number& l = sides_[f][k].length;
+          changed |= lower(bounds_[q], bounds_[p] + l);
+          changed |= lower(bounds_[p], bounds_[q] + l);
+        }
+    }
+    farthest_ = 0;
+    for (const Number& b : bounds_)
+      if (b < infinity()) farthest_ = (std::max)(farthest_, b);
+    Number longest = 0; // for queries
+    for (const auto& f : sides_)
+      for (const Side& s : f) longest = (std::max)(longest, s.length);
+    if (!queries_.empty()) farthest_ += longest;
+  }
+
+  static bool lower(Number& x, const Number& y)
+  {
+    if (!(y < x)) return false;
+    x = y;
+    return true;
+  }
+
+  // Straight pieces from a vertex.
+  void leave(std::size_t v)
+  {
+    start_ = distances_[v];
+    visited_.assign(triangles_.size(), false);
+    for (std::size_t f = 0; f < triangles_.size(); ++f)
+      for (int k = 0; k < 3; ++k)
+        if (triangles_[f][k] == v)
+        {
+          const Planar zero = {0, 0}, a = {sides_[f][k].length, 0};
+          start_in(f, placed(f, k, zero, a), 1u << (k + 1) % 3);
+        }
+  }
+
+  // Straight pieces from a source, into its triangle and those on the other side of the edges that it lies on.
+  void leave(const Location& s)
+  {
+    start_ = 0;
+    visited_.assign(triangles_.size(), false);
+    const std::array<Number, 3> weights = in_plane(s);
+    unsigned exits = 0;
+    for (int k = 0; k < 3; ++k)
+      if (weights[(k + 2) % 3] != Number(0)) exits |= 1u << k;
+      else if (sides_[s.triangle][k].beyond.first != no_triangle)
+      {
+        const auto [f, side] = sides_[s.triangle][k].beyond;
+        std::array<Number, 3> seen_from_there = {0, 0, 0};
+        seen_from_there[side] = weights[(k + 1) % 3];
+        seen_from_there[(side + 1) % 3] = weights[k];
+        start_around(f, seen_from_there, 7u ^ 1u << side);
+      }
+    start_around(s.triangle, weights, exits);
+  }
+
+  // From a point of a triangle through its sides in `exits`.
+  void start_around(std::size_t f, const std::array<Number, 3>& weights, unsigned exits)
+  {
+    std::array<Planar, 3> corners = placed(f, 0, {0, 0}, {sides_[f][0].length, 0});
+    // from the nearest corner: others are far away in graded triangles
+    const int near = int(std::max_element(weights.begin(), weights.end()) - weights.begin());
+    const std::array<Number, 3>& w = weights;
+    const int p = (near + 1) % 3, q = (near + 2) % 3;
+    corners = placed(f, near, {0, 0}, {sides_[f][near].length, 0});
+    const Planar s = {w[p] * corners[p].x + w[q] * corners[q].x, w[p] * corners[p].y + w[q] * corners[q].y};
+    for (Planar& c : corners) c = {c.x - s.x, c.y - s.y};
+    start_in(f, corners, exits);
+  }
+
+  // A triangle that contains the start, which is the origin.
+  void start_in(std::size_t f, const std::array<Planar, 3>& corners, unsigned exits)
+  {
+    for (int k = 0; k < 3; ++k) lower(distances_[triangles_[f][k]], start_ + length(corners[k]));
+    for (std::size_t q = 0; q < queries_.size(); ++q)
+      if (queries_[q].triangle == f)
+        lower(distances_[number_of_vertices_ + q], start_ + length(at(corners, queries_[q].weights)));
+    visited_[f] = true;
+    for (int k = 0; k < 3; ++k)
+      if (exits & 1u << k) cross_side(f, k, corners[k], corners[(k + 1) % 3], corners[k], corners[(k + 1) % 3]);
+    visited_[f] = false;
+  }
+
+  // Crosses side k, which runs from a to b counterclockwise around the origin, within the cone from `right` to `left`.
+  void cross_side(std::size_t from, int k, const Planar& a, const Planar& b, const Planar& right, const Planar& left)
+  {
+    const auto [f, side] = sides_[from][k].beyond;
+    if (f == no_triangle || visited_[f] || !(cross(right, left) > Number(0))) return;
+    if (start_ + distance_of_line(a, b) > farthest_) return;
+    const std::array<Planar, 3> corners = placed(f, side, b, a);
+    const Planar& c = corners[(side + 2) % 3];
+    const bool is_left_of_right = is_to_the_left(right, c), is_right_of_left = is_to_the_left(c, left);
+    if (is_left_of_right && is_right_of_left) lower(distances_[triangles_[f][(side + 2) % 3]], start_ + length(c));
+    for (std::size_t q = 0; q < queries_.size(); ++q)
+      if (queries_[q].triangle == f)
+      {
+        const Planar p = at(corners, queries_[q].weights);
+        if (is_to_the_left(right, p) && is_to_the_left(p, left))
+          lower(distances_[number_of_vertices_ + q], start_ + length(p));
+      }
+    visited_[f] = true;
+    const bool is_inside = is_left_of_right && is_right_of_left;
+    if (is_left_of_right) cross_side(f, (side + 1) % 3, a, c, right, is_inside ? c : left);
+    if (is_right_of_left) cross_side(f, (side + 2) % 3, c, b, is_inside ? c : right, left);
+    visited_[f] = false;
+  }
+
+  // Whether b is to the left of the ray to a, or on it up to 1e-30 of the ray's length: a path by way of a point of the ray is
+  // as long then.
+  static bool is_to_the_left(const Planar& a, const Planar& b)
+  {
+    const Number p = a.x * b.y, q = a.y * b.x;
+    return p - q >= Number(-1e-30) * (absolute(p) + absolute(q));
+  }
+
+  // Of the origin from the segment from a to b.
+  static Number distance_of_line(const Planar& a, const Planar& b)
+  {
+    const Planar u = {b.x - a.x, b.y - a.y};
+    const Number l = length(u), t = -(a.x * u.x + a.y * u.y);
+    if (t <= Number(0)) return length(a);
+    if (t >= l * l) return length(b);
+    return absolute(cross(a, u)) / l;
+  }
+
+  std::vector<Triangle> triangles_;
+  std::vector<std::array<Side, 3>> sides_;
+  std::size_t number_of_vertices_;
+  std::vector<Query> queries_;
+  std::vector<Number> distances_, bounds_; // of vertices, and of queries behind them
+  std::vector<bool> done_, visited_;
+  Number farthest_ = 0, start_ = 0;
+};
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_REFERENCE_DISTANCES_H
