@@ -6,6 +6,7 @@
 // that the command line names is wrong (one line on stderr says what); 2 the command line itself is wrong.
 
 #include "geodesic_offset/common.h"
+#include "geodesic_offset/file_bytes.h"
 #include "geodesic_offset/mesh_input.h"
 #include "geodesic_offset/output_file.h"
 #include "geodesic_offset/program_main.h"
@@ -38,9 +39,10 @@ constexpr int all_inside = 0, some_outside = 3;
 Distance_table read_table(const Validation_options& options, const Mesh_input& input)
 {
   const std::size_t vertices = input.soup().points.size();
+  const File_bytes bytes(options.distances);
   Distance_table table = has_extension(options.distances, ".ply")
-                           ? Ply_table_reader(options.distances, options.mesh, vertices)(options.property)
-                           : Text_table_reader(options.distances, options.mesh, vertices)();
+                           ? Ply_table_reader(options.distances, options.mesh, vertices)(bytes.view(), options.property)
+                           : Text_table_reader(options.distances, options.mesh, vertices)(bytes.view());
   require_same_points(table, input, options.mesh);
   return table;
 }

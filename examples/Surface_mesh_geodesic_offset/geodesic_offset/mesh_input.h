@@ -62,7 +62,7 @@ class Mesh_input
 
 public:
   // join_borders: whether border edges at the same place become one edge
-  Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path))
+  Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path)), m_remarks(m_soup.remarks)
   {
     measure(path);
     Faces faces;
