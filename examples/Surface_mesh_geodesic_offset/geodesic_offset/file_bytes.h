@@ -8,6 +8,7 @@
 #ifndef GEODESIC_OFFSET_FILE_BYTES_H
 #define GEODESIC_OFFSET_FILE_BYTES_H
 
+#include "memory_budget.h"
 #include "messages.h"
 
 #include <cerrno>
@@ -47,6 +48,8 @@ public:
     if(!file)
       fail(path, reason());
     const std::uintmax_t expected = std::filesystem::file_size(path, error);
+    if(!error)
+      require_memory(quoted(path), expected);
     try
     {
       // one byte more than expected, so that the end of the file is seen without another block
