@@ -76,6 +76,8 @@ int validate(const Validation_options& options)
   const Mesh_input input(options.mesh, false);
   require_unchanged_vertices(input, options.mesh);
   const Distance_table table = read_table(options, input); // before the long work
+  if(!input.warning().empty())
+    print_warning("validate_geodesic_distances", input.warning());
 
   Enclosure enclosure = enclosure_on(input, options.mesh);
   const Sources sources(input, options, enclosure);
@@ -106,9 +108,7 @@ int validate(const Validation_options& options)
   std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n'
             << "distances: " << table.name << '\n';
   Report_writer(std::cout, comparison)(bounds, table.distances, options.tolerance);
-  std::cout.flush();
-  if(!std::cout)
-    throw Input_error("cannot write the report to the standard output");
+  check_standard_output();
   files.commit();
   return comparison.beyond_tolerance == 0 ? all_inside : some_outside;
 }
