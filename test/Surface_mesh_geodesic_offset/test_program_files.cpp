@@ -316,7 +316,7 @@ private:
     write_file(many, fan);
     std::set<std::string> with_many = before;
     with_many.insert(many);
-    expect_error(1, "a mesh larger than the memory", in_shell("ulimit -v 350000;", {many, "--source-vertex", "0"}),
+    expect_error(1, "a mesh larger than the memory", in_shell("ulimit -v 220000;", {many, "--source-vertex", "0"}),
                  {many, "1000000 triangles", "needs at least"}, with_many);
     fs::remove(many);
 #endif
