@@ -211,9 +211,14 @@ private:
   void signals()
   {
     const std::pair<const char*, int> numbers[] = {{"SIGINT", SIGINT}, {"SIGTERM", SIGTERM}, {"SIGHUP", SIGHUP}};
+    const Soup soup = jittered_grid(150, 150, 5);
+    const std::string grid = path("grid.off"), output = path("output");
+    CGAL::IO::write_polygon_soup(grid, soup.points, soup.triangles);
     const std::set<std::string> before = scratch_.files();
     for (const auto& number : numbers)
     {
+      std::signal(number.second, SIG_DFL); // whoever runs the tests may ignore it
+
       // while a file is written that takes long
       Report::instance().set_context(std::string(number.first) + " while files are written");
       write_file(path("old.txt"), "old");
@@ -238,9 +243,6 @@ private:
 
       // in the long work of the program
       Report::instance().set_context(std::string(number.first) + " in the program");
-      const Soup soup = jittered_grid(150, 150, 5);
-      const std::string grid = path("grid.off"), output = path("output");
-      CGAL::IO::write_polygon_soup(grid, soup.points, soup.triangles);
       const pid_t program = test::internal::start_program(
         program_, {grid, "--source-vertex", "0", "--spacing", "0.02", "--output", path("out.vtk"), "--output", path("out.dxf")},
         output, STDERR_FILENO);
@@ -249,10 +251,10 @@ private:
       kill(program, number.second);
       const int exit_code = test::internal::exit_code_of(program);
       CHECK_DETAIL(exit_code == 128 + number.second, std::to_string(exit_code));
-      fs::remove(grid);
       fs::remove(output);
       CHECK(scratch_.files() == before);
     }
+    fs::remove(grid);
     // as nohup does
     Report::instance().set_context("an ignored signal");
     CHECK(in_shell("trap '' HUP INT; (sleep 0.1; kill -HUP $$; kill -INT $$) &", on_mesh({"--spacing", "0.01"})).exit_code == 0);
@@ -268,11 +270,8 @@ private:
       with_output.insert(with_output.end(), {"--output", path(name)});
       expect_error(1, std::string("no room for ") + name, in_shell("ulimit -f 4;", with_output), {path(name), "large"}, before);
     }
-    for (const auto& option : {std::make_pair("--field", "f.ply"), std::make_pair("--picture", "p.png")})
-    {
-      const Program_result result = in_shell("ulimit -f 1;", on_mesh({option.first, path(option.second)}));
-      expect_error(1, std::string("no room for ") + option.second, result, {path(option.second), "large"}, before);
-    }
+    expect_error(1, "no room for a field", in_shell("ulimit -f 1;", on_mesh({"--field", path("f.ply")})), {path("f.ply"), "large"},
+                 before);
     if (!fs::exists("/dev/full")) return;
     Words with_output = arguments;
     with_output.insert(with_output.end(), {"--output", path("out.vtk")});
