@@ -264,6 +264,11 @@ void others()
     Report::instance().set_context(file.name);
     CHECK(read_input("file" + file.extension, file.bytes));
   }
+  // found by mutated_files: a message with all names of a long header
+  Report::instance().set_context("a table with 1000 properties and no distances");
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 5\n";
+  for (int i = 0; i < 1000; ++i) text += "property float p" + std::to_string(i) + "\n";
+  CHECK(!read_input("file.table.ply", text + "end_header\n"));
 }
 
 void mutated_files()

@@ -11,6 +11,7 @@
 #include "../geodesic_offset/ply_file.h"
 #include "distance_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -161,9 +162,12 @@ private:
           m_property = name;
     if(!vertices.has(m_property))
     {
+      constexpr std::size_t most_names = 10; // in one line
       std::string names;
-      for(const Property& p : vertices.properties)
-        names += (names.empty() ? "" : ", ") + p.name;
+      for(std::size_t p = 0; p < std::min(most_names, vertices.properties.size()); ++p)
+        names += (p == 0 ? "" : ", ") + vertices.properties[p].name.substr(0, 40);
+      if(vertices.properties.size() > most_names)
+        names += " and " + std::to_string(vertices.properties.size() - most_names) + " more";
       throw Input_error(quoted(m_path) + ": its vertices have " +
                         (property.empty() ? "no property with a usual name for distances (--property names one)"
                                           : "no property " + quoted(property)) +
