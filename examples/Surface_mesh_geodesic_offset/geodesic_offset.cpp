@@ -30,6 +30,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +55,8 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
                 figures.load_seconds);
   for(const std::string& remark : input.remarks())
     progress.line("mesh: " + remark);
+  if(!input.warning().empty())
+    progress.warning(input.warning());
   check_length("tolerance", options.tolerance, input.bounding_box_diagonal());
   return input;
 }
@@ -183,9 +186,17 @@ void run(const Options& options, Concurrency_tag tag)
   figures.setup_seconds = setup_time.seconds();
   progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
 
-  const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
-  const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, figures, progress);
-  write<Concurrency_tag>(solution, input, sources, geodesic, options, figures, progress);
+  try
+  {
+    const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
+    const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, figures, progress);
+    write<Concurrency_tag>(solution, input, sources, geodesic, options, figures, progress);
+  }
+  catch(const std::bad_alloc&)
+  {
+    throw Input_error(quoted(options.mesh) + ": out of memory; fewer distances, a --maximum-distance, fewer --threads or a "
+                      "coarser mesh need less");
+  }
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 // that the command line names is wrong (one line on stderr says what); 2 the command line itself is wrong.
 
 #include "geodesic_offset/common.h"
+#include "geodesic_offset/file_bytes.h"
 #include "geodesic_offset/mesh_input.h"
 #include "geodesic_offset/output_file.h"
 #include "geodesic_offset/program_main.h"
@@ -38,9 +39,10 @@ constexpr int all_inside = 0, some_outside = 3;
 Distance_table read_table(const Validation_options& options, const Mesh_input& input)
 {
   const std::size_t vertices = input.soup().points.size();
+  const File_bytes bytes(options.distances);
   Distance_table table = has_extension(options.distances, ".ply")
-                           ? Ply_table_reader(options.distances, options.mesh, vertices)(options.property)
-                           : Text_table_reader(options.distances, options.mesh, vertices)();
+                           ? Ply_table_reader(options.distances, options.mesh, vertices)(bytes.view(), options.property)
+                           : Text_table_reader(options.distances, options.mesh, vertices)(bytes.view());
   require_same_points(table, input, options.mesh);
   return table;
 }
@@ -74,6 +76,8 @@ int validate(const Validation_options& options)
   const Mesh_input input(options.mesh, false);
   require_unchanged_vertices(input, options.mesh);
   const Distance_table table = read_table(options, input); // before the long work
+  if(!input.warning().empty())
+    print_warning("validate_geodesic_distances", input.warning());
 
   Enclosure enclosure = enclosure_on(input, options.mesh);
   const Sources sources(input, options, enclosure);
@@ -104,9 +108,7 @@ int validate(const Validation_options& options)
   std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n'
             << "distances: " << table.name << '\n';
   Report_writer(std::cout, comparison)(bounds, table.distances, options.tolerance);
-  std::cout.flush();
-  if(!std::cout)
-    throw Input_error("cannot write the report to the standard output");
+  check_standard_output();
   files.commit();
   return comparison.beyond_tolerance == 0 ? all_inside : some_outside;
 }

@@ -38,8 +38,9 @@ path reaches are at `infinity()`.
 Adding or removing sources does not change the result of the last build; only `build()`, `update()` and
 `build_with_offset_curves()` replace it.
 
-The mesh is neither copied nor modified; it must outlive the object and must not change meanwhile. Lengths and distances
-are in the units of the mesh's points. Offset curves need a number type with at least the precision of `double`; distances
+The mesh is neither copied nor modified; it must outlive the object and must not change meanwhile. A vertex that several fans
+of faces share is one point of the surface: paths pass through it from each fan into the others, whether the fans are open or
+closed. Lengths and distances are in the units of the mesh's points. Offset curves need a number type with at least the precision of `double`; distances
 are also available with `float`.
 
 Functions that propagate, and the constructors, take a concurrency tag, see \ref Surface_mesh_geodesic_distance_threads

@@ -107,6 +107,10 @@ private:
                           " offsets of this mesh; more than " + std::to_string(most_without_count) +
                           " must be asked for with --count");
     }
+    const double last = options.start ? *options.start + (number - 1) * spacing : number * spacing;
+    if(options.count && !std::isfinite(last))
+      throw Usage_error("--spacing " + short_number(spacing) + " with --count " + std::to_string(*options.count) +
+                        " gives distances beyond the range of numbers");
     m_distances.reserve(m_distances.size() + static_cast<std::size_t>(number));
     for(std::size_t i = 0; i < static_cast<std::size_t>(number); ++i)
       m_distances.push_back(options.start ? *options.start + static_cast<double>(i) * spacing

@@ -3,11 +3,17 @@
 
 // From points and polygons to a triangle mesh that the solver can work on: oriented, stitched, triangulated, without
 // degenerate faces. The order of the file is kept track of, so that vertices can be named and listed as they stand there.
+//
+// There is one rule for vertices that are not manifold. Where fans of faces share a vertex, and each edge there has one face or
+// two that agree in their orientation, the vertex is one point of the surface: paths pass through it from each fan into the
+// others, whether the fans are open or closed. Where an edge has more than two faces, or two that cannot be oriented alike, the
+// surface is cut along this edge, ends included, and no path crosses the cut.
 
 #ifndef GEODESIC_OFFSET_MESH_INPUT_H
 #define GEODESIC_OFFSET_MESH_INPUT_H
 
 #include "common.h"
+#include "memory_budget.h"
 #include "mesh_repair.h"
 #include "polygon_triangles.h"
 #include "soup_reader.h"
@@ -21,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -35,6 +42,7 @@ class Mesh_input
   Soup                     m_soup;
   Mesh                     m_mesh;
   std::vector<std::string> m_remarks;
+  std::string              m_warning;
   double                   m_diagonal = 0;
 
   // The vertices of the mesh at a vertex of the file: none if no face uses it, several where the surface had to be cut
@@ -52,6 +60,9 @@ class Mesh_input
     std::vector<Polygon>     polygons;
     std::vector<Vertex>      vertices; // of the points
 
+    // Points that were added so that each has one fan, with the point that they are a copy of. Not those of cuts.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
+
     void add(std::size_t position, Polygon name)
     {
       positions.push_back(position);
@@ -62,15 +73,18 @@ class Mesh_input
 
 public:
   // join_borders: whether border edges at the same place become one edge
-  Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path))
+  Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path)), m_remarks(m_soup.remarks)
   {
+    require_memory_for_faces(path);
     measure(path);
     Faces faces;
     clean_polygons(path, faces);
     build(path, faces, join_borders);
     map_vertices(faces);
     triangulate(path, faces);
-    remove_faces_without_area(path);
+    Vertex_pairs copies = pairs_of_vertices(faces);
+    remove_faces_without_area(path, copies);
+    join(path, copies);
   }
   Mesh_input(Mesh_input&&) = default;
   Mesh_input(const Mesh_input&) = delete;
@@ -82,6 +96,9 @@ public:
 
   // What was changed, one line each
   const std::vector<std::string>& remarks() const { return m_remarks; }
+
+  // What changes the meaning of distances, in one line; empty if nothing does
+  const std::string& warning() const { return m_warning; }
 
   template <class Function>
   void for_each_vertex_of(std::size_t file_vertex, const Function& function) const
@@ -95,6 +112,21 @@ public:
   }
 
 private:
+  using Vertex_pairs = std::vector<std::pair<Vertex, Vertex>>;
+
+  // Before the mesh is built
+  void require_memory_for_faces(const std::string& path) const
+  {
+    // The soup, the mesh and its unfolded form, without any window: 320 bytes were measured on a grid with 2 million faces. Less
+    // than that, because allocators differ, and some of it is in use already.
+    constexpr std::uintmax_t smallest_bytes_per_triangle = 200;
+    std::uintmax_t triangles = 0;
+    for(const Polygon& polygon : m_soup.polygons)
+      triangles += polygon.size() - 2;
+    require_memory(quoted(path) + ", with " + counted(static_cast<std::size_t>(triangles), "triangle") + ',',
+                   smallest_bytes_per_triangle * triangles);
+  }
+
   void measure(const std::string& path)
   {
     CGAL::Bbox_3 box;
@@ -190,7 +222,7 @@ private:
       m_remarks.push_back("cut where it is not an orientable manifold: " + counted(added, "vertex", "vertices") + " added");
   }
 
-  // Returns how many vertices had to be added.
+  // Gives each vertex one fan. Returns how many vertices had to be added along cuts.
   std::size_t make_manifold(const std::string& path, Faces& faces)
   {
     if(make_mesh(faces))
@@ -201,24 +233,61 @@ private:
     CGAL::Polygon_mesh_processing::orient_polygon_soup(faces.points, faces.polygons);
     for(std::size_t i = 0; i < before.size(); ++i)
     {
-      // vertices are the same as before or added ones at the same place
-      bool same = true;
-      for(std::size_t k = 0; k < before[i].size(); ++k)
-      {
-        const std::uint32_t v = faces.polygons[i][k], w = before[i][k];
-        same = same && (v == w || (v >= number_of_points && faces.points[v] == faces.points[w]));
-      }
-      if(same)
+      if(is_same(before[i], faces.polygons[i], faces.points, number_of_points))
         continue;
       std::reverse(faces.names[i].begin(), faces.names[i].end());
       faces.is_reversed[i] = !faces.is_reversed[i];
     }
     if(!make_mesh(faces))
       throw Input_error(quoted(path) + ": the faces cannot be made a manifold");
-    return faces.points.size() - number_of_points;
+    return faces.points.size() - number_of_points - find_copies(faces, before, number_of_points);
   }
 
-  // Returns whether the polygons are a manifold as they are. Much faster than to ask first.
+  // Finds the copies of points with several fans that no cut passes through: polygons before and after they were oriented.
+  // Returns their number.
+  static std::size_t find_copies(Faces& faces, const std::vector<Polygon>& before, std::size_t number_of_points)
+  {
+    using Directed_edge = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<std::uint32_t> original(faces.points.size());
+    for(std::uint32_t i = 0; i < original.size(); ++i)
+      original[i] = i;
+    std::vector<Directed_edge> edges;
+    for(std::size_t i = 0; i < before.size(); ++i)
+    {
+      Polygon polygon = before[i]; // with the corners of the new one, as they were called
+      const bool is_reversed = !is_same(polygon, faces.polygons[i], faces.points, number_of_points);
+      if(is_reversed)
+        std::reverse(polygon.begin(), polygon.end());
+      for(std::size_t k = 0; k < polygon.size(); ++k)
+      {
+        original[faces.polygons[i][k]] = polygon[k];
+        edges.emplace_back(polygon[k], polygon[(k + 1) % polygon.size()]);
+      }
+    }
+    // two faces with the same direction along an edge: it is cut
+    std::sort(edges.begin(), edges.end());
+    std::vector<bool> is_cut(number_of_points, false);
+    for(std::size_t i = 1; i < edges.size(); ++i)
+      if(edges[i] == edges[i - 1])
+        is_cut[edges[i].first] = is_cut[edges[i].second] = true;
+    const std::size_t old_copies = faces.copies.size();
+    for(std::size_t i = number_of_points; i < original.size(); ++i)
+      if(original[i] != i && !is_cut[original[i]])
+        faces.copies.emplace_back(original[i], static_cast<std::uint32_t>(i));
+    return faces.copies.size() - old_copies;
+  }
+
+  // Whether the polygons have the same corners in the same order; points from number_of_points on are copies.
+  static bool is_same(const Polygon& before, const Polygon& after, const std::vector<Point>& points,
+                      std::size_t number_of_points)
+  {
+    for(std::size_t k = 0; k < before.size(); ++k)
+      if(after[k] != before[k] && !(after[k] >= number_of_points && points[after[k]] == points[before[k]]))
+        return false;
+    return true;
+  }
+
+  // Returns whether the polygons are a manifold as they are, with one fan per vertex. Much faster than to ask first.
   bool make_mesh(Faces& faces)
   {
     std::vector<bool> used(faces.points.size(), false);
@@ -245,7 +314,7 @@ private:
       if(m_mesh.add_face(vertices) == Mesh::null_face())
         return false;
     }
-    return !has_pinched_vertex(m_mesh);
+    return !has_shared_vertex(m_mesh);
   }
 
   static void drop_repeated_faces(Faces& faces)
@@ -344,7 +413,51 @@ private:
            " and " + std::to_string(file_vertices[2]);
   }
 
-  void remove_faces_without_area(const std::string& path)
+  static Vertex_pairs pairs_of_vertices(const Faces& faces)
+  {
+    Vertex_pairs pairs;
+    for(const auto& copy : faces.copies)
+      if(faces.vertices[copy.first] != Mesh::null_vertex() && faces.vertices[copy.second] != Mesh::null_vertex())
+        pairs.emplace_back(faces.vertices[copy.first], faces.vertices[copy.second]);
+    return pairs;
+  }
+
+  void renumber_vertices(const std::vector<Vertex>& new_vertex)
+  {
+    for(Vertex& v : m_first_vertex)
+      if(v != Mesh::null_vertex())
+        v = new_vertex[v];
+    for(auto& entry : m_further_vertices)
+      entry.second = new_vertex[entry.second];
+  }
+
+  // Makes one vertex of copies.
+  void join(const std::string& path, const Vertex_pairs& copies)
+  {
+    if(copies.empty())
+      return;
+    std::vector<Vertex> new_vertex;
+    const std::vector<Vertex> shared = join_vertices(m_mesh, copies, new_vertex);
+    renumber_vertices(new_vertex);
+    // a vertex of the file may have the same vertex of the mesh several times now
+    for(auto it = m_further_vertices.begin(); it != m_further_vertices.end();)
+    {
+      bool is_known = m_first_vertex[it->first] == it->second;
+      for(auto other = m_further_vertices.lower_bound(it->first); other != it; ++other)
+        is_known = is_known || other->second == it->second;
+      it = is_known ? m_further_vertices.erase(it) : std::next(it);
+    }
+    if(shared.empty())
+      return;
+    std::size_t first = m_soup.points.size();
+    for(std::size_t i = m_soup.points.size(); i-- > 0;)
+      for_each_vertex_of(i, [&](Vertex v) { first = std::binary_search(shared.begin(), shared.end(), v) ? i : first; });
+    m_warning = quoted(path) + ": " + counted(shared.size(), "vertex is", "vertices are") +
+                " shared by fans of faces that have no edge in common there (the first is vertex " + std::to_string(first) +
+                "): paths pass through such a vertex from one fan into the others";
+  }
+
+  void remove_faces_without_area(const std::string& path, Vertex_pairs& copies)
   {
     const std::vector<Face> degenerate = degenerate_faces(m_mesh);
     if(degenerate.empty())
@@ -353,11 +466,9 @@ private:
     std::vector<Vertex> new_vertex;
     if(!remove_degenerate_faces(m_mesh, degenerate, new_vertex))
       throw Input_error(quoted(path) + ": " + first + " has no area and cannot be removed");
-    for(Vertex& v : m_first_vertex)
-      if(v != Mesh::null_vertex())
-        v = new_vertex[v];
-    for(auto& entry : m_further_vertices)
-      entry.second = new_vertex[entry.second];
+    renumber_vertices(new_vertex);
+    for(auto& pair : copies)
+      pair = {new_vertex[pair.first], new_vertex[pair.second]};
     m_remarks.push_back(counted(degenerate.size(), "face") + " without area removed (the first is " + first + ")");
   }
 };

@@ -24,28 +24,83 @@
 
 namespace geodesic_offset {
 
-// Whether fans of faces share a vertex without being linked by their borders there: Surface_mesh does not notice this.
-// Fans with borders are no problem, neither for Surface_mesh nor for the solver. Expects a mesh without garbage.
-inline bool has_pinched_vertex(const Mesh& mesh)
+// Whether fans of faces share a vertex. A fan is a set of faces round a vertex that are connected by their edges there; it is
+// open if two of these edges are on the border, and closed if none is. Expects a mesh without garbage.
+inline bool has_shared_vertex(const Mesh& mesh)
 {
-  std::vector<std::uint32_t> degree(mesh.number_of_vertices(), 0);
+  // a closed fan has as many inner edges as corners, and an open one has one less
+  std::vector<std::uint32_t> halfedges(mesh.number_of_vertices(), 0), borders(mesh.number_of_vertices(), 0);
   for(Halfedge h : mesh.halfedges())
-    ++degree[mesh.target(h)];
+  {
+    ++halfedges[mesh.target(h)];
+    if(mesh.is_border(h))
+      ++borders[mesh.target(h)];
+  }
   for(Vertex v : mesh.vertices())
   {
     if(mesh.is_isolated(v))
       continue;
+    if(borders[v] > 1) // open fans
+      return true;
     const Halfedge first = mesh.halfedge(v);
     Halfedge h = first;
     do
     {
-      --degree[v];
+      --halfedges[v];
       h = mesh.opposite(mesh.next(h));
     } while(h != first);
-    if(degree[v] != 0)
+    if(halfedges[v] != 0) // a closed fan that is not connected with the others
       return true;
   }
   return false;
+}
+
+// Makes one vertex of each set of vertices that are connected by pairs: its fans keep their faces and borders. A mesh cannot
+// be changed by flips and collapses afterwards, as rotations round a vertex reach only one of its fans. new_vertex[v] is what
+// became of v. Returns the vertices with several fans.
+inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs,
+                                         std::vector<Vertex>& new_vertex)
+{
+  std::vector<Vertex> joined(mesh.number_of_vertices()); // a forest, whose roots have the smallest indices
+  for(Vertex v : mesh.vertices())
+    joined[v] = v;
+  const auto root = [&](Vertex v) {
+    while(joined[v] != v)
+      v = joined[v] = joined[joined[v]];
+    return v;
+  };
+  for(const std::pair<Vertex, Vertex>& pair : pairs)
+  {
+    const Vertex a = root(pair.first), b = root(pair.second);
+    joined[std::max(a, b)] = std::min(a, b);
+  }
+  auto old_vertex = mesh.add_property_map<Vertex, Vertex>("v:old").first;
+  for(Vertex v : mesh.vertices())
+    old_vertex[v] = v;
+  for(Halfedge h : mesh.halfedges())
+    mesh.set_target(h, root(mesh.target(h)));
+  std::vector<bool> is_shared(joined.size(), false);
+  for(std::size_t i = 0; i < joined.size(); ++i)
+  {
+    const Vertex v(static_cast<Mesh::size_type>(i));
+    if(joined[v] == v)
+      continue;
+    is_shared[root(v)] = true;
+    mesh.remove_vertex(v);
+  }
+  mesh.collect_garbage();
+  std::vector<Vertex> at(joined.size(), Mesh::null_vertex()), shared;
+  for(Vertex v : mesh.vertices())
+  {
+    at[old_vertex[v]] = v;
+    if(is_shared[old_vertex[v]])
+      shared.push_back(v);
+  }
+  mesh.remove_property_map(old_vertex);
+  new_vertex.resize(joined.size());
+  for(std::size_t i = 0; i < joined.size(); ++i)
+    new_vertex[i] = at[root(Vertex(static_cast<Mesh::size_type>(i)))];
+  return shared;
 }
 
 inline std::size_t number_of_border_edges(const Mesh& mesh)
@@ -118,7 +173,7 @@ inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degener
     if(mesh.is_isolated(v))
       mesh.remove_vertex(v);
   mesh.collect_garbage();
-  if(mesh.number_of_faces() == 0 || has_pinched_vertex(mesh) || shape_of(mesh) != shape || !degenerate_faces(mesh).empty())
+  if(mesh.number_of_faces() == 0 || has_shared_vertex(mesh) || shape_of(mesh) != shape || !degenerate_faces(mesh).empty())
     return false;
 
   new_vertex.assign(points.size(), Mesh::null_vertex());

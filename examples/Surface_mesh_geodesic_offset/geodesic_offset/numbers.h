@@ -2,44 +2,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Numbers as they stand on the command line and in text files: the whole word must be one finite decimal number.
-// The readers of the standard library stop silently at the first character that they do not understand.
+// The streams of the standard library stop silently at the first character that they do not understand.
 
 #ifndef GEODESIC_OFFSET_NUMBERS_H
 #define GEODESIC_OFFSET_NUMBERS_H
 
-#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 #include <sstream>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <system_error>
 
 namespace geodesic_offset {
 
-inline bool parse_number(const std::string& word, double& value)
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// These return false, and leave the value, if the whole word is not a number. The format does not depend on the locale of the program. Numbers too small for a double become 0.
+inline bool parse_number(std::string_view word, double& value)
 {
-  // strtod also accepts blanks in front, hexadecimal numbers, "nan" and "inf"
-  if(word.empty() || word.find_first_not_of("0123456789+-.eE") != std::string::npos)
+  if(!word.empty() && word.front() == '+')
+    word.remove_prefix(1);
+  // std::from_chars also reads "nan" and "inf", and "+-1" would pass
+  if(word.empty() || !(word.front() == '-' || word.front() == '.' || is_digit(word.front())))
     return false;
-  char* end = nullptr;
-  value = std::strtod(word.c_str(), &end);
-  return end == word.c_str() + word.size() && std::isfinite(value);
+  double number = 0;
+  const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
+  if(result.ptr != word.data() + word.size())
+    return false;
+  if(result.ec == std::errc::result_out_of_range) // too large or too small, and `number` is as it was
+    number = std::strtod(std::string(word).c_str(), nullptr);
+  else if(result.ec != std::errc())
+    return false;
+  if(!std::isfinite(number))
+    return false;
+  value = number;
+  return true;
 }
 
-inline bool parse_index(const std::string& word, std::size_t& value)
+inline bool parse_index(std::string_view word, std::size_t& value)
 {
-  if(word.empty() || word.find_first_not_of("0123456789") != std::string::npos)
+  if(word.empty() || !is_digit(word.front()))
     return false;
-  value = 0;
-  for(char c : word)
-  {
-    const std::size_t digit = static_cast<std::size_t>(c - '0');
-    if(value > (std::numeric_limits<std::size_t>::max() - digit) / 10)
-      return false;
-    value = 10 * value + digit;
-  }
+  std::size_t number = 0;
+  const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
+  if(result.ec != std::errc() || result.ptr != word.data() + word.size())
+    return false;
+  value = number;
   return true;
 }
 
@@ -54,32 +65,11 @@ bool parse_numbers(const std::string& word, Array& values)
     const bool last = (i + 1 == values.size());
     if(last != (end == std::string::npos))
       return false;
-    if(!parse_number(word.substr(begin, last ? end : end - begin), values[i]))
+    if(!parse_number(std::string_view(word).substr(begin, last ? end : end - begin), values[i]))
       return false;
     begin = end + 1;
   }
   return true;
-}
-
-// Whether a word spells NaN or an infinity, in one of the ways of the usual run-time libraries.
-inline bool spells_non_finite_number(std::string word)
-{
-  for(char& c : word)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::size_t begin = word.find_first_not_of("+-");
-  if(begin == std::string::npos)
-    return false;
-  word.erase(0, begin);
-  return word == "inf" || word == "infinity" || word.compare(0, 3, "nan") == 0 || word.compare(0, 3, "1.#") == 0;
-}
-
-inline std::vector<std::string> words_of(const std::string& line)
-{
-  std::vector<std::string> words;
-  std::istringstream stream(line);
-  for(std::string word; stream >> word;)
-    words.push_back(word);
-  return words;
 }
 
 // As short as it can be said without losing anything that a person would want to know.

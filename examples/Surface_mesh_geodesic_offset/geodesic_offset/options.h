@@ -8,6 +8,7 @@
 
 #include "command_line.h"
 #include "common.h"
+#include "file_identity.h"
 #include "level_options.h"
 #include "output_options.h"
 #include "polyline_file.h"
@@ -17,7 +18,6 @@
 #include <cstddef>
 #include <optional>
 #include <ostream>
-#include <set>
 #include <string>
 
 namespace geodesic_offset {
@@ -49,16 +49,6 @@ inline po::options_description options_description()
   return all;
 }
 
-// The mesh and the curves are read before anything is written: writing over them would still lose them.
-inline void check_names(const Options& options)
-{
-  const Words read = options.files_read();
-  std::set<std::string> files(read.begin(), read.end());
-  for(const std::string& file : options.files_written())
-    if(!files.insert(file).second)
-      throw Usage_error("the file " + quoted(file) + " is named twice");
-}
-
 inline Options checked_options(const po::variables_map& map)
 {
   Options options;
@@ -68,7 +58,7 @@ inline Options checked_options(const po::variables_map& map)
   options.threads = number_of_threads(map);
   options.stitch = !map["no-stitch"].as<bool>();
   options.quiet = map["quiet"].as<bool>();
-  check_names(options);
+  check_different_files(options.files_read(), options.files_written());
   return options;
 }
 

@@ -1,26 +1,33 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All outputs or none. Every output is first written to a new file next to its target; when all of them are complete
-// they are renamed. A program that fails on the way leaves neither parts of files nor a mix of old and new ones. An output
-// that fails can be left out.
+// All outputs or none. Every output is first written to a new file in the folder of its target; when all of them are complete
+// they are renamed. A program that fails on the way, or that a signal ends, leaves neither parts of files nor a mix of old and
+// new ones: old files are kept under another name until all new ones have theirs. An output that fails can be left out.
 
 #ifndef GEODESIC_OFFSET_OUTPUT_FILE_H
 #define GEODESIC_OFFSET_OUTPUT_FILE_H
 
-#include "common.h"
+#include "file_identity.h"
+#include "messages.h"
+#include "stop_signals.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <ios>
+#include <mutex>
 #include <ostream>
+#include <random>
 #include <streambuf>
 #include <string>
 #include <system_error>
@@ -36,6 +43,7 @@ class Reporting_buffer : public std::streambuf
   std::streambuf&                            m_target;
   const std::function<void(std::uintmax_t)>& m_report;
   std::uintmax_t                             m_bytes = 0;
+  int                                        m_error = 0;
   std::array<char, 1 << 16>                  m_block;
 
 public:
@@ -45,6 +53,9 @@ public:
     setp(m_block.data(), m_block.data() + m_block.size());
   }
 
+  // The error number of the first failure, 0 if there was none
+  int error() const { return m_error; }
+
 protected:
   int_type overflow(int_type c) override
   {
@@ -53,14 +64,27 @@ protected:
     return traits_type::eq_int_type(c, traits_type::eof()) ? traits_type::not_eof(c) : sputc(traits_type::to_char_type(c));
   }
 
-  int sync() override { return hand_on() && m_target.pubsync() == 0 ? 0 : -1; }
+  int sync() override
+  {
+    if(!hand_on())
+      return -1;
+    errno = 0;
+    if(m_target.pubsync() == 0)
+      return 0;
+    m_error = errno != 0 ? errno : EIO;
+    return -1;
+  }
 
 private:
   bool hand_on()
   {
     const std::streamsize size = pptr() - pbase();
-    if(m_target.sputn(pbase(), size) != size)
+    errno = 0;
+    if(m_error != 0 || m_target.sputn(pbase(), size) != size)
+    {
+      m_error = m_error != 0 ? m_error : errno != 0 ? errno : EIO;
       return false;
+    }
     setp(m_block.data(), m_block.data() + m_block.size());
     m_bytes += static_cast<std::uintmax_t>(size);
     m_report(m_bytes);
@@ -79,13 +103,14 @@ public:
 private:
   struct Entry
   {
-    std::string target;
+    std::string target; // as it was named
+    std::string file;   // the target without symbolic links, which stay
     std::string temporary;
+    std::string old;    // another name of the file that the target was, while it may be needed; empty: none
   };
 
   Report             m_report;
   std::vector<Entry> m_entries;
-  bool               m_committed = false;
 
   static std::string reason()
   {
@@ -104,9 +129,8 @@ public:
 
   ~Output_files()
   {
-    if(!m_committed)
-      for(const Entry& entry : m_entries)
-        ::unlink(entry.temporary.c_str());
+    for(const Entry& entry : m_entries)
+      remove(entry.temporary);
   }
 
   // To be called before the long work: nobody wants to wait for it and then hear that the folder does not exist.
@@ -118,9 +142,10 @@ public:
       fail(target, "it is a directory");
     if(std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
       fail(target, "it exists and is not a regular file");
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path folder = canonical_path(target).parent_path();
     if(!std::filesystem::is_directory(folder, error))
-      fail(target, "there is no directory " + quoted(folder.string()));
+      fail(target, "there is no directory " +
+                     quoted(path.has_parent_path() ? path.parent_path().string() : folder.string()));
     errno = 0;
     if(::access(folder.c_str(), W_OK) != 0)
       fail(target, reason());
@@ -130,33 +155,43 @@ public:
   template <class Write>
   void add(const std::string& target, const Write& write, std::uintmax_t expected = 0)
   {
-    m_entries.push_back({target, target + ".part-" + std::to_string(::getpid())});
+    m_entries.push_back({target, canonical_path(target).string(), "", ""});
     try
     {
+      m_entries.back().temporary = new_file_beside(m_entries.back());
       write_to(m_entries.back(), write, expected);
     }
     catch(...)
     {
-      ::unlink(m_entries.back().temporary.c_str());
+      remove(m_entries.back().temporary);
       m_entries.pop_back();
       throw;
     }
   }
 
+  // Gives the files the names of their targets. After an exception all targets are as they were.
   void commit()
   {
+    Temporary_files& temporaries = Temporary_files::instance();
+    const std::unique_lock<std::mutex> lock = temporaries.lock(); // signals wait
     for(std::size_t i = 0; i < m_entries.size(); ++i)
     {
+      Entry& entry = m_entries[i];
       errno = 0;
-      if(std::rename(m_entries[i].temporary.c_str(), m_entries[i].target.c_str()) != 0)
-      {
-        const std::string why = reason();
-        for(std::size_t j = 0; j < i; ++j)
-          ::unlink(m_entries[j].target.c_str());
-        fail(m_entries[i].target, why);
-      }
+      if(keep_old(entry) && std::rename(entry.temporary.c_str(), entry.file.c_str()) == 0)
+        continue;
+      const std::string why = reason();
+      for(std::size_t k = i + 1; k-- > 0;)
+        bring_back(m_entries[k], k < i);
+      fail(entry.target, why);
     }
-    m_committed = true;
+    for(Entry& entry : m_entries)
+    {
+      temporaries.forget(entry.temporary);
+      entry.temporary.clear();
+      if(!entry.old.empty())
+        ::unlink(entry.old.c_str());
+    }
   }
 
   // The files that have been added
@@ -169,6 +204,87 @@ public:
   }
 
 private:
+  // Short names, because a target may have the longest name that its folder allows; and random ones, because other runs of
+  // the program may use the folder, too.
+  static std::string unused_name_beside(const std::string& file)
+  {
+    static std::random_device random;
+    static const char digits[] = "0123456789abcdefghijklmnopqrstuvwxyz";
+    std::string name = ".part-";
+    for(int i = 0; i < 10; ++i)
+      name += digits[random() % 36];
+    return (std::filesystem::path(file).parent_path() / name).string();
+  }
+
+  // Creates an empty file with the permissions that the user's mask gives to new files.
+  static std::string new_file_beside(const Entry& entry)
+  {
+    Temporary_files& temporaries = Temporary_files::instance();
+    const std::unique_lock<std::mutex> lock = temporaries.lock();
+    for(;;)
+    {
+      const std::string name = unused_name_beside(entry.file);
+      errno = 0;
+      const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if(descriptor >= 0)
+      {
+        ::close(descriptor);
+        temporaries.add(name);
+        return name;
+      }
+      if(errno != EEXIST)
+        fail(entry.target, reason());
+    }
+  }
+
+  static void remove(const std::string& temporary)
+  {
+    if(temporary.empty())
+      return;
+    Temporary_files& temporaries = Temporary_files::instance();
+    const std::unique_lock<std::mutex> lock = temporaries.lock();
+    ::unlink(temporary.c_str());
+    temporaries.forget(temporary);
+  }
+
+  // Gives the file that the target is a second name. File systems without links rename it.
+  static bool keep_old(Entry& entry)
+  {
+    std::error_code error;
+    if(std::filesystem::is_directory(entry.file, error)) // since it was checked
+    {
+      errno = EISDIR;
+      return false;
+    }
+    for(;;)
+    {
+      const std::string name = unused_name_beside(entry.file);
+      errno = 0;
+      const bool is_linked = ::link(entry.file.c_str(), name.c_str()) == 0;
+      if(!is_linked && errno == ENOENT) // a new file
+        return true;
+      if(!is_linked && errno == EEXIST)
+        continue;
+      errno = 0;
+      if(!is_linked && std::rename(entry.file.c_str(), name.c_str()) != 0)
+        return false;
+      entry.old = name;
+      return true;
+    }
+  }
+
+  static void bring_back(Entry& entry, bool is_renamed)
+  {
+    if(!entry.old.empty())
+    {
+      std::rename(entry.old.c_str(), entry.file.c_str());
+      ::unlink(entry.old.c_str()); // two names of one file: rename does nothing
+      entry.old.clear();
+    }
+    else if(is_renamed)
+      ::unlink(entry.file.c_str());
+  }
+
   template <class Write>
   void write_to(const Entry& entry, const Write& write, std::uintmax_t expected) const
   {
@@ -181,9 +297,9 @@ private:
     };
     internal::Reporting_buffer buffer(file, report);
     std::ostream stream(&buffer);
-    errno = 0;
     write(stream);
     stream.flush();
+    errno = buffer.error();
     if(!stream || file.close() == nullptr)
       fail(entry.target, reason());
   }

@@ -8,7 +8,6 @@
 #define GEODESIC_OFFSET_POLYGON_TRIANGLES_H
 
 #include "common.h"
-#include "soup_reader.h"
 
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>

@@ -6,13 +6,14 @@
 #ifndef GEODESIC_OFFSET_POLYLINE_FILE_H
 #define GEODESIC_OFFSET_POLYLINE_FILE_H
 
-#include "common.h"
-#include "numbers.h"
-#include "soup_reader.h"
+#include "file_bytes.h"
+#include "messages.h"
+#include "soup.h"
+#include "text_scanner.h"
 
 #include <cstddef>
-#include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace geodesic_offset {
@@ -41,42 +42,46 @@ inline std::string polyline_format_hint()
 
 } // namespace internal
 
-// Throws Input_error.
-inline std::vector<File_polyline> read_polylines(const std::string& path)
+// Reads polylines from the bytes of a file. The path is for errors. Throws Input_error.
+inline std::vector<File_polyline> parse_polylines(const std::string& path, std::string_view bytes)
 {
-  std::ifstream stream = internal::open_input(path);
+  Text_scanner text(path, bytes, Text_style::with_comments);
   std::vector<File_polyline> polylines;
-  std::size_t number = 0;
-  for(std::string line; std::getline(stream, line);)
+  for(; text.find_word(); text.next_line())
   {
-    ++number;
-    const std::vector<std::string> words = words_of(line.substr(0, line.find('#')));
-    if(words.empty())
-      continue;
-    const std::string where = quoted(path) + ", line " + std::to_string(number) + ": ";
+    const std::string where = quoted(path) + ", line " + std::to_string(text.line()) + ": ";
+    const std::string announced(text.word());
     std::size_t n = 0;
-    if(!parse_index(words[0], n) || n == 0)
-      throw Input_error(where + quoted(words[0].substr(0, 40)) + " is not a number of points" +
-                        internal::polyline_format_hint());
-    if((words.size() - 1) / 3 != n || (words.size() - 1) % 3 != 0)
-      throw Input_error(where + words[0].substr(0, 40) + " points need three coordinates each, there are " +
-                        counted(words.size() - 1, "number") + internal::polyline_format_hint());
-    polylines.push_back({number, {}});
+    if(!parse_index(announced, n) || n == 0)
+      throw Input_error(where + quoted_word(announced) + " is not a number of points" + internal::polyline_format_hint());
+    std::vector<std::string_view> words;
+    while(!text.is_at_line_end())
+      words.push_back(text.word());
+    if(words.size() / 3 != n || words.size() % 3 != 0)
+      throw Input_error(where + announced.substr(0, 40) + " points need three coordinates each, there are " +
+                        counted(words.size(), "number") + internal::polyline_format_hint());
+    polylines.push_back({text.line(), {}});
+    polylines.back().points.reserve(n);
     for(std::size_t i = 0; i < n; ++i)
     {
       double c[3] = {0, 0, 0};
       for(std::size_t k = 0; k < 3; ++k)
-        if(!parse_number(words[1 + 3 * i + k], c[k]))
-          throw Input_error(where + "point " + std::to_string(i) + " has the coordinate " +
-                            quoted(words[1 + 3 * i + k].substr(0, 40)) + ", which is not a finite number");
+        if(!parse_number(words[3 * i + k], c[k]))
+          throw Input_error(where + "point " + std::to_string(i) + " has the coordinate " + quoted_word(words[3 * i + k]) +
+                            ", which is not a finite number");
       polylines.back().points.emplace_back(c[0], c[1], c[2]);
     }
   }
-  if(stream.bad())
-    throw Input_error("cannot read " + quoted(path));
   if(polylines.empty())
     throw Input_error(quoted(path) + " has no polylines");
   return polylines;
+}
+
+// Throws Input_error.
+inline std::vector<File_polyline> read_polylines(const std::string& path)
+{
+  const File_bytes bytes(path);
+  return parse_polylines(path, bytes.view());
 }
 
 } // namespace geodesic_offset

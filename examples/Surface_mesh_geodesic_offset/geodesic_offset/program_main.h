@@ -6,11 +6,13 @@
 #ifndef GEODESIC_OFFSET_PROGRAM_MAIN_H
 #define GEODESIC_OFFSET_PROGRAM_MAIN_H
 
-#include "common.h"
+#include "messages.h"
+#include "stop_signals.h"
 
 #include <CGAL/assertions_behaviour.h>
 
-#include <cstddef>
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -30,6 +32,16 @@ inline void print_warning(const std::string& program, const std::string& text)
   std::cerr << program << ": warning: " << one_line(text) << std::endl;
 }
 
+// Throws Input_error if something that was printed could not be written.
+inline void check_standard_output()
+{
+  errno = 0;
+  std::cout.flush();
+  if(!std::cout)
+    throw Input_error("cannot write to the standard output" +
+                      (errno == 0 ? std::string() : ": " + std::string(std::strerror(errno))));
+}
+
 // work() returns the exit code.
 template <class Work>
 int program_main(const std::string& name, const Work& work)
@@ -40,9 +52,12 @@ int program_main(const std::string& name, const Work& work)
     std::cerr << name << ": " << one_line(text) << std::endl;
     return code;
   };
+  end_cleanly_on_signals();
   try
   {
-    return work();
+    const int code = work();
+    check_standard_output();
+    return code;
   }
   catch(const Usage_error& error)
   {

@@ -52,12 +52,14 @@ public:
 
   ~Progress() { erase(); }
 
-  // flushed, because the next step may take long
+  // Flushed, because the next step may take long. Throws Input_error if the standard output is full or closed.
   void line(const std::string& text)
   {
     erase();
-    if(!m_quiet)
-      std::cout << text << std::endl;
+    if(m_quiet)
+      return;
+    std::cout << text << '\n';
+    check_standard_output();
   }
 
   void line(const std::string& text, double seconds)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -23,6 +24,33 @@ inline double edge_length(const Mesh& mesh, Halfedge h)
 {
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
 }
+
+// The halfedges with their targets at each vertex, in all of its fans
+class Incoming_halfedges
+{
+  std::vector<std::size_t> m_begin;
+  std::vector<Halfedge>    m_halfedges;
+
+public:
+  explicit Incoming_halfedges(const Mesh& mesh)
+    : m_begin(mesh.number_of_vertices() + 1, 0), m_halfedges(mesh.number_of_halfedges())
+  {
+    for(Halfedge h : mesh.halfedges())
+      ++m_begin[mesh.target(h) + 1];
+    for(std::size_t v = 1; v < m_begin.size(); ++v)
+      m_begin[v] += m_begin[v - 1];
+    std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
+    for(Halfedge h : mesh.halfedges())
+      m_halfedges[end[mesh.target(h)]++] = h;
+  }
+
+  template <class Function>
+  void for_each(Vertex v, const Function& f) const
+  {
+    for(std::size_t i = m_begin[v]; i < m_begin[v + 1]; ++i)
+      f(m_halfedges[i]);
+  }
+};
 
 // For each vertex, the length of the shortest path to a source along edges of the mesh, by Dijkstra's algorithm
 inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources& sources)
@@ -37,14 +65,14 @@ inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources
     queue.emplace(distance, v);
   };
   sources.for_each_start(reach);
+  const Incoming_halfedges incoming(mesh);
   while(!queue.empty())
   {
     const Entry nearest = queue.top();
     queue.pop();
     if(nearest.first > distances[nearest.second])
       continue;
-    for(Halfedge h : mesh.halfedges_around_target(mesh.halfedge(nearest.second)))
-      reach(mesh.source(h), nearest.first + edge_length(mesh, h));
+    incoming.for_each(nearest.second, [&](Halfedge h) { reach(mesh.source(h), nearest.first + edge_length(mesh, h)); });
   }
   return distances;
 }

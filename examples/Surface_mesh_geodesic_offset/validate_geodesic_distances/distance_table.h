@@ -6,12 +6,15 @@
 #ifndef VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H
 
-#include "../geodesic_offset/common.h"
+#include "../geodesic_offset/messages.h"
 #include "../geodesic_offset/numbers.h"
+#include "../geodesic_offset/soup.h"
 
 #include <cctype>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace geodesic_offset {
@@ -35,12 +38,12 @@ inline bool spells_infinity(std::string word)
 }
 
 // Throws Input_error that begins with `where`.
-inline double parsed_distance(const std::string& where, std::size_t vertex, const std::string& word)
+inline double parsed_distance(const std::string& where, std::size_t vertex, std::string_view word)
 {
-  if(!word.empty() && spells_infinity(word))
-    return infinity;
+  if(!word.empty() && spells_infinity(std::string(word)))
+    return std::numeric_limits<double>::infinity();
   double value = 0;
-  const std::string what = where + "vertex " + std::to_string(vertex) + " has the distance " + quoted(word.substr(0, 40));
+  const std::string what = where + "vertex " + std::to_string(vertex) + " has the distance " + quoted_word(word);
   if(!parse_number(word, value))
     throw Input_error(what + ", which is neither a finite number nor inf");
   if(value < 0)

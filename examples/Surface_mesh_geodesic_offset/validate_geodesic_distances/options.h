@@ -8,11 +8,11 @@
 
 #include "../geodesic_offset/command_line.h"
 #include "../geodesic_offset/common.h"
+#include "../geodesic_offset/file_identity.h"
 #include "../geodesic_offset/numbers.h"
 #include "../geodesic_offset/polyline_file.h"
 #include "../geodesic_offset/source_options.h"
 
-#include <algorithm>
 #include <ostream>
 #include <string>
 
@@ -64,11 +64,10 @@ inline void check_files(const Validation_options& options)
     throw Usage_error("no --distances given");
   if(!options.property.empty() && !has_extension(options.distances, ".ply"))
     throw Usage_error("--property needs --distances in a file that ends in .ply, not " + quoted(options.distances));
-  // what is read must not be written over
   Words read = options.files_read();
   read.push_back(options.distances);
-  if(!options.per_vertex.empty() && std::find(read.begin(), read.end(), options.per_vertex) != read.end())
-    throw Usage_error("the file " + quoted(options.per_vertex) + " is named twice");
+  if(!options.per_vertex.empty())
+    check_different_files(read, {options.per_vertex});
 }
 
 inline Validation_options checked_validation_options(const po::variables_map& map)

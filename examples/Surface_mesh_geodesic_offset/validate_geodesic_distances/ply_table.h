@@ -1,37 +1,21 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances as a property of the vertices in a PLY file. CGAL reads the binary formats; it does not take inf in text, so
-// the lines of an ASCII file are read here.
+// Distances as a property of the vertices in a PLY file.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_PLY_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_PLY_TABLE_H
 
-#include "../geodesic_offset/common.h"
-#include "../geodesic_offset/file_diagnosis.h"
-#include "../geodesic_offset/memory_guard.h"
+#include "../geodesic_offset/messages.h"
 #include "../geodesic_offset/numbers.h"
-#include "../geodesic_offset/soup_reader.h"
+#include "../geodesic_offset/ply_file.h"
 #include "distance_table.h"
-
-#include <CGAL/IO/read_ply_points.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <new>
-#include <stdexcept>
-#include <streambuf>
 #include <string>
-#include <system_error>
-#include <tuple>
-#include <type_traits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,19 +23,86 @@ namespace geodesic_offset {
 
 class Ply_table_reader
 {
-  using Element = internal::Ply_element;
-  using Row     = std::tuple<double, Point>;
+  using Element  = internal::Ply_element;
+  using Property = internal::Ply_property;
 
   const std::string& m_path;
   const std::string& m_mesh;
   std::size_t        m_vertices; // of the mesh
+  std::string        m_property;
+  bool               m_has_points = false;
+  Distance_table     m_table;
 
-  bool                 m_is_ascii = false;
-  std::vector<Element> m_elements;
-  std::size_t          m_element = 0; // the one of the vertices
-  std::string          m_property;
-  bool                 m_has_points = false;
-  Distance_table       m_table;
+  // The rows of the vertices
+  class Rows
+  {
+    const internal::Ply_file&  m_file;
+    Ply_table_reader&          m_reader;
+    std::size_t                m_distance;
+    std::array<std::size_t, 3> m_xyz;
+    std::size_t                m_row = 0;
+    std::size_t                m_found = 0; // coordinates of the row
+    double                     m_coordinates[3] = {0, 0, 0};
+
+  public:
+    Rows(const internal::Ply_file& file, Ply_table_reader& reader, const Element& vertices)
+      : m_file(file), m_reader(reader), m_distance(vertices.find(reader.m_property)),
+        m_xyz{vertices.find("x"), vertices.find("y"), vertices.find("z")}
+    {
+    }
+
+    void begin_row(std::size_t row)
+    {
+      m_row = row;
+      m_found = 0;
+    }
+
+    void begin_list(std::size_t, std::size_t) {}
+    bool reads(std::size_t property) const { return property == m_distance || is_coordinate(property); }
+
+    void number(std::size_t property, double value)
+    {
+      if(property == m_distance)
+      {
+        if(!(value >= 0))
+          throw Input_error(where() + "vertex " + std::to_string(m_row) + " has the distance " + short_number(value) +
+                            (value < 0 ? ", which is negative" : ", which is not a number"));
+        m_reader.m_table.distances.push_back(value);
+      }
+      if(is_coordinate(property))
+        add_coordinate(property, value);
+    }
+
+    void word(std::size_t property, std::string_view word)
+    {
+      if(property == m_distance)
+        m_reader.m_table.distances.push_back(internal::parsed_distance(where(), m_row, word));
+      if(!is_coordinate(property))
+        return;
+      double value = 0;
+      if(!parse_number(word, value))
+        throw Input_error(where() + "vertex " + std::to_string(m_row) + " has the coordinate " + quoted_word(word) +
+                          ", which is not a finite number");
+      add_coordinate(property, value);
+    }
+
+  private:
+    bool is_coordinate(std::size_t property) const
+    {
+      return m_reader.m_has_points && (property == m_xyz[0] || property == m_xyz[1] || property == m_xyz[2]);
+    }
+
+    void add_coordinate(std::size_t property, double value)
+    {
+      for(std::size_t c = 0; c < 3; ++c)
+        if(m_xyz[c] == property)
+          m_coordinates[c] = value;
+      if(++m_found == 3)
+        m_reader.m_table.points.emplace_back(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
+    }
+
+    std::string where() const { return quoted(m_reader.m_path) + ", " + m_file.where() + m_reader.named_property() + ": "; }
+  };
 
 public:
   Ply_table_reader(const std::string& path, const std::string& mesh, std::size_t vertices)
@@ -60,202 +111,71 @@ public:
   }
 
   // property: empty for the first of the usual names. Throws Input_error.
-  Distance_table operator()(const std::string& property)
+  Distance_table operator()(std::string_view bytes, const std::string& property)
   {
-    std::ifstream stream = internal::open_input(m_path);
-    internal::Line_reader lines(stream);
-    const std::string wrong = internal::read_ply_header(lines, m_is_ascii, m_elements);
-    if(!wrong.empty())
-      fail(wrong);
-    find_vertices();
-    find_property(property);
+    internal::Ply_file file(m_path, bytes);
+    const Element& vertices = find_vertices(file);
+    find_property(vertices, property);
     m_table.name = named_property() + " of " + quoted(m_path);
-    if(m_is_ascii)
-      read_ascii(lines);
-    else
-      read_binary();
+    for(const Element& element : file.elements())
+    {
+      if(&element == &vertices)
+      {
+        file.read_rows(element, Rows(file, *this, element));
+        break;
+      }
+      file.skip_rows(element);
+    }
     return std::move(m_table);
   }
 
 private:
-  [[noreturn]] void fail(const std::string& reason) const
-  {
-    throw Input_error("cannot read " + quoted(m_path) + ": " + reason);
-  }
-
   std::string named_property() const { return "property " + quoted(m_property); }
 
-  static bool is_real(const std::string& type)
+  static bool has_real(const Element& vertices, const std::string& name)
   {
-    return type == "float" || type == "double" || type == "float32" || type == "float64";
+    return vertices.has(name) && is_real(vertices.properties[vertices.find(name)]);
   }
 
-  static bool is_integer(const std::string& type)
+  static bool is_real(const Property& property) { return !property.is_list() && internal::is_real(property.type); }
+
+  const Element& find_vertices(const internal::Ply_file& file)
   {
-    const auto types = {"char", "uchar", "short", "ushort", "int", "uint", "int8", "uint8", "int16", "uint16", "int32",
-                        "uint32"};
-    return std::find(types.begin(), types.end(), type) != types.end();
+    for(const Element& element : file.elements())
+      if(element.is_vertex())
+      {
+        if(element.number != m_vertices)
+          throw Input_error(quoted(m_path) + " has " + counted(element.number, "vertex", "vertices") + ", but " +
+                            quoted(m_mesh) + " has " + std::to_string(m_vertices));
+        m_has_points = has_real(element, "x") && has_real(element, "y") && has_real(element, "z");
+        return element;
+      }
+    file.fail("its header announces no vertices");
   }
 
-  static bool is_list(const std::string& type) { return type.compare(0, 5, "list ") == 0; }
-
-  // CGAL leaves out properties of other types, and takes their bytes for those of the next one.
-  static bool is_known(const std::string& type)
+  void find_property(const Element& vertices, const std::string& property)
   {
-    if(!is_list(type))
-      return is_real(type) || is_integer(type);
-    const std::vector<std::string> words = words_of(type);
-    return words.size() == 3 && is_integer(words[1]) && (is_real(words[2]) || is_integer(words[2]));
-  }
-
-  // The number of the property, or that of all properties if there is none
-  std::size_t column(const std::string& name) const
-  {
-    const std::vector<std::string>& names = m_elements[m_element].properties;
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  }
-
-  bool has_real(const std::string& name) const
-  {
-    const std::vector<std::string>& types = m_elements[m_element].types;
-    return column(name) < types.size() && is_real(types[column(name)]);
-  }
-
-  void find_vertices()
-  {
-    while(m_element < m_elements.size() && !m_elements[m_element].is_vertex())
-      ++m_element;
-    if(m_element == m_elements.size())
-      fail("its header announces no vertices");
-    for(const Element& e : m_elements)
-    {
-      if(e.properties.empty() && e.number != 0)
-        fail("the element '" + e.name + "' has no properties");
-      for(std::size_t i = 0; i < e.types.size(); ++i)
-        if(!is_known(e.types[i]))
-          fail("the property '" + e.properties[i] + "' has the unknown type '" + e.types[i] + "'");
-    }
-    if(m_elements[m_element].number != m_vertices)
-      throw Input_error(quoted(m_path) + " has " + counted(m_elements[m_element].number, "vertex", "vertices") + ", but " +
-                        quoted(m_mesh) + " has " + std::to_string(m_vertices));
-    m_has_points = has_real("x") && has_real("y") && has_real("z");
-  }
-
-  void find_property(const std::string& property)
-  {
-    const Element& vertices = m_elements[m_element];
     m_property = property;
     if(property.empty())
       for(const char* name : {"value", "geodesic", "geodesic_distance", "scalar", "quality", "distance"})
-        if(column(name) < vertices.properties.size())
+        if(vertices.has(name))
           m_property = name;
-    if(column(m_property) == vertices.properties.size())
+    if(!vertices.has(m_property))
     {
+      constexpr std::size_t most_names = 10; // in one line
       std::string names;
-      for(const std::string& name : vertices.properties)
-        names += (names.empty() ? "" : ", ") + name;
+      for(std::size_t p = 0; p < std::min(most_names, vertices.properties.size()); ++p)
+        names += (p == 0 ? "" : ", ") + vertices.properties[p].name.substr(0, 40);
+      if(vertices.properties.size() > most_names)
+        names += " and " + std::to_string(vertices.properties.size() - most_names) + " more";
       throw Input_error(quoted(m_path) + ": its vertices have " +
                         (property.empty() ? "no property with a usual name for distances (--property names one)"
                                           : "no property " + quoted(property)) +
                         "; they have " + names);
     }
-    if(!has_real(m_property))
+    if(!has_real(vertices, m_property))
       throw Input_error(quoted(m_path) + ": the " + named_property() + " of its vertices has the type " +
-                        vertices.types[column(m_property)] + "; float or double is needed");
-  }
-
-  void read_ascii(internal::Line_reader& lines)
-  {
-    std::vector<std::string> words;
-    for(std::size_t e = 0; e < m_element; ++e)
-      for(std::size_t i = 0; i < m_elements[e].number; ++i)
-        if(!lines.next(words))
-          fail(internal::missing("elements '" + m_elements[e].name + "'", i, m_elements[e].number));
-
-    const std::vector<std::string>& types = m_elements[m_element].types;
-    const std::size_t distance = column(m_property);
-    const std::array<std::size_t, 3> xyz = {column("x"), column("y"), column("z")};
-    const std::size_t last = m_has_points ? std::max({distance, xyz[0], xyz[1], xyz[2]}) : distance;
-    if(std::any_of(types.begin(), types.begin() + static_cast<std::ptrdiff_t>(last), is_list))
-      fail("lists in front of the " + named_property() + " can be read in binary files only");
-    for(std::size_t i = 0; i < m_vertices; ++i)
-    {
-      if(!lines.next(words))
-        fail(internal::missing("vertices", i, m_vertices));
-      const std::string where = quoted(m_path) + ", line " + std::to_string(lines.number()) + ", ";
-      if(words.size() <= last)
-        throw Input_error(where + "vertex " + std::to_string(i) + " has only " + counted(words.size(), "word") + " of " +
-                          std::to_string(types.size()));
-      m_table.distances.push_back(internal::parsed_distance(where + named_property() + ": ", i, words[distance]));
-      if(m_has_points)
-        m_table.points.push_back(point(where, i, words, xyz));
-    }
-  }
-
-  static Point point(const std::string& where, std::size_t vertex, const std::vector<std::string>& words,
-                     const std::array<std::size_t, 3>& xyz)
-  {
-    double c[3] = {0, 0, 0};
-    for(std::size_t k = 0; k < 3; ++k)
-      if(!parse_number(words[xyz[k]], c[k]))
-        throw Input_error(where + "vertex " + std::to_string(vertex) + " has the coordinate " +
-                          quoted(words[xyz[k]].substr(0, 40)) + ", which is not a finite number");
-    return Point(c[0], c[1], c[2]);
-  }
-
-  // The reader says on the stream of errors what is wrong with a header, and here there is one line for that.
-  class Silent_errors
-  {
-    std::streambuf* m_buffer = std::cerr.rdbuf(nullptr);
-
-  public:
-    Silent_errors() = default;
-    ~Silent_errors() { std::cerr.rdbuf(m_buffer); }
-    Silent_errors(const Silent_errors&) = delete;
-    Silent_errors& operator=(const Silent_errors&) = delete;
-  };
-
-  bool read_rows(std::istream& stream, std::vector<Row>& rows) const
-  {
-    const Silent_errors silent;
-    const auto distance = std::make_pair(CGAL::Nth_of_tuple_property_map<0, Row>(),
-                                         CGAL::IO::PLY_property<double>(m_property.c_str()));
-    // copies, as the reader may move from what it is given
-    if(m_has_points)
-      return CGAL::IO::read_PLY_with_properties<Row>(
-        stream, std::back_inserter(rows), std::decay_t<decltype(distance)>(distance),
-        CGAL::IO::make_ply_point_reader(CGAL::Nth_of_tuple_property_map<1, Row>()));
-    return CGAL::IO::read_PLY_with_properties<Row>(stream, std::back_inserter(rows),
-                                                   std::decay_t<decltype(distance)>(distance));
-  }
-
-  void read_binary()
-  {
-    std::vector<Row> rows;
-    bool read = false;
-    try
-    {
-      std::ifstream stream = internal::open_input(m_path);
-      std::error_code error;
-      const std::uintmax_t size = std::filesystem::file_size(m_path, error);
-      const Memory_guard guard(error ? 0 : size);
-      read = read_rows(stream, rows);
-    }
-    catch(const std::bad_alloc&) { read = false; }
-    catch(const std::length_error&) { read = false; }
-    if(!read || rows.size() != m_vertices)
-      fail("the file is truncated or malformed");
-    for(std::size_t i = 0; i < rows.size(); ++i)
-    {
-      const double d = std::get<0>(rows[i]);
-      if(!(d >= 0))
-        throw Input_error(quoted(m_path) + ", " + named_property() + ": vertex " + std::to_string(i) +
-                          " has the distance " + short_number(d) +
-                          (d < 0 ? ", which is negative" : ", which is not a number"));
-      m_table.distances.push_back(d);
-      if(m_has_points)
-        m_table.points.push_back(std::get<1>(rows[i]));
-    }
+                        vertices.properties[vertices.find(m_property)].type_name + "; float or double is needed");
   }
 };
 

@@ -7,16 +7,15 @@
 #ifndef VALIDATE_GEODESIC_DISTANCES_TEXT_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_TEXT_TABLE_H
 
-#include "../geodesic_offset/common.h"
-#include "../geodesic_offset/file_diagnosis.h"
+#include "../geodesic_offset/messages.h"
 #include "../geodesic_offset/numbers.h"
-#include "../geodesic_offset/soup_reader.h"
+#include "../geodesic_offset/text_scanner.h"
 #include "distance_table.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,26 +35,25 @@ public:
   }
 
   // Throws Input_error.
-  Distance_table operator()()
+  Distance_table operator()(std::string_view bytes)
   {
-    std::ifstream stream = internal::open_input(m_path);
-    internal::Line_reader lines(stream);
-    std::vector<std::string> words;
+    Text_scanner text(m_path, bytes, Text_style::with_comments);
     std::size_t columns = 0, rows = 0;
-    for(; lines.next(words); ++rows)
+    for(; text.find_word(); text.next_line(), ++rows)
     {
+      std::vector<std::string_view> words;
+      while(!text.is_at_line_end())
+        words.push_back(text.word());
       if(columns == 0)
         columns = words.size();
       if(columns > 2)
-        throw Input_error(where(lines) + "a distance, or a vertex and its distance, is expected here, not " +
+        throw Input_error(where(text) + "a distance, or a vertex and its distance, is expected here, not " +
                           counted(columns, "word"));
       if(words.size() != columns)
-        throw Input_error(where(lines) + counted(words.size(), "word") + ", but the first line has " +
+        throw Input_error(where(text) + counted(words.size(), "word") + ", but the first line has " +
                           std::to_string(columns));
-      add(where(lines), columns == 1 ? rows : vertex(where(lines), words[0]), words.back(), lines.number());
+      add(where(text), columns == 1 ? rows : vertex(where(text), words[0]), words.back(), text.line());
     }
-    if(stream.bad())
-      throw Input_error("cannot read " + quoted(m_path));
     if(rows == 0)
       throw Input_error(quoted(m_path) + " has no distances");
     check_complete(columns, rows);
@@ -63,24 +61,24 @@ public:
   }
 
 private:
-  std::string where(const internal::Line_reader& lines) const
+  std::string where(const Text_scanner& text) const
   {
-    return quoted(m_path) + ", line " + std::to_string(lines.number()) + ": ";
+    return quoted(m_path) + ", line " + std::to_string(text.line()) + ": ";
   }
 
   std::string vertices_of_mesh() const { return quoted(m_mesh) + " has " + counted(m_lines.size(), "vertex", "vertices"); }
 
-  std::size_t vertex(const std::string& where, const std::string& word) const
+  std::size_t vertex(const std::string& where, std::string_view word) const
   {
     std::size_t index = 0;
     if(!parse_index(word, index))
-      throw Input_error(where + quoted(word.substr(0, 40)) + " is not the index of a vertex");
+      throw Input_error(where + quoted_word(word) + " is not the index of a vertex");
     if(index >= m_lines.size())
-      throw Input_error(where + "there is no vertex " + word.substr(0, 40) + ", as " + vertices_of_mesh() + ", from 0");
+      throw Input_error(where + "there is no vertex " + std::to_string(index) + ", as " + vertices_of_mesh() + ", from 0");
     return index;
   }
 
-  void add(const std::string& where, std::size_t vertex, const std::string& word, std::size_t line)
+  void add(const std::string& where, std::size_t vertex, std::string_view word, std::size_t line)
   {
     if(vertex >= m_lines.size())
       throw Input_error(where + "this is distance number " + std::to_string(vertex + 1) + ", but " + vertices_of_mesh());

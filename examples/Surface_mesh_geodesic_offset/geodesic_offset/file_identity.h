@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Whether two names mean one file: one name may have links, dots, or be absolute.
+
+#ifndef GEODESIC_OFFSET_FILE_IDENTITY_H
+#define GEODESIC_OFFSET_FILE_IDENTITY_H
+
+#include "messages.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace geodesic_offset {
+
+// The name without links and dots, also of a file that does not exist yet in a folder that does. Symbolic links are followed.
+inline std::filesystem::path canonical_path(const std::string& name)
+{
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error ? std::filesystem::path(name) : path;
+}
+
+// By device and inode if both files exist, else by their canonical names
+inline bool is_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  if(std::filesystem::equivalent(a, b, error) && !error)
+    return true;
+  return canonical_path(a) == canonical_path(b);
+}
+
+// Throws Usage_error if a file that is written is one that is read, or is written twice. The files that are read are read
+// before anything is written: writing over them would still lose them.
+inline void check_different_files(const std::vector<std::string>& read, const std::vector<std::string>& written)
+{
+  for(std::size_t i = 0; i < written.size(); ++i)
+    for(std::size_t k = 0; k < read.size() + i; ++k)
+    {
+      const std::string& other = k < read.size() ? read[k] : written[k - read.size()];
+      if(written[i] == other)
+        throw Usage_error("the file " + quoted(other) + " is named twice");
+      if(is_same_file(written[i], other))
+        throw Usage_error("the file " + quoted(other) + " is named twice, also as " + quoted(written[i]));
+    }
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_FILE_IDENTITY_H

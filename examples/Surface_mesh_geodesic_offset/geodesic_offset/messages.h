@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The two kinds of failure that all parts of the programs share, and the words of their messages.
+
+#ifndef GEODESIC_OFFSET_MESSAGES_H
+#define GEODESIC_OFFSET_MESSAGES_H
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace geodesic_offset {
+
+// The command line is wrong: exit code 2.
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// The command line is right, but something that it names is not: exit code 1.
+struct Input_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+inline bool has_extension(const std::string& path, const std::string& extension)
+{
+  return path.size() > extension.size() &&
+         std::equal(extension.rbegin(), extension.rend(), path.rbegin(), [](char a, char b) {
+           return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
+         });
+}
+
+// Messages may hold parts of damaged files.
+inline std::string one_line(std::string text)
+{
+  for(char& c : text)
+    if(static_cast<unsigned char>(c) < 32 || c == 127)
+      c = ' ';
+  constexpr std::size_t longest = 500;
+  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
+
+inline std::string quoted(const std::string& s) { return "'" + s + "'"; }
+
+// A word of a file in a message, not more than its first 40 characters
+inline std::string quoted_word(std::string_view word) { return quoted(std::string(word.substr(0, 40))); }
+
+// "1 face", "2 faces"
+inline std::string counted(std::size_t n, const std::string& singular, const std::string& plural = "")
+{
+  return std::to_string(n) + ' ' + (n == 1 ? singular : plural.empty() ? singular + 's' : plural);
+}
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_MESSAGES_H

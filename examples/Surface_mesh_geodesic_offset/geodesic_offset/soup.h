@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Points and polygons, as all mesh files have them.
+
+#ifndef GEODESIC_OFFSET_SOUP_H
+#define GEODESIC_OFFSET_SOUP_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace geodesic_offset {
+
+using Kernel  = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point   = Kernel::Point_3;
+using Polygon = std::vector<std::uint32_t>;
+
+// Vertices and faces in the order of the file
+struct Soup
+{
+  std::vector<Point>       points;
+  std::vector<Polygon>     polygons;
+  std::vector<std::string> remarks; // parts of the file that were left out, one line each
+};
+
+} // namespace geodesic_offset
+
+#endif // GEODESIC_OFFSET_SOUP_H
