@@ -12,15 +12,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_offset_search {
 
 using namespace test;
-
-typedef Geodesic::Face_location Face_location;
 
 /// A piece of a curve as plain data, which can be damaged.
 struct Plain_piece
@@ -315,9 +314,9 @@ void search()
   CHECK(total.levels > 1000 && total.pieces > 10000 && total.validated > 0);
 }
 
-} // namespace
+} // namespace test_offset_search
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_search)
 {
   const std::pair<const char*, void (*)()> tests[] = {{"the judge finds damage", judge_finds_damage},
                                                       {"the judge finds a missing loop", judge_finds_missing_loop},
