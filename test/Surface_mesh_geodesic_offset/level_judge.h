@@ -118,7 +118,7 @@ private:
   void walk(const Curve& curve, Verdict& verdict)
   {
     const std::size_t n = curve.number_of_pieces();
-    if (n == 0) return verdict.add(GAP, "a curve without pieces");
+    if (n == 0) return verdict.add(GAP, "%s", "a curve without pieces");
     verdict.pieces += n;
     std::size_t longest = 0;
     double longest_length = -1;
