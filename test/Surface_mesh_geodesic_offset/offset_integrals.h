@@ -155,8 +155,8 @@ public:
     return false;
   }
 
-  /// What all levels add up to. Intervals of levels are halved until both sides agree within `tolerance` of the share of the
-  /// interval in the area, or until they are shorter than `shortest_interval`, as at jumps of the length.
+  /// What all levels add up to. Intervals of levels are halved until both sides agree within rounding and `tolerance` of the
+  /// share of the interval in the area, or until they are shorter than `shortest_interval`, as at jumps of the length.
   /// `left_over`: the sum of all differences.
   Coarea over_all_levels(double tolerance, double& left_over)
   {
@@ -204,7 +204,8 @@ private:
   {
     const Coarea here = between(from, to, 3);
     const double share = (to.cut - from.cut) / largest_distance_;
-    if (here.difference() > tolerance * total_area_ * share && share > Tolerances::shortest_interval)
+    const double allowed = (tolerance * share + Tolerances::area_error) * total_area_;
+    if (here.difference() > allowed && share > Tolerances::shortest_interval)
     {
       const Level_measure middle = measure(level_cut_at((from.cut + to.cut) / 2));
       add_interval(from, middle, tolerance, sum, left_over);

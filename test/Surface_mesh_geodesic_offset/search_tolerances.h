@@ -145,6 +145,10 @@ struct Integral_tolerances
   /// left over at a jump is the interval times the jump, which is far below 1e-9 of the area for some ten jumps.
   static constexpr double shortest_interval = 0x1p-33;
 
+  /// Rounding of the area between two levels, as part of the area of the surface: 4 units in the last place. Without it, all
+  /// intervals beside a jump are halved up to the shortest one.
+  static constexpr double area_error = 0x1p-50;
+
   /// The window for a derivative is at least this wide, in diagonals. Areas have an error of about 2^-52 of a squared
   /// diagonal, so the derivative has one of 2^-30 of a diagonal, 1e-9 of a length that is as long.
   static constexpr double narrowest_window = 0x1p-23;
