@@ -225,10 +225,40 @@ void exact_numbers()
   std::cout << "with exact numbers, the smallest curve has " << least << " of the level" << std::endl;
 }
 
+// Curves round a vertex that is a source, ever smaller. None of them surrounds a largest distance, so none is left out.
+template <class AnyKernel>
+void around_source(const std::string& name, int lowest_exponent)
+{
+  Report::instance().set_context(name);
+  const Field<AnyKernel> field(planar_grid(4, 4), 12); // the middle
+  const double edge = field.mean_edge();
+  for (int exponent = -4; exponent >= lowest_exponent; exponent -= 4)
+  {
+    const double level = std::ldexp(1., exponent), expected = 2 * CGAL_PI * level;
+    for (const auto& curves : {field.kept(level), field.in_one_pass(level)})
+    {
+      if (!CHECK_DETAIL(curves.size() == 1 && curves[0].is_closed(),
+                        "level 2^" + std::to_string(exponent) + ", " + std::to_string(curves.size()) + " curves"))
+        continue;
+      const double length = CGAL::to_double(curves[0].length());
+      CHECK_DETAIL(std::abs(length - expected) <= 1e-12 * expected + 2 * CGAL_PI * distance_error * (level + edge),
+                   values(length, expected));
+    }
+  }
+}
+
+void around_sources()
+{
+  around_source<test::Kernel>("round a source", -44);
+  around_source<CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt>("round a source, exact", -300);
+}
+
 } // namespace test_smallest_loops
 
 GEODESIC_OFFSET_TEST(test_smallest_loops)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"doubles", doubles}, {"exact numbers", exact_numbers}};
+  const std::pair<const char*, void (*)()> tests[] = {{"doubles", doubles},
+                                                      {"exact numbers", exact_numbers},
+                                                      {"around sources", around_sources}};
   return run_tests("test_smallest_loops", tests);
 }
