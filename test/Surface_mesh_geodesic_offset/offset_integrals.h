@@ -52,7 +52,8 @@ struct Coarea
   double relative_difference() const { return difference() / (std::max)(std::abs(area), std::abs(integral)); }
 };
 
-/// Measures the offsets of a geodesic object that was built with kept windows and reaches all of the mesh.
+/// Measures the offsets of a geodesic object that was built with kept windows. Faces that no source reaches
+/// do not count.
 class Offset_integrals
 {
 public:
@@ -64,7 +65,8 @@ public:
   {
     for (Index f = 0; f < surface_.number_of_faces(); ++f)
     {
-      face_areas_.push_back(surface_.is_used(f) ? surface_.face_at(f).area() : 0);
+      const bool is_reached = surface_.is_used(f) && std::isfinite(surface_.vertex_distance(surface_.origin(3 * f)));
+      face_areas_.push_back(is_reached ? surface_.face_at(f).area() : 0);
       total_area_ += face_areas_.back();
     }
     for (std::size_t v = 0; v < surface_.number_of_vertices(); ++v)
