@@ -194,7 +194,7 @@ private:
     // from a point of the face there is a straight path to any other
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE && !w.is_parallel()) return true;
     const Point_in_face b = frame.on_edge(k, length);
-    const double beyond = 1e-13 * field.size(); // the rounding of bounding rays
+    const double beyond = Judge_tolerances::bounding_ray * field.size();
     const double left = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.left)),
                  right = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.right));
     clip(left - w.left_side(a), left - w.left_side(b), length, span);

@@ -90,7 +90,7 @@ public:
       if (!surface.is_used(h / 3) || surface.twin(h) < h) continue;
       const double d0 = surface.vertex_distance(surface.origin(h)),
                    d1 = surface.vertex_distance(surface.target(h));
-      profiles[h].leave_out_beyond((d0 + d1 + profiles[h].length) / 2 + 1e-9 * scale_);
+      profiles[h].leave_out_beyond((d0 + d1 + profiles[h].length) / 2 + Judge_tolerances::beyond * scale_);
       look_along(profiles[h]);
     }
   }
@@ -104,7 +104,7 @@ private:
       const double t = s.lowest(), d = s.distance(t);
       if (s.from < t && t < s.to && ties(profile.distance(t), d)) tangents.push_back(d);
     }
-    const int n = 12;
+    const int n = Sampling::points_per_edge;
     std::size_t last = profile.spans.size();
     double last_t = 0;
     for (int i = 0; i <= n; ++i)
@@ -122,32 +122,35 @@ private:
   void meet(const Edge_profile& profile, const Edge_span& a, double low, const Edge_span& b,
             double high)
   {
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < Sampling::halvings; ++i)
     {
       const double middle = (low + high) / 2;
       (a.distance(middle) < b.distance(middle) ? low : high) = middle;
     }
     const double d = a.distance(low);
     if (!ties(profile.distance(low), d) || !(d > 0)) return;
-    const double step = 1e-6 * profile.length;
+    const double step = Judge_tolerances::slope_step * profile.length;
     const bool is_maximum = a.distance(low - step) < d && b.distance(low + step) < d;
     (is_maximum ? edge_maxima : joints).push_back(d);
   }
 
-  bool ties(double a, double b) const { return std::abs(a - b) <= 1e-13 * (a + scale_); }
+  bool ties(double a, double b) const { return std::abs(a - b) <= Judge_tolerances::same_distance * (a + scale_); }
 
   void look_into(Index index, const test::Face_field& field)
   {
     const auto face = surface_.face_at(index);
     std::vector<std::size_t> nearest_windows;
-    const int n = 4; // samples in a row
+    const int n = Sampling::rows_per_face;
+    const double within = 1 - 3 * Sampling::from_sides, cells = n + Sampling::jitter;
+    const auto weight = [&](int cell) {
+      return Sampling::from_sides + within * (double(cell) + uniform(random_, 0, Sampling::jitter)) / cells;
+    };
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j)
       {
         // inside, each somewhere in its own cell
-        const double w0 = 0.01 + 0.97 * (double(i) + uniform(random_, 0, 0.1)) / (n + 0.1);
-        const double w1 = 0.01 + 0.97 * (double(j) + uniform(random_, 0, 0.1)) / (n + 0.1);
-        const Point_in_face p = face.point({{w0, w1, (std::max)(1 - w0 - w1, 0.005)}});
+        const double w0 = weight(i), w1 = weight(j);
+        const Point_in_face p = face.point({{w0, w1, (std::max)(1 - w0 - w1, Sampling::from_sides / 2)}});
         if (face.outside(p) > 0) continue;
         std::size_t nearest;
         const double d = field.distance(p, nearest);
@@ -158,7 +161,7 @@ private:
     std::sort(nearest_windows.begin(), nearest_windows.end());
     nearest_windows.erase(std::unique(nearest_windows.begin(), nearest_windows.end()),
                           nearest_windows.end());
-    const std::size_t count = (std::min)(nearest_windows.size(), std::size_t(12));
+    const std::size_t count = (std::min)(nearest_windows.size(), Sampling::windows_per_face);
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j)
       {
@@ -190,7 +193,7 @@ private:
   {
     Point_in_face p = (1. / 3) * (face.corner[0] + (face.corner[1] + face.corner[2])), g[3];
     double d = 0;
-    for (int step = 0; step < 30; ++step)
+    for (int step = 0; step < Sampling::newton_steps; ++step)
     {
       double f[3];
       for (int i = 0; i < 3; ++i)
@@ -204,12 +207,12 @@ private:
       d = f[0];
       const Point_in_face a = g[1] - g[0], b = g[2] - g[0];
       const double determinant = cross(a, b);
-      if (!(std::abs(determinant) > 1e-12)) return;
+      if (!(std::abs(determinant) > Sampling::smallest_determinant)) return;
       const double r = f[0] - f[1], s = f[0] - f[2];
       const Point_in_face way{(r * b.y - s * a.y) / determinant, (a.x * s - b.x * r) / determinant};
       const double l = length(way), longest = face.longest_edge();
       p = p + (l > longest ? longest / l : 1) * way;
-      if (l <= 1e-15 * longest) break;
+      if (l <= Sampling::last_newton_step * longest) break;
     }
     if (!(face.outside(p) < 0)) return;
     const bool turns = cross(g[0], g[1]) > 0;

@@ -8,6 +8,7 @@
 
 #include "curve_checks.h"
 #include "planar_polyline.h"
+#include "search_tolerances.h"
 
 #include <array>
 #include <functional>
@@ -45,8 +46,7 @@ struct Expected
 {
   std::size_t curves, closed;
   double length;
-  double growth =
-    0; // how fast the length changes with the level, which is cut 2^-42 of itself lower
+  double growth = 0; // how fast the length changes with the level
 };
 
 typedef std::function<void(Geodesic&)> Add_sources;
@@ -78,8 +78,9 @@ inline void check_level(const std::string& name, const test::Surface_mesh& mesh,
                    std::to_string(number_of_closed(*curves)) + " closed");
       const double length = total_length(*curves), off = std::abs(length - expected.length);
       if (expected.length > 0) worst = (std::max)(worst, off / expected.length);
-      CHECK_DETAIL(off <= 1e-11 * expected.length + 2.5e-13 * level * expected.growth,
-                   values(length, expected.length));
+      const double allowed = Known_level_tolerances::length * expected.length +
+                             Known_level_tolerances::level * level * expected.growth;
+      CHECK_DETAIL(off <= allowed, values(length, expected.length));
     }
     CHECK(geodesic.statistics().forced_joints == 0);
     ++Level_totals::instance().levels;

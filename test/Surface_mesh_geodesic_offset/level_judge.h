@@ -48,15 +48,6 @@ inline const char* name_of(Fault fault)
   return names[fault];
 }
 
-/// Tolerances of the judge: all are multiples of the level plus the diagonal of the bounding box.
-struct Judge_options
-{
-  double joint = 1e-10;     // gaps between pieces
-  double outside = 1e-10;   // points outside of their face
-  double off_level = 1e-10; // points off the level
-  double side = 1e-12;      // e: a point whose distance is closer to the level is on either side
-};
-
 /// The judgement on the curves of one level.
 struct Verdict
 {
@@ -89,10 +80,8 @@ public:
   typedef Judged_surface::Face Face;
   typedef Judged_surface::Weights Weights;
 
-  Level_judge(const Judged_surface& surface, const Field_features& features,
-              const Judge_options& options = Judge_options())
-    : surface_(surface), features_(features), options_(options),
-layout_(surface), labels_(surface.number_of_vertices())
+  Level_judge(const Judged_surface& surface, const Field_features& features)
+    : surface_(surface), features_(features), layout_(surface), labels_(surface.number_of_vertices())
   {}
 
   /// `curves`: all curves of the level, as a range of pointers to `Geodesic::Offset_curve`, or to a type with the same
@@ -103,6 +92,8 @@ layout_(surface), labels_(surface.number_of_vertices())
     Verdict verdict;
     cut_ = cut_of(level);
     scale_ = cut_ + surface_.diagonal();
+    position_ = Judge_tolerances::position * scale_;
+    margin_ = Judge_tolerances::side * scale_;
     clear();
     for (const auto* curve : curves) walk(*curve, verdict);
     if (verdict.faults[GAP] > 0) return verdict; // sides need closed curves
@@ -127,7 +118,7 @@ private:
   void walk(const Curve& curve, Verdict& verdict)
   {
     const std::size_t n = curve.number_of_pieces();
-    if (n == 0) return verdict.add(GAP, "a curve without pieces");
+    if (n == 0) return verdict.add(GAP, "%s", "a curve without pieces");
     verdict.pieces += n;
     std::size_t longest = 0;
     double longest_length = -1;
@@ -163,23 +154,23 @@ private:
     const Curve_arc arc(piece);
     layout_.add_arc(f, arc);
 
-    const double tolerance = options_.off_level * scale_, length = piece.length();
-    if (!(length >= 0 && arc.angle >= 0 && arc.angle <= CGAL_PI + 1e-9))
+    const double length = piece.length();
+    if (!(length >= 0 && arc.angle >= 0 && arc.angle <= CGAL_PI + Judge_tolerances::angle))
       verdict.add(TURN, "face %u: length %.6g, angle %.6g", f, length, arc.angle);
     const Point_in_face chord = arc.end - arc.start;
     if (arc.is_straight)
     {
-      if (cross(arc.center, chord) < -tolerance)
+      if (cross(arc.center, chord) < -position_)
         verdict.add(TURN, "face %u: a segment runs backwards by %.3g", f, cross(arc.center, chord));
     }
     else
     {
       const double off = std::abs(CGAL::Geodesic_offset::internal::length(chord) -
                                   2 * arc.radius * std::sin(arc.angle / 2));
-      if (!(off <= tolerance)) verdict.add(TURN, "face %u: the chord of an arc is off by %.3g", f, off);
+      if (!(off <= position_)) verdict.add(TURN, "face %u: the chord of an arc is off by %.3g", f, off);
     }
 
-    const int parts = length > 1e-3 * scale_ ? 4 : 2;
+    const int parts = length > Sampling::long_piece * scale_ ? 4 : 2;
     for (int i = 0; i < parts + (is_last ? 1 : 0); ++i)
     {
       const auto location = piece.location(double(i) / parts);
@@ -187,14 +178,14 @@ private:
       const Point_in_face p = face.point(w);
       const double outside = face.outside(p);
       verdict.worst_outside = (std::max)(verdict.worst_outside, outside / scale_);
-      if (!(outside <= options_.outside * scale_))
+      if (!(outside <= position_))
       {
         verdict.add(OUTSIDE, "face %u: a point lies %.3g outside", f, outside);
         continue;
       }
       const double off = (std::max)(std::abs(surface_.distance_at(f, w) - cut_), arc.off(p));
       verdict.worst_off = (std::max)(verdict.worst_off, off / scale_);
-      if (!(off <= tolerance)) verdict.add(OFF, "face %u: a point is off its level by %.3g", f, off);
+      if (!(off <= position_)) verdict.add(OFF, "face %u: a point is off its level by %.3g", f, off);
     }
   }
 
@@ -212,9 +203,9 @@ private:
     double way = (std::min)(face.way_out(p, left), cut_);
     if (!arc.is_straight) way = (std::min)(way, arc.radius);
     way /= 2;
-    if (!(way > 4 * options_.off_level * scale_)) return;
+    if (!(way > Judge_tolerances::steps_to_left * position_)) return;
     const double off = surface_.distance_at(face, p + way * left) - (cut_ - way);
-    if (!(std::abs(off) <= options_.off_level * scale_))
+    if (!(std::abs(off) <= position_))
       verdict.add(OFF, "face %u: %.3g left of a piece, the distance is off by %.3g", f, way, off);
   }
 
@@ -226,7 +217,7 @@ private:
     const double gap = Judged_surface::distance(surface_.point(f, weights(end)),
                                                 surface_.point(g, weights(start)));
     verdict.worst_gap = (std::max)(verdict.worst_gap, gap / scale_);
-    if (!(gap <= options_.joint * scale_))
+    if (!(gap <= position_))
       verdict.add(GAP, "%.3g between pieces in face %u and face %u", gap, f, g);
     if (!layout_.add_joint(a, b)) verdict.add(GAP, "pieces in face %u and face %u join over no edge", f, g);
   }
@@ -274,9 +265,9 @@ private:
     const Edge_profile& profile = features_.profiles[e];
     const Index vertex[2] = {surface_.origin(e), surface_.target(e)};
     const double d0 = surface_.vertex_distance(vertex[0]), d1 = surface_.vertex_distance(vertex[1]);
-    const double margin = options_.side * scale_, eroded = margin / 10;
+    const double eroded = Judge_tolerances::part_of_edge * scale_;
     if (crossings.empty() && !std::isfinite(d0)) return;
-    if (crossings.empty() && (d0 + d1 + profile.length) / 2 < cut_ - margin)
+    if (crossings.empty() && (d0 + d1 + profile.length) / 2 < cut_ - margin_)
     { // all near
       put_label(vertex[0], 1, verdict);
       return put_label(vertex[1], 1, verdict);
@@ -295,11 +286,11 @@ private:
                     vertex[0], d0 - cut_, vertex[1], d1 - cut_, t / profile.length, is_near ? "near" : "far",
                     crossings.size());
     };
-    if (std::abs(d0 - cut_) > margin) require(-1, d0 < cut_);
-    profile.nearer_than(cut_ - margin, eroded, near_);
+    if (std::abs(d0 - cut_) > margin_) require(-1, d0 < cut_);
+    profile.nearer_than(cut_ - margin_, eroded, near_);
     for (const Interval& i : near_)
       if (i.length() > 2 * eroded) require(i.middle(), true);
-    profile.nearer_than(cut_ + margin, eroded, near_);
+    profile.nearer_than(cut_ + margin_, eroded, near_);
     double last = 0;
     near_.push_back({profile.length, profile.length});
     for (const Interval& i : near_)
@@ -307,7 +298,7 @@ private:
       if (i.from - last > 2 * eroded) require((last + i.from) / 2, false);
       last = i.to;
     }
-    if (std::abs(d1 - cut_) > margin) require(2 * profile.length, d1 < cut_);
+    if (std::abs(d1 - cut_) > margin_) require(2 * profile.length, d1 < cut_);
 
     if (base == unknown && crossings.empty()) return undecided_edges_.push_back(e);
     int sum = 0, lowest = 0;
@@ -351,7 +342,6 @@ private:
   {
     const std::vector<Curve_arc>& arcs = layout_.arcs(f);
     const Face face = surface_.face_at(f);
-    const double margin = options_.side * scale_;
     // the most certain point of the face to compare the others with
     Witness reference{{0, 0}, cut_};
     const auto consider = [&](const Witness& w) {
@@ -360,10 +350,10 @@ private:
     for (int k = 0; k < 3; ++k)
       consider({face.corner[k], surface_.vertex_distance(surface_.origin(3 * f + Index(k)))});
     for (const Witness& w : features_.witnesses[f]) consider(w);
-    if (std::abs(reference.distance - cut_) > margin)
+    if (std::abs(reference.distance - cut_) > margin_)
       for (const Witness& w : features_.witnesses[f])
       {
-        if (std::abs(w.distance - cut_) <= margin) continue;
+        if (std::abs(w.distance - cut_) <= margin_) continue;
         const bool separated = (w.distance < cut_) != (reference.distance < cut_);
         if (are_separated(arcs, reference.point, w.point) != separated &&
             are_separated_by_detours(arcs, face, reference.point, w.point) != separated)
@@ -374,7 +364,7 @@ private:
     const double area = layout_.near_area(face, [&](Index v) { return labels_[v] == 1; });
     verdict.area += area;
     const double tolerance =
-      options_.off_level * scale_ * (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
+      position_ * (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
     if (!(area >= -tolerance && area <= face.area() + tolerance))
       verdict.add(AREA, "face %u: the near part is %.6g of the face, %.6g", f, area / face.area(), area);
   }
@@ -408,11 +398,11 @@ private:
 
   const Judged_surface& surface_;
   const Field_features& features_;
-  const Judge_options options_;
   double cut_ = 0, scale_ = 0;
+  double position_ = 0, margin_ = 0; // Judge_tolerances::position and side, as lengths
   Level_layout layout_;
   std::vector<Index> undecided_edges_;
-  std::vector<signed char> labels_;              // by vertex: 1 near, 0 far
+  std::vector<signed char> labels_; // by vertex: 1 near, 0 far
   std::vector<Interval> near_;
 };
 

@@ -8,6 +8,7 @@
 #define GEODESIC_OFFSET_TEST_LEVEL_LAYOUT_H
 
 #include "geodesic_types.h"
+#include "search_tolerances.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_surface.h>
 
@@ -25,9 +26,6 @@ Point_in_face plain(const Point& p)
 {
   return {p.x(), p.y()};
 }
-
-/// The distance at which a level is cut, as the manual says.
-inline double cut_of(double level) { return level * (1 - std::ldexp(1., -42)); }
 
 /// A piece of an offset curve as plane geometry, in the frame of its face: counterclockwise round `center`, or straight with
 /// the unit normal `center` away from the smaller distances at `radius` from the origin.
@@ -80,13 +78,16 @@ struct Curve_arc
   }
 
 private:
+  /// In radians: the height of an arc with a smaller angle over its chord is less than 2^-48 radii, which is rounding.
+  static constexpr double flat_arc = 0x1p-23;
+
   static bool is_left(const Point_in_face& a, const Point_in_face& b, const Point_in_face& p)
   {
     return cross(b - a, p - a) > 0;
   }
   bool is_under(const Point_in_face& p, bool is_left_of_chord) const
   {
-    return !is_straight && angle > 1e-7 && !is_left_of_chord && length(p - center) < radius;
+    return !is_straight && angle > flat_arc && !is_left_of_chord && length(p - center) < radius;
   }
   static double minus_sine(double s)
   {

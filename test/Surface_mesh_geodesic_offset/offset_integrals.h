@@ -52,18 +52,21 @@ struct Coarea
   double relative_difference() const { return difference() / (std::max)(std::abs(area), std::abs(integral)); }
 };
 
-/// Measures the offsets of a geodesic object that was built with kept windows and reaches all of the mesh.
+/// Measures the offsets of a geodesic object that was built with kept windows. Faces that no source reaches
+/// do not count.
 class Offset_integrals
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Index Index;
+  typedef Integral_tolerances Tolerances;
 
   Offset_integrals(const Geodesic& geodesic, const Surface_mesh& mesh)
     : geodesic_(geodesic), surface_(geodesic, mesh), layout_(surface_)
   {
     for (Index f = 0; f < surface_.number_of_faces(); ++f)
     {
-      face_areas_.push_back(surface_.is_used(f) ? surface_.face_at(f).area() : 0);
+      const bool is_reached = surface_.is_used(f) && std::isfinite(surface_.vertex_distance(surface_.origin(3 * f)));
+      face_areas_.push_back(is_reached ? surface_.face_at(f).area() : 0);
       total_area_ += face_areas_.back();
     }
     for (std::size_t v = 0; v < surface_.number_of_vertices(); ++v)
@@ -73,6 +76,10 @@ public:
     }
     std::sort(vertex_distances_.begin(), vertex_distances_.end());
     largest_distance_ = geodesic.largest_distance();
+    for (const auto h : mesh.halfedges())
+      if (!mesh.is_border(h))
+        mean_edge_length_ += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)))) /
+                             (3. * double(mesh.number_of_faces()));
   }
 
   double total_area() const { return total_area_; }
@@ -132,10 +139,12 @@ public:
   bool derivative_at(double distance, Coarea& result)
   {
     const auto vertex = std::lower_bound(vertex_distances_.begin(), vertex_distances_.end(), distance);
-    double half = (std::min)(distance, largest_distance_ - distance) / 4;
-    if (vertex != vertex_distances_.end()) half = (std::min)(half, 0.9 * (*vertex - distance));
-    if (vertex != vertex_distances_.begin()) half = (std::min)(half, 0.9 * (distance - *(vertex - 1)));
-    for (; half > 1e-7 * surface_.diagonal(); half /= 4)
+    double half = Tolerances::shrink * (std::min)(distance, largest_distance_ - distance);
+    if (vertex != vertex_distances_.end())
+      half = (std::min)(half, Tolerances::part_to_vertex * (*vertex - distance));
+    if (vertex != vertex_distances_.begin())
+      half = (std::min)(half, Tolerances::part_to_vertex * (distance - *(vertex - 1)));
+    for (; half > Tolerances::narrowest_window * surface_.diagonal(); half *= Tolerances::shrink)
     {
       const Level_measure from = measure(level_cut_at(distance - half)), to = measure(level_cut_at(distance + half));
       if (!from.has_topology_of(to)) continue;
@@ -143,21 +152,21 @@ public:
       if (!smooth_) continue;
       // two events may leave the numbers as they were, but not the lengths smooth: then Simpson's rule differs
       const double simpson = half / 3 * (from.length + 4 * measure(level_cut_at(distance)).length + to.length);
-      if (std::abs(simpson - result.integral) <= 1e-10 * result.integral) return true;
+      if (std::abs(simpson - result.integral) <= Tolerances::smooth * result.integral) return true;
     }
     return false;
   }
 
-  /// What all levels add up to. Intervals of levels are halved until both sides agree within `tolerance` of the share of the
-  /// interval in the area, or until they are shorter than 1e-10 of the largest distance, as at jumps of the topology.
+  /// What all levels add up to. Intervals of levels are halved until both sides agree within rounding and `tolerance` of the
+  /// share of the interval in the area, or until they are shorter than `shortest_interval`, as at jumps of the length.
   /// `left_over`: the sum of all differences.
   Coarea over_all_levels(double tolerance, double& left_over)
   {
     Coarea sum;
     left_over = 0;
-    std::vector<double> ends = {1e-10 * largest_distance_};
-    // not at vertices, whose sides must be known
-    const double beside = 1e-12 * largest_distance_;
+    std::vector<double> ends = {Tolerances::shortest_interval * largest_distance_};
+    // not at vertices: the side of a vertex whose curve may be left out is not that of its distance
+    const double beside = Tolerances::beside_vertex * (largest_distance_ + mean_edge_length_);
     for (const double d : vertex_distances_)
     {
       if (d - beside > ends.back()) ends.push_back(d - beside);
@@ -165,7 +174,7 @@ public:
       if (d + beside > ends.back()) ends.push_back(d + beside);
     }
     while (ends.size() > 1 && ends.back() > largest_distance_) ends.pop_back();
-    ends.push_back(largest_distance_ * (1 + 1e-9));
+    ends.push_back(largest_distance_ * (1 + Tolerances::above_largest));
     Level_measure from = measure(level_cut_at(ends[0]));
     sum.area = from.area();
     sum.integral = from.length * from.cut / 2; // grows from 0, or is constant: below the tolerance
@@ -179,8 +188,6 @@ public:
   }
 
 private:
-  static double level_cut_at(double distance) { return distance / (1 - std::ldexp(1., -42)); }
-
   static void count_joints(const Offset_curve& curve, Level_measure& result)
   {
     const std::size_t n = curve.number_of_pieces();
@@ -199,7 +206,8 @@ private:
   {
     const Coarea here = between(from, to, 3);
     const double share = (to.cut - from.cut) / largest_distance_;
-    if (here.difference() > tolerance * total_area_ * share && share > 1e-10)
+    const double allowed = (tolerance * share + Tolerances::area_error) * total_area_;
+    if (here.difference() > allowed && share > Tolerances::shortest_interval)
     {
       const Level_measure middle = measure(level_cut_at((from.cut + to.cut) / 2));
       add_interval(from, middle, tolerance, sum, left_over);
@@ -214,7 +222,7 @@ private:
   Judged_surface surface_;
   Level_layout layout_;
   std::vector<double> face_areas_, vertex_distances_;
-  double total_area_ = 0, largest_distance_ = 0;
+  double total_area_ = 0, largest_distance_ = 0, mean_edge_length_ = 0;
   std::size_t levels_ = 0;
   bool smooth_ = false;
 };

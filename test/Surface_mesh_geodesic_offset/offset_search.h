@@ -210,11 +210,11 @@ private:
                       Search_counts& counts)
   {
     for (const std::string& text : one_pass.texts) verdict.add(ONE_PASS, "%s", text.c_str());
-    const double tolerance = 1e-9 * (verdict.length + level + diagonal);
+    const double tolerance = Search_tolerances::length * (verdict.length + level + diagonal);
     if (std::abs(one_pass.length - verdict.length) <= tolerance) return;
     // Where the topology changes, rounding decides: the lengths of neighbouring levels tell.
     double shortest = verdict.length, longest = verdict.length;
-    for (const double step : {1e-15, 3e-15, 1e-14, 1e-13})
+    for (const double step : Search_tolerances::level_steps)
       for (const double off : {-step, step})
       {
         const double length = total_length(offsets(geodesic, level + off * (level + diagonal)));
@@ -242,7 +242,7 @@ private:
           for (const Offset_piece& p : c->pieces())
             if (p.side() == of_piece || p.side() == CGAL::Source_side::NONE) expected += p.length();
         for (const Offset_curve* c : of_level(part, levels[i])) actual += c->length();
-        if (!(std::abs(actual - expected) <= 1e-9 * (expected + levels[i] + diagonal)))
+        if (!(std::abs(actual - expected) <= Search_tolerances::length * (expected + levels[i] + diagonal)))
           verdicts[i].add(SIDES, "length %.17g, pieces of this side in the whole %.17g", actual, expected);
       }
     }
@@ -256,9 +256,10 @@ private:
       const Verdict &a = verdicts[i - 1], &b = verdicts[i];
       if (!a.is_right() || !b.is_right()) continue;
       const double scale = levels[i] + diagonal, step = levels[i] - levels[i - 1];
-      const double longest = 10 * (a.length + b.length + diagonal);
-      const double growth = b.area - a.area;
-      if (!(growth >= -1e-10 * scale * longest) || (step < 1e-6 * scale && !(growth <= (step + 1e-10 * scale) * longest)))
+      const double longest = Search_tolerances::longest_between * (a.length + b.length + diagonal);
+      const double growth = b.area - a.area, rounding = Search_tolerances::area * scale;
+      const bool is_short = step < Search_tolerances::longest_step * scale;
+      if (!(growth >= -rounding * longest) || (is_short && !(growth <= (step + rounding) * longest)))
         verdicts[i].add(AREA, "grows by %.6g from %.17g to %.17g", growth, levels[i - 1], levels[i]);
     }
   }
@@ -284,8 +285,8 @@ private:
                 const Offset_curves& curves, Search_counts& counts)
   {
     CGAL::Geodesic_offset::internal::Validation_options options;
-    options.probes = 100;
-    options.quadrature_faces = 1;
+    options.probes = Search_tolerances::validator_probes;
+    options.quadrature_faces = Search_tolerances::validator_faces;
     const Geodesic& base = geodesic;
     const auto report =
       CGAL::Geodesic_offset::internal::Offset_validation<Geodesic>(base, mesh, options)(levels, curves);

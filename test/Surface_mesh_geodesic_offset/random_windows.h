@@ -73,7 +73,7 @@ private:
     if (!events.empty()) d = events[uniform_index(random_, events.size())];
     const double near = uniform(random_);
     if (near < 0.2) return d;
-    if (near < 0.4) return d / (1 - std::ldexp(1., -42)); // cut at d
+    if (near < 0.4) return level_cut_at(d); // cut at d
     const double off = log_uniform(random_, -15, near < 0.9 ? -9 : -3) * (d + size_);
     return uniform(random_) < 0.5 && off < d ? d - off : d + off;
   }

@@ -41,8 +41,12 @@ inline void add_noise(Soup& soup, Random& random, double noise, std::array<bool,
 /// Coordinates as a file with single precision keeps them.
 inline void round_to_float(Soup& soup)
 {
-  for (Point_3& p : soup.points)
-    p = Point_3(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+  // volatile: g++ 12 with -O2 leaves out conversions to float and back when it vectorizes them
+  const auto rounded = [](double x) {
+    const volatile float result = static_cast<float>(x);
+    return double(result);
+  };
+  for (Point_3& p : soup.points) p = Point_3(rounded(p.x()), rounded(p.y()), rounded(p.z()));
 }
 
 /// A tube of n flat sides, m rows of height `height`, open at both ends.
@@ -534,7 +538,7 @@ private:
   {
     const double kind = uniform(random_);
     if (kind < 0.15) return d;
-    if (kind < 0.3) return d / (1 - std::ldexp(1., -42));
+    if (kind < 0.3) return level_cut_at(d);
     const double off = log_uniform(random_, -15, -10.5) * (uniform(random_) < 0.5 ? d : diagonal_);
     return uniform(random_) < 0.5 ? d - off : d + off;
   }

@@ -340,9 +340,6 @@ Add_sources border_edges(const test::Surface_mesh& mesh, const Predicate& is_wan
   return [edges](Geodesic& g) { g.add_source_edges(edges); };
 }
 
-// Where a level is cut.
-double cut(double level) { return level * (1 - std::ldexp(1., -42)); }
-
 // Levels next to a line on which the distance is largest: the two sides of a strip that is narrower than rounding lets one
 // tell arcs apart. In general position, as the medial line of a pocket lies in the faces of a mesh of a CAD model.
 void plateaus()
@@ -355,7 +352,7 @@ void plateaus()
       const auto border = border_edges(data.mesh, [](double, double) { return true; });
       for (double r : relative)
       {
-        const double level = 2 * (1 + r), c = cut(level);
+        const double level = 2 * (1 + r), c = cut_of(level);
         const std::string name = "the medial line of a rectangle, " + std::to_string(inside) + " points inside, seed " +
                                  std::to_string(seed) + ", " + std::to_string(r * 1e12) + "e-12 above";
         check_level(name, data.mesh, border, level, c < 2 ? Expected{1, 1, 20 - 8 * c, 1e3} : Expected{0, 0, 0});
@@ -378,7 +375,7 @@ void cusps()
       };
       for (double r : {-1e-6, -1e-9, -1e-11, -1e-12, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9, 1e-6})
       {
-        const double level = 2 * (1 + r), c = cut(level);
+        const double level = 2 * (1 + r), c = cut_of(level);
         const double h = c > 2 ? std::sqrt(8 * (c - 2)) : 0;
         const double length = c > 2 ? 2 * (3 - h + c * std::acos(h / c)) : 6 + pi * c;
         const std::string name = "a line and a circle that touch, " + std::to_string(inside) + " points inside, seed " +

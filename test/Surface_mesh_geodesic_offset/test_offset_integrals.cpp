@@ -9,14 +9,15 @@
 #include "locations.h"
 #include "offset_integrals.h"
 #include "plane_section.h"
+#include "test_check.h"
 
-#include <filesystem>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <string>
 #include <utility>
 
-namespace {
+namespace test_offset_integrals {
 
 using namespace test;
 
@@ -26,9 +27,10 @@ struct Totals
 {
   std::size_t distances = 0, at_events = 0, sides = 0, levels = 0;
   double derivative = 0, side = 0, integral = 0;
-} totals;
+};
+Totals totals;
 
-// `parts`: by which ways of adding sources `f(name, add, has_sides)` is called
+// Calls f(name, add_sources, has_sides) for each kind of sources.
 template <class Function>
 void with_sources(const Surface_mesh& mesh, const Function& f)
 {
@@ -119,42 +121,63 @@ void differences_are_seen()
   CHECK(integrals.between(from, to).relative_difference() > 1e-9);
 }
 
-} // namespace
-
-int main()
+void generated_meshes()
 {
+  const std::pair<const char*, Soup> soups[] = {
+    {"torus", torus(14, 10)},
+    {"icosphere", icosphere(2)},
+    {"cube", cube_grid(4)},
+    {"needles", random_rectangle(1, 0.01, 60, 4, 3)},
+    {"tiny faces", marching_sphere(6)},
+    {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
+    {"jittered grid", jittered_grid(12, 9, 7)}};
+  for (const auto& soup : soups) derivatives_and_sides(soup.first, Generated_mesh<Surface_mesh>(soup.second).mesh, 15);
+}
+
+void data_meshes()
+{
+  for (const auto& file : data_files())
+  {
+    Surface_mesh mesh;
+    if (read_data_mesh(file, 6000, mesh).empty()) derivatives_and_sides(file.filename().string(), mesh, 2);
+  }
+}
+
+void integrals_over_all_levels()
+{
+  all_levels("jittered grid", jittered_grid(3, 3, 5), 1e-9);
+  all_levels("icosahedron", icosphere(0), 1e-9);
+  all_levels("tetrahedron", tetrahedron_sides().triangulated(2, 1, 1), 1e-9);
+  all_levels("saddle", saddle_fan(), 1e-9);
+}
+
+// Few distances are at events, where nothing is compared.
+void few_events()
+{
+  CHECK_DETAIL(totals.at_events * 20 <= totals.distances,
+               std::to_string(totals.at_events) + " of " + std::to_string(totals.distances));
+}
+
+} // namespace test_offset_integrals
+
+GEODESIC_OFFSET_TEST(test_offset_integrals)
+{
+  const auto generated = [] {
+    generated_meshes();
+    few_events();
+  };
+  const auto data = [] {
+    data_meshes();
+    few_events();
+  };
+  const std::pair<const char*, void (*)()> tests[] = {{"generated meshes", generated},
+                                                      {"all levels", integrals_over_all_levels},
+                                                      {"wrong lengths", differences_are_seen},
+                                                      {data_case, data}};
+  const int result = run_tests("test_offset_integrals", tests);
   std::cout.precision(3);
-  try
-  {
-    const std::pair<const char*, Soup> generated[] = {
-      {"torus", torus(14, 10)},
-      {"icosphere", icosphere(2)},
-      {"cube", cube_grid(4)},
-      {"needles", random_rectangle(1, 0.01, 60, 4, 3)},
-      {"tiny faces", marching_sphere(6)},
-      {"cone of 1.5 turns", Cone(8, 3 * CGAL_PI, 1).triangulated(25, 4, 5)},
-      {"jittered grid", jittered_grid(12, 9, 7)}};
-    for (const auto& soup : generated)
-      derivatives_and_sides(soup.first, Generated_mesh<Surface_mesh>(soup.second).mesh, 15);
-    for (const auto& file : data_files())
-    {
-      Surface_mesh mesh;
-      if (read_data_mesh(file, 6000, mesh).empty()) derivatives_and_sides(file.filename().string(), mesh, 2);
-    }
-    all_levels("jittered grid", jittered_grid(3, 3, 5), 1e-9);
-    all_levels("icosahedron", icosphere(0), 1e-9);
-    all_levels("tetrahedron", tetrahedron_sides().triangulated(2, 1, 1), 1e-9);
-    all_levels("saddle", saddle_fan(), 1e-9);
-    differences_are_seen();
-  }
-  catch (const std::exception& e)
-  {
-    CHECK_DETAIL(!"an exception was thrown", e.what());
-  }
-  Report::instance().set_context("");
-  CHECK(totals.at_events * 20 <= totals.distances);
   std::cout << totals.distances << " distances, " << totals.at_events << " of them at events; derivatives off by at most "
             << totals.derivative << "; " << totals.sides << " levels by sides, off by " << totals.side << "; "
             << totals.levels << " levels for integrals, off by " << totals.integral << " of the area" << std::endl;
-  return Report::instance().finish("test_offset_integrals");
+  return result;
 }

@@ -8,19 +8,19 @@
 #include "offset_search.h"
 #include "test_check.h"
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_offset_search {
 
 using namespace test;
-
-typedef Geodesic::Face_location Face_location;
 
 /// A piece of a curve as plain data, which can be damaged.
 struct Plain_piece
@@ -229,6 +229,17 @@ void judge_finds_damage()
   backward_segment();
 }
 
+// search_tolerances.h repeats tolerances of the package; here they are the same.
+void tolerances()
+{
+  typedef CGAL::Geodesic_offset::internal::Offset_tolerances<double> Package;
+  const Package of_one(1.);
+  CHECK(Package::level_shift(1.) == level_shift && Package::longest_shallow_loop(1.) == longest_unseen_curve);
+  CHECK(of_one.error == distance_error && of_one.smallest_cell == smallest_cell && of_one.shortest_piece == smallest_cell);
+  CHECK(4 * Package::interval_gap(1.) == Judge_tolerances::part_of_edge);
+  CHECK(Package::ray_slack(1.) == Judge_tolerances::bounding_ray);
+}
+
 // A small loop round a maximum inside a face, which no edge sees.
 void judge_finds_missing_loop()
 {
@@ -300,7 +311,7 @@ void float_grid()
 void search()
 {
   Search_options options;
-  options.meshes = 1400;
+  options.meshes = 1000;
   options.seconds = 300; // in builds without optimization
   options.validate = 25;
   options.printed = 20;
@@ -315,11 +326,12 @@ void search()
   CHECK(total.levels > 1000 && total.pieces > 10000 && total.validated > 0);
 }
 
-} // namespace
+} // namespace test_offset_search
 
-int main()
+GEODESIC_OFFSET_TEST(test_offset_search)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"the judge finds damage", judge_finds_damage},
+  const std::pair<const char*, void (*)()> tests[] = {{"tolerances", tolerances},
+                                                      {"the judge finds damage", judge_finds_damage},
                                                       {"the judge finds a missing loop", judge_finds_missing_loop},
                                                       {"noisy grid", noisy_grid},
                                                       {"float grid", float_grid},

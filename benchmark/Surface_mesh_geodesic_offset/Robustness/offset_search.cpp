@@ -1,24 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves where they are hard to cut: levels at and next to the distances where their topology changes, on meshes
-// with ties, noise far below the size of the faces, and needles. Is any curve wrong?
-//
-//   offset_search [--seed N] [--meshes N] [--seconds S] [--levels N] [--kind NAME] [--level D] [--validate N]
-//                 [--printed N] [--write PREFIX] [--patience S] [--verbose]
-//
-// Case i has the seed N + i, which determines its mesh, its sources and its levels; so `--seed N --meshes 1` repeats a case
-// (with the same --kind and --levels), and `--level D` one level of it. Every --validate-th mesh is judged by a second
-// validator, too. --write puts the mesh and the sources of each wrong case into files.
-//
-// Wrong cases, then a table by kind of meshes on stdout: the number of levels within rounding of a change of topology, whose
-// curves differ between kept windows and one pass; of levels with wrong curves; of joints that were forced; of exceptions; levels by kind of fault; meshes that the second validator rejects; and the largest gap between pieces, the
-// farthest point outside of its face and the farthest point off its level, in levels plus diagonals of the bounding box. The
-// exit code is 1 if anything is wrong. A case that takes longer than --patience, 60 s, ends the program with exit code 3:
-// an endless loop.
+// Searches for wrong offset curves, on meshes and at levels where they are hard to cut: levels at and next to the distances
+// where the topology of the curves changes; meshes with ties, noise far below the size of the faces, and needles. See the
+// text of --help below, offset_search.h for the search, and level_judge.h for what is right.
 
 #include "offset_search.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -29,6 +18,55 @@
 #include <thread>
 
 namespace {
+
+const char* const usage =
+  R"(usage: offset_search [option]...
+
+Cuts offset curves of random cases and judges them. A case is a mesh with sources and levels. The seed of a case determines
+all of them.
+
+  --seed N       seed of the first case (1); the next cases have the seeds N + 1, N + 2, ...
+  --meshes N     number of cases (1000)
+  --seconds S    no case starts later than this (1e9)
+  --levels N     levels per mesh, at most (16)
+  --kind NAME    kind of all meshes: KINDS (all of them)
+  --level D      cut only this level
+  --validate N   pass every N-th mesh to a second validator; 0: none (10)
+  --printed N    print at most N wrong cases (100)
+  --write PREFIX write the mesh and the sources of each wrong case to PREFIX<seed>.off and PREFIX<seed>.sources.txt
+  --patience S   end the program if a case takes longer (60)
+  --verbose      print all cases
+  --help         print this text
+
+"--seed N --meshes 1" repeats the case with the seed N, if --kind and --levels are the same.
+
+The output is a list of wrong cases and a table with a row per kind of meshes:
+  critical       levels whose curves differ between kept windows and one pass, within rounding of a change of topology
+  wrong          levels with wrong curves
+  forced         joints that the tracer forced
+  thrown         exceptions
+  gap ... one pass   levels with this kind of fault
+  invalid        meshes that the second validator rejects, and meshes that were passed to it
+  gap, outside, off  largest gap between pieces, largest distance of a point from its face, and largest distance of a point
+                 from its level, as multiples of the level plus the diagonal of the bounding box
+
+Exit codes: 0 all curves are right; 1 some are wrong; 2 wrong options; 3 a case took longer than --patience.
+)";
+
+std::string kinds()
+{
+  std::string all;
+  for (const auto& k : test::Search_meshes::kinds()) all += (all.empty() ? "" : ", ") + k.first;
+  return all;
+}
+
+void print_usage()
+{
+  std::string text = usage;
+  const std::string place = "KINDS";
+  text.replace(text.find(place), place.size(), "\n                 " + kinds() + "\n                ");
+  std::cout << text;
+}
 
 void watch(const test::Offset_search& search, double patience)
 {
@@ -50,12 +88,17 @@ int run(int argc, char** argv)
   for (int i = 1; i < argc; ++i)
   {
     const std::string name = argv[i];
+    if (name == "--help")
+    {
+      print_usage();
+      return 0;
+    }
     if (name == "--verbose")
     {
       options.verbose = true;
       continue;
     }
-    if (i + 1 == argc) throw std::invalid_argument(name + " needs a value, or is unknown");
+    if (i + 1 == argc) throw std::invalid_argument("option " + name + " is unknown, or its value is missing; see --help");
     const std::string text = argv[++i];
     const auto number = [&] {
       std::size_t end = 0;
@@ -83,16 +126,11 @@ int run(int argc, char** argv)
     else if (name == "--kind")
     {
       options.kind = text;
-      bool is_known = false;
-      std::string all;
-      for (const auto& k : test::Search_meshes::kinds())
-      {
-        is_known = is_known || k.first == text;
-        all += (all.empty() ? "" : ", ") + k.first;
-      }
-      if (!is_known) throw std::invalid_argument("--kind: none of " + all + ": " + text);
+      const auto& known = test::Search_meshes::kinds();
+      if (std::none_of(known.begin(), known.end(), [&](const auto& k) { return k.first == text; }))
+        throw std::invalid_argument("--kind: unknown kind " + text + "; known are " + kinds());
     }
-    else throw std::invalid_argument("unknown option " + name);
+    else throw std::invalid_argument("unknown option " + name + "; see --help");
   }
   const auto search = std::make_shared<test::Offset_search>(options);
   std::thread([search, patience] { watch(*search, patience); }).detach();
