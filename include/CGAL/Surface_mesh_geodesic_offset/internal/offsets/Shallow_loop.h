@@ -37,9 +37,13 @@ public:
     for (const Piece& p : pieces) sum += length(p.end - p.start);
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
+    const std::vector<Index> faces = faces_of(pieces);
+    const Index v = faces.size() > 2 ? common_vertex(faces) : no_index;
+    if (faces.size() > 2 && v == no_index) return false; // more than one vertex inside
+    if (CGAL::is_positive(signed_area(pieces, faces, v))) return false; // round a source
     // the distance rises by no more than half the length
     const FT most = Offset_tolerances<FT>::shallow_rise(magnitude);
-    return sum <= FT(2) * most || rise(pieces) <= most;
+    return sum <= FT(2) * most || rise(pieces, faces, v) <= most;
   }
 
 private:
@@ -47,15 +51,8 @@ private:
 
   // An upper bound of the rise of the distance inside. In each face, of the piece whose function rises least: it is convex,
   // so it is largest at the ends of the pieces of the face, or at the vertex that the loop surrounds.
-  FT rise(const Pieces& pieces) const
+  FT rise(const Pieces& pieces, const std::vector<Index>& faces, Index v) const
   {
-    std::vector<Index> faces;
-    for (const Piece& p : pieces) faces.push_back(p.face);
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    const Index v = faces.size() > 2 ? common_vertex(faces) : no_index;
-    if (faces.size() > 2 && v == no_index) return Number_policy<FT>::infinity(); // more than one vertex inside
-
     FT result(0);
     std::vector<Point> corners;
     for (const Index f : faces)
@@ -80,6 +77,32 @@ private:
       result = (std::max)(result, least);
     }
     return result;
+  }
+
+  static std::vector<Index> faces_of(const Pieces& pieces)
+  {
+    std::vector<Index> faces;
+    for (const Piece& p : pieces) faces.push_back(p.face);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
+  // Twice the area of the polygon of all ends of pieces; positive if the loop runs counterclockwise, with the smaller
+  // distances inside. In each face it is counted from the vertex v, or, in two faces, from a point on their common edge.
+  FT signed_area(const Pieces& pieces, const std::vector<Index>& faces, Index v) const
+  {
+    FT area(0);
+    for (const Index f : faces)
+    {
+      const auto is_origin = [&](const Piece& p) { return p.face == f && (faces.size() == 1 || p.start_edge < 3); };
+      Point origin{FT(0), FT(0)};
+      if (v != no_index) origin = Face_frame<FT>(m_mesh, f).corner(corner_of(f, v));
+      else if (const auto p = std::find_if(pieces.begin(), pieces.end(), is_origin); p != pieces.end()) origin = p->start;
+      for (const Piece& p : pieces)
+        if (p.face == f) area += cross(p.start - origin, p.end - origin);
+    }
+    return area;
   }
 
   Index common_vertex(const std::vector<Index>& faces) const
