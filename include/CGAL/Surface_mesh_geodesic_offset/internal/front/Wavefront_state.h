@@ -149,15 +149,15 @@ public:
   // Whether a vertex is so near to the image of the window that gives it its distance that rounding loses directions behind
   // it. The ends of a window on an edge of length L are rounded to 2 u L, and windows shorter than 8 u L are left out; seen
   // from an image at distance r that is an angle of up to 8 u L / r. Paths by way of the vertex, in all directions, take the
-  // place of what is lost: they are too long by 8 u L at most. Only below r = 2^-20 L: above it the angle is below 2^23 u,
-  // 1e-9, and a path that bends by it is too long by 1e-18 of its length.
+  // place of what is lost: they are too long by 8 u L at most. Only below r = 2^-30 L: above it the angle is below 2^33 u,
+  // 2e-6, and a path that bends by it is too long by 5e-13 of its length.
   bool is_beside_image(Index v, Index pseudo_source) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     else
     {
       const FT sigma = pseudo_source == no_index || Merged_origin::is_merged(pseudo_source) ? FT(0) : field.distance[pseudo_source];
-      const FT far = FT(1 << 20) * (field.distance[v] - sigma);
+      const FT far = FT(1 << 30) * (field.distance[v] - sigma);
       if (far >= mesh.longest_edge()) return false;
       bool result = false;
       mesh.for_each_fan(v, [&](Index first) {

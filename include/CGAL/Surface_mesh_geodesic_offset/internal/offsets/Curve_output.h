@@ -51,7 +51,7 @@ public:
     std::vector<Curve> curves;
     const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
     cut.for_each_curve([&](bool closed, auto&& pieces) {
-      if (closed && m_is_shallow(pieces, m_levels[level])) return;
+      if (m_is_shallow(closed, pieces, m_levels[level])) return;
       m_select(shortest, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
         curves.push_back(
           Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed, std::forward<decltype(part)>(part)));

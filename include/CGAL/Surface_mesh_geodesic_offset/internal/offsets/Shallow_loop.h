@@ -30,20 +30,22 @@ public:
 
   explicit Shallow_loop(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh), m_edge(mesh.mean_edge_length()) {}
 
-  // Is a closed curve such a loop? The distance inside is at most the rise of each piece's function; so this is certain.
-  bool operator()(const Pieces& pieces, const FT& level) const
+  // Is the curve such a loop? The distance inside is at most the rise of each piece's function; so this is certain. An open
+  // curve is one if it cuts off such a vertex of the border.
+  bool operator()(bool closed, const Pieces& pieces, const FT& level) const
   {
     FT sum(0);
     for (const Piece& p : pieces) sum += length(p.end - p.start);
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
     const std::vector<Index> faces = faces_of(pieces);
-    const Index v = faces.size() > 2 ? common_vertex(faces) : no_index;
-    if (faces.size() > 2 && v == no_index) return false; // more than one vertex inside
+    const Index v = closed ? faces.size() > 2 ? common_vertex(faces) : no_index
+                           : vertex_cut_off(pieces.front(), pieces.back());
+    if ((!closed || faces.size() > 2) && !is_common(v, faces)) return false; // more than one vertex inside
     if (CGAL::is_positive(signed_area(pieces, faces, v))) return false; // round a source
     // the distance rises by no more than half the length
     const FT most = Offset_tolerances<FT>::shallow_rise(magnitude);
-    return sum <= FT(2) * most || rise(pieces, faces, v) <= most;
+    return (closed && sum <= FT(2) * most) || rise(pieces, faces, v) <= most;
   }
 
 private:
@@ -105,14 +107,25 @@ private:
     return area;
   }
 
+  bool is_common(Index v, const std::vector<Index>& faces) const
+  {
+    return v != no_index && std::all_of(faces.begin(), faces.end(), [&](Index f) { return this->corner_of(f, v) < 3; });
+  }
+
   Index common_vertex(const std::vector<Index>& faces) const
   {
     for (Index h = 3 * faces.front(); h < 3 * faces.front() + 3; ++h)
-    {
-      const Index v = m_mesh.source(h);
-      if (std::all_of(faces.begin(), faces.end(), [&](Index f) { return this->corner_of(f, v) < 3; })) return v;
-    }
+      if (is_common(m_mesh.source(h), faces)) return m_mesh.source(h);
     return no_index;
+  }
+
+  // The vertex that the border edges of both ends of an open curve share. Along the border, which has the surface on its left,
+  // the curve starts before the vertex and ends behind it.
+  Index vertex_cut_off(const Piece& first, const Piece& last) const
+  {
+    if (first.start_edge > 2 || last.end_edge > 2) return no_index;
+    const Index v = m_mesh.source(3 * last.face + last.end_edge);
+    return m_mesh.source(m_mesh.next(3 * first.face + first.start_edge)) == v ? v : no_index;
   }
 
   int corner_of(Index face, Index v) const
