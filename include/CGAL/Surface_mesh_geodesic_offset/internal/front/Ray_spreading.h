@@ -71,8 +71,7 @@ public:
     if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
     m_sector.for_each_sector_behind(
-      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); },
-      sector_allowance());
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
@@ -80,12 +79,6 @@ public:
   }
 
 private:
-  // Of several paths that reach a vertex at one distance, up to rounding, one gives its sector. Beside it, rays of the others
-  // may be missing, where their windows were narrower than rounding. The sector is wider by this angle: paths in it are
-  // valid, and others win as soon as they are shorter. Behind a gap of 2^-20 radians they are too long by 2^-43 of their
-  // length.
-  static FT sector_allowance() { return Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0); }
-
   // The part of a window that starts in a face and leaves it through halfedge k.
   void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
   {
