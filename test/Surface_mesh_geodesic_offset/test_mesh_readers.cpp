@@ -244,7 +244,7 @@ void bad_stl()
   expect_bad("NaN", ".stl", binary.substr(0, 96) + internal::number_bytes(nan, false) + binary.substr(100), {"facet 0", "finite"});
 }
 
-// Bytes behind the announced elements are told about.
+// Bytes behind the announced elements lead to a remark.
 void remarks()
 {
   for (const Sample_file& file : sample_meshes())

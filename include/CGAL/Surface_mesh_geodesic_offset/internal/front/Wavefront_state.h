@@ -147,17 +147,16 @@ public:
   }
 
   // Whether a vertex is so near to the image of the window that gives it its distance that rounding loses directions behind
-  // it. The ends of a window on an edge of length L are rounded to 2 u L, and windows shorter than 8 u L are left out; seen
-  // from an image at distance r that is an angle of up to 8 u L / r. Paths by way of the vertex, in all directions, take the
-  // place of what is lost: they are too long by 8 u L at most. Only below r = 2^-30 L: above it the angle is below 2^33 u,
-  // 2e-6, and a path that bends by it is too long by 5e-13 of its length.
+  // it (see least_clear_distance). Paths by way of the vertex, in all directions, take the place of what is lost: they are too
+  // long by 8 u L at most.
   bool is_beside_image(Index v, Index pseudo_source) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     else
     {
-      const FT sigma = pseudo_source == no_index || Merged_origin::is_merged(pseudo_source) ? FT(0) : field.distance[pseudo_source];
-      const FT far = FT(1 << 30) * (field.distance[v] - sigma);
+      const bool is_source = pseudo_source == no_index || Merged_origin::is_merged(pseudo_source);
+      const FT sigma = is_source ? FT(0) : field.distance[pseudo_source];
+      const FT far = (field.distance[v] - sigma) / FT(least_clear_distance);
       if (far >= mesh.longest_edge()) return false;
       bool result = false;
       mesh.for_each_fan(v, [&](Index first) {

@@ -16,7 +16,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // Lengths. The magnitude of a level in a face is the level plus the longest edge of the face: an upper bound of the
-// coordinates of the images whose arcs cross the face. Binding tests: test_offset_tolerances, offset_search.
+// coordinates of the images whose arcs cross the face. Binding tests: test_smallest_loops, test_offset_oracle, offset_search.
 template <class FT>
 struct Offset_tolerances
 {
@@ -36,7 +36,7 @@ struct Offset_tolerances
   // A source may lie on an edge; the bounding rays of its windows are then within 2^8 u times the edge's length of it.
   static FT ray_slack(const FT& edge_length) { return unit(8) * edge_length; }
 
-  // A closed curve up to this length may be a loop about a largest distance that is the level up to rounding (Shallow_loop):
+  // A curve up to this length may be a loop about a largest distance that is the level up to rounding (Shallow_loop):
   // 2^26 u times the level and the mean edge, the square root of u. Where distances fall off from their largest one as
   // slowly as that, the length of the loop is the level shift divided by the slope.
   static FT longest_shallow_loop(const FT& magnitude) { return unit(26) * magnitude; }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Closed curves round a place where the distance is largest, but larger than the level by no more than rounding can tell: a
-// level that just touches such a place is cut as a loop about it.
+// Closed curves round a place where the distance is largest, but larger than the level by no more than rounding can tell,
+// and open curves that cut off such a vertex of the border: a level that just touches such a place is cut as a loop about it.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SHALLOW_LOOP_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SHALLOW_LOOP_H

@@ -214,9 +214,9 @@ public:
   }
 
 private:
-  // The angle by which rounding may turn rays from p where they leave the faces of p. The ends of windows on an edge of length
-  // L are rounded to 2 u L, and windows shorter than 64 u L are left out; seen from p at distance r, the latter is an angle of
-  // 64 u L / r. Twice that, since two rays may be turned. Zero above r = 2^-30 L (see Wavefront_state::is_beside_image()).
+  // The angle by which rounding may turn rays from p where they leave the faces of p. Chords shorter than 64 u L are left out,
+  // an angle of 64 u L / r seen from p at distance r. Twice that, since two rays may be turned. Zero above
+  // r = least_clear_distance * L.
   FT lost_angle(const Surface_point_& p) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
@@ -236,7 +236,7 @@ private:
           result = (std::max)(result, height > lost ? FT(lost / height) : FT(1));
         }
       }
-      return result > Number_policy<FT>::rounding(128. * (1 << 30)) ? result : FT(0);
+      return result > Number_policy<FT>::rounding(128 / least_clear_distance) ? result : FT(0);
     }
   }
 
