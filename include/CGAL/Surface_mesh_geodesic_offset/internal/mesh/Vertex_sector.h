@@ -138,6 +138,19 @@ public:
     } while (c != no_index && c != start);
   }
 
+  // Whether a sector, as in for_each_corner(), lies in one corner and is not wider than a small angle.
+  bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
+  {
+    int number_of_corners = 0;
+    bool result = true;
+    for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
+      const Ray a = lower ? *lower : Ray{h, FT(1), FT(0)};
+      const Ray b = upper ? *upper : Ray{h, (*m_mesh)[h].apex_x, (*m_mesh)[h].apex_y};
+      result = ++number_of_corners == 1 && cross(a.x, a.y, b.x, b.y) <= angle * (a.x * b.x + a.y * b.y);
+    });
+    return result;
+  }
+
   // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
   // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
   // wider by a small angle at both ends if `back` is known up to that angle only.
