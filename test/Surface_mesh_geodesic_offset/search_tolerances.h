@@ -66,8 +66,8 @@ struct Judge_tolerances
   /// side its distance is off by twice the way, 8 times what is allowed.
   static constexpr double steps_to_left = 4;
 
-  /// Cones of windows are wider than their bounding rays by this part of the diameter of the face: the rounding of the rays,
-  /// Offset_tolerances::ray_slack.
+  /// Cones of sources in a face are wider than their bounding rays by this part of the diameter of the face: the rounding of
+  /// the rays, Offset_tolerances::ray_slack.
   static constexpr double bounding_ray = 0x1p-44;
 
   /// Two distances are the same, in scales: 16 errors.

@@ -125,10 +125,7 @@ private:
     const auto crossings = [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end,
                                   const auto& out) {
       m_near.start(length, m_arcs.level());
-      m_arcs.for_each_window([&](const Face_window<FT>& w) {
-        if (w.origin == STARTS_AT_CORNER) this->m_near.add_disk(w.image(), this->m_arcs.level() - w.sigma, o, u);
-        else this->m_near.add_window(w, o, u, false);
-      });
+      m_arcs.for_each_window([&](const Face_window<FT>& w) { this->m_near.add_window(w, o, u, false); });
       m_near.for_each_end(near_at_o, near_at_end, out);
     };
     const std::pair<Cell, Cell> parts = cell.divided(crossings, [this] { return inner_gate | m_inner_gates++; });

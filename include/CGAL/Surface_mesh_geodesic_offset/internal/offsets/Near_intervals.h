@@ -47,8 +47,7 @@ public:
     if (!(lo < hi)) return;
     if (d_lo < m_level) lo -= m_level - d_lo;
     if (d_hi < m_level) hi += m_level - d_hi;
-    if (reversed) add(m_length - hi, m_length - lo);
-    else add(lo, hi);
+    add_whole(lo, hi, reversed);
   }
 
   // A window of a list, on its own halfedge.
@@ -62,31 +61,22 @@ public:
   // A window in a face, on the segment from o in the unit direction u.
   void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
   {
+    // from a point of the face, all straight paths are valid, and the rounding of a ray along the segment does not matter
+    if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed);
     add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
         add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
     });
-    // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord, unless it starts
-    // in the face: the straight one is none, and in a narrow corner it is shorter by much more than the slack.
+    // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord: the straight one is
+    // none, and in a narrow corner it is shorter by much more than the slack.
     add_cone(w, o, u, Offset_tolerances<FT>::ray_slack(m_length), [&](const FT& from, const FT& to) {
-      const auto add_paths = [&](const Point& bend, const FT& r) {
+      for (const Point& bend : {w.left, w.right})
+      {
         FT lo = from, hi = to;
-        if (!cut_near_part(bend, r, o, u, lo, hi)) return;
-        if (reversed) add(m_length - hi, m_length - lo);
-        else add(lo, hi);
-      };
-      if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_paths(w.image(), FT(m_level - w.sigma));
-      add_paths(w.left, FT(m_level - w.distance_at(w.left)));
-      add_paths(w.right, FT(m_level - w.distance_at(w.right)));
+        if (cut_near_part(bend, FT(m_level - w.distance_at(bend)), o, u, lo, hi)) add_whole(lo, hi, reversed);
+      }
     });
-  }
-
-  // The disk of radius r about c.
-  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u)
-  {
-    FT lo(0), hi = m_length;
-    if (cut_near_part(c, r, o, u, lo, hi)) add(lo, hi);
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
@@ -120,6 +110,19 @@ public:
 
 private:
   typedef std::pair<FT, FT> Interval;
+
+  void add_whole(const FT& lo, const FT& hi, bool reversed)
+  {
+    if (reversed) add(m_length - hi, m_length - lo);
+    else add(lo, hi);
+  }
+
+  // The disk of radius r about c.
+  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u, bool reversed)
+  {
+    FT lo(0), hi = m_length;
+    if (cut_near_part(c, r, o, u, lo, hi)) add_whole(lo, hi, reversed);
+  }
 
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
   static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
