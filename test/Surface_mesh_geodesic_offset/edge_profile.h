@@ -194,10 +194,9 @@ private:
     // from a point of the face there is a straight path to any other
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE && !w.is_parallel()) return true;
     const Point_in_face b = frame.on_edge(k, length);
-    // The rays of a source along the edge are in the face up to rounding. Beside those of a window on an edge paths bend: in a
-    // needle face, a straight one there is shorter than any path.
     const bool starts_in_face = w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE;
-    const double beyond = starts_in_face ? Judge_tolerances::bounding_ray * field.size() : 0;
+    const double beyond =
+      (starts_in_face ? Judge_tolerances::source_ray : Judge_tolerances::bounding_ray) * field.size();
     const double left = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.left)),
                  right = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.right));
     clip(left - w.left_side(a), left - w.left_side(b), length, span);

@@ -40,7 +40,8 @@ public:
   void set_face(const Face_field<FT>& field, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
-    m_margin = Offset_tolerances<FT>(field.size() + highest_level).smallest_cell;
+    m_reach = field.reach();
+    m_margin = Offset_tolerances<FT>(m_reach + highest_level).smallest_cell;
     m_cones.clear();
     m_fans.clear();
     m_fan_cones.clear();
@@ -57,7 +58,7 @@ public:
   void set_level(const FT& level)
   {
     m_level = level;
-    m_tolerances = Offset_tolerances<FT>(m_field->size() + level);
+    m_tolerances = Offset_tolerances<FT>(m_reach + level);
     m_has_fans = false;
     m_arcs.clear();
     m_boxes.clear();
@@ -241,7 +242,7 @@ private:
   }
 
   const Face_field<FT>* m_field = nullptr;
-  FT m_level, m_margin;
+  FT m_level, m_margin, m_reach;
   Offset_tolerances<FT> m_tolerances;
   std::vector<Cone> m_cones; // of the windows that have a level in the face
   std::vector<Face_window<FT>> m_fans;

@@ -92,13 +92,14 @@ private:
   static constexpr std::size_t none = std::size_t(-1);
   static constexpr Index inner_gate = Index(1) << 31; // flag of the number of a gate between cells
 
-  // A part of an arc. It ends where the arc is covered, at the end of the window's cone, or at a gate.
+  // A part of an arc. It ends where the arc is covered, at the end of the window's cone, at a gate, or at a side of the cell.
   struct Run
   {
     std::size_t arc = none, gate = none;
     Point start{FT(0), FT(0)}, end{FT(0), FT(0)};
     FT length = FT(0);
     bool is_covered = false;
+    bool leaves = false; // the cell, where there is no gate
     bool is_valid() const { return arc != none; }
   };
 
@@ -270,9 +271,17 @@ private:
         farthest = a.advance(start, end);
       }
     }
-    if (run.gate == none && !(farthest > tolerance.error)) return run;
     for (int k = 0; k < 3; ++k)
-      if (a.largest_value(m_cell->outside(k).opposite(), start, run.end) > tolerance.tie) return run;
+    {
+      const Half_plane<FT> side = m_cell->outside(k).opposite();
+      Point enter, leave;
+      if (!(a.largest_value(side, start, run.end) > tolerance.tie) || !a.meet(side, enter, leave)) continue;
+      run.leaves = true;
+      run.gate = none;
+      run.end = leave;
+      farthest = a.advance(start, leave);
+    }
+    if (run.gate == none && !(farthest > tolerance.error)) return run;
     run.length = farthest;
     run.arc = i;
     return run;
@@ -292,10 +301,10 @@ private:
       const Point start = last.is_covered ? joint(last, i) : p;
       const bool turns_back = last.is_valid() && CGAL::is_negative(dot(m_arcs[i].tangent(p), heading));
       int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
-      if (best.is_valid() && rank > best_rank) return;
+      if ((last.leaves && !turns_back) || (best.is_valid() && rank > best_rank)) return;
       const Run run = run_of(i, start, !last.is_valid());
       if (!run.is_valid()) return;
-      if (is_known_end(run)) rank += 4;
+      rank += 4 * int(is_known_end(run)) + 8 * int(run.leaves);
       if (best.is_valid() && (rank > best_rank || (rank == best_rank && !(run.length > best.length)))) return;
       best = run;
       best_rank = rank;
@@ -365,19 +374,21 @@ private:
     std::size_t nearest;
     if (m_arcs.field().distance(start, nearest) < m_arcs.level() - tie) return true;
     const std::size_t first = m_pieces.size(), first_followed = m_followed.size();
+    const auto is_outside = [&] {
+      if (!(deepest < tie)) return false;
+      m_pieces.resize(first);
+      return true;
+    };
     Run run = run_of(i, start, false);
-    if (!run.is_valid() || run.gate != none) return true;
+    if (!run.is_valid() || run.gate != none || run.leaves) return true;
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
       const std::size_t known = followed_by(run);
-      if (known != none && known < first_followed) return false; // a chain that came from somewhere else goes on here
       if (known != none)
-      { // back on this chain, maybe behind where it started
-        if (deepest < tie)
-        {
-          m_pieces.resize(first);
-          return true;
-        }
+      {
+        if (is_outside()) return true;
+        if (known < first_followed) return false; // a chain that came from somewhere else goes on here
+        // back on this chain, maybe behind where it started
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
@@ -388,9 +399,9 @@ private:
       deepest = (std::max)(deepest, m_cell->depth(m_arcs[run.arc].middle(run.start, run.end)));
       add_piece(run, first);
       run = best_run(run, run.end);
-      if (!run.is_valid() || run.gate != none) return false;
+      if (!run.is_valid() || run.gate != none) return is_outside();
     }
-    return false;
+    return is_outside();
   }
 
   // Parts of arcs that chains of the cell follow.
