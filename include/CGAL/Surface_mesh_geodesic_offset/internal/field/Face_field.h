@@ -82,21 +82,6 @@ public:
   Index face() const { return m_face; }
   const Face_frame<FT>& frame() const { return m_frame; }
   const FT& size() const { return m_size; } // length of the longest edge
-  // The longest edge of the faces round the corners.
-  FT reach() const
-  {
-    FT longest = m_size;
-    for (int k = 0; k < 3; ++k)
-      m_mesh.for_each_fan(m_mesh.source(3 * m_face + Index(k)), [&](Index first) {
-        Index h = first;
-        do
-        {
-          longest = (std::max)({longest, m_mesh[h].length, m_mesh[m_mesh.next(h)].length, m_mesh[m_mesh.previous(h)].length});
-          h = m_mesh.corner_ccw(h);
-        } while (h != no_index && h != first);
-      });
-    return longest;
-  }
   const std::vector<Window_in_face>& windows() const { return m_windows; }
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }

@@ -36,11 +36,11 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  // The face, and bounds of the levels in it that follow.
-  void set_face(const Face_field<FT>& field, const FT& lowest_level, const FT& highest_level)
+  // The face, the longest edge of the faces round it, and bounds of the levels that follow.
+  void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
-    m_reach = field.reach();
+    m_reach = reach;
     m_margin = Offset_tolerances<FT>(m_reach + highest_level).smallest_cell;
     m_cones.clear();
     m_fans.clear();
@@ -94,6 +94,7 @@ public:
 
   const Face_field<FT>& field() const { return *m_field; }
   const FT& level() const { return m_level; }
+  const FT& reach() const { return m_reach; }
   const Offset_tolerances<FT>& tolerances() const { return m_tolerances; }
   std::size_t size() const { return m_arcs.size(); }
   const Arc& operator[](std::size_t i) const { return m_arcs[i]; }

@@ -40,10 +40,10 @@ public:
   typedef Level_gate<FT> Gate;
   typedef Level_cell<FT> Cell;
 
-  // The face to be cut, and bounds of the levels.
-  void set_face(const Face_field<FT>& field, const FT& lowest, const FT& highest)
+  // The face to be cut, the longest edge of the faces round it, and bounds of the levels.
+  void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest, const FT& highest)
   {
-    m_arcs.set_face(field, lowest, highest);
+    m_arcs.set_face(field, reach, lowest, highest);
   }
 
   // Calls out(start gate, end gate, pieces) for the chains of pieces that connect all gates, and with no_index for all
@@ -125,7 +125,7 @@ private:
     }
     const auto crossings = [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end,
                                   const auto& out) {
-      m_near.start(length, m_arcs.level());
+      m_near.start(length, m_arcs.reach(), m_arcs.level());
       m_arcs.for_each_window([&](const Face_window<FT>& w) { this->m_near.add_window(w, o, u, false); });
       m_near.for_each_end(near_at_o, near_at_end, out);
     };

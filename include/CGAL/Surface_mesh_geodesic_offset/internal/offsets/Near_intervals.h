@@ -26,11 +26,13 @@ class Near_intervals
 public:
   typedef Point_in_face<FT> Point;
 
-  void start(const FT& length, const FT& level)
+  // `reach`: the longest edge of the faces round the segment.
+  void start(const FT& length, const FT& reach, const FT& level)
   {
     m_intervals.clear();
     m_length = length;
     m_level = level;
+    m_gap = Offset_tolerances<FT>::interval_gap(reach + level);
   }
 
   const FT& length() const { return m_length; }
@@ -89,11 +91,10 @@ public:
     if (source_is_near) add(FT(0), FT(0));
     if (target_is_near) add(m_length, m_length);
     std::sort(m_intervals.begin(), m_intervals.end());
-    const FT gap = Offset_tolerances<FT>::interval_gap(m_length + m_level);
     std::size_t n = 0;
     for (const Interval& i : m_intervals)
     {
-      if (n > 0 && i.first <= m_intervals[n - 1].second + gap)
+      if (n > 0 && i.first <= m_intervals[n - 1].second + m_gap)
         m_intervals[n - 1].second = (std::max)(m_intervals[n - 1].second, i.second);
       else
         m_intervals[n++] = i;
@@ -102,7 +103,7 @@ public:
     {
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
       const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].second, m_length);
-      if (!at_source && !at_target && !(last - first > gap)) continue; // the level just touches the segment
+      if (!at_source && !at_target && !(last - first > m_gap)) continue; // the level just touches the segment
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
     }
@@ -177,7 +178,7 @@ private:
   }
 
   std::vector<Interval> m_intervals;
-  FT m_length = FT(0), m_level = FT(0);
+  FT m_length = FT(0), m_level = FT(0), m_gap = FT(0);
 };
 
 } // namespace internal
