@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CORE {
 class Expr;
@@ -34,20 +35,50 @@ struct Computation_number
   typedef FT type;
 };
 
-// The traits that compute: the user's, unless these are the package's own with numbers that others stand for.
+// The traits of the package that a class is, or is derived from; void for others.
+template <class K, class TriangleMesh>
+Surface_mesh_geodesic_offset_traits<K, TriangleMesh>
+package_traits_of(const Surface_mesh_geodesic_offset_traits<K, TriangleMesh>*);
+void package_traits_of(const void*);
+
 template <class Traits>
-struct Computation
+using Package_traits = decltype(internal::package_traits_of(static_cast<const Traits*>(nullptr)));
+
+// Whether a class derived from traits of the package has their functors.
+template <class Traits, class Package>
+constexpr bool has_functors_of()
 {
+#define CGAL_GEODESIC_OFFSET_IS_SAME(f) std::is_same<decltype(std::declval<const Traits&>().f()), decltype(std::declval<const Package&>().f())>::value
+  return CGAL_GEODESIC_OFFSET_IS_SAME(construct_apices_2_object) && CGAL_GEODESIC_OFFSET_IS_SAME(change_frame_2_object) &&
+         CGAL_GEODESIC_OFFSET_IS_SAME(compare_entry_with_apex_2_object) && CGAL_GEODESIC_OFFSET_IS_SAME(construct_exit_2_object) &&
+         CGAL_GEODESIC_OFFSET_IS_SAME(compute_distance_2_object) && CGAL_GEODESIC_OFFSET_IS_SAME(compare_distance_2_object);
+#undef CGAL_GEODESIC_OFFSET_IS_SAME
+}
+
+// The traits that compute: the user's, unless these are the package's own, or derived from them, with numbers that others
+// stand for.
+template <class Traits, class Package = Package_traits<Traits>>
+struct Computation;
+
+template <class Traits>
+struct Computation<Traits, void>
+{
+  static_assert(!std::is_same<typename Traits::FT, CORE::Expr>::value,
+                "Surface_mesh_geodesic_offset: with exact square roots, the traits must be Surface_mesh_geodesic_offset_traits "
+                "or derived from it; on numbers of CORE, computations do not end");
   typedef Traits Computing_traits;
   static const Traits& computing_traits(const Traits& traits) { return traits; }
 };
 
-template <class K, class TriangleMesh>
-struct Computation<Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
+template <class Traits, class K, class TriangleMesh>
+struct Computation<Traits, Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
 {
-  typedef Surface_mesh_geodesic_offset_traits<K, TriangleMesh> Traits;
+  typedef Surface_mesh_geodesic_offset_traits<K, TriangleMesh> Package;
   typedef typename Computation_number<typename K::FT>::type Number;
   static constexpr bool is_own = std::is_same<Number, typename K::FT>::value;
+  static_assert(is_own || has_functors_of<Traits, Package>(),
+                "Surface_mesh_geodesic_offset: with exact square roots, traits that are derived from "
+                "Surface_mesh_geodesic_offset_traits must have its functors: the computation is on other numbers");
   typedef std::conditional_t<is_own, Traits, Surface_mesh_geodesic_offset_traits<Simple_cartesian<Number>, TriangleMesh>>
     Computing_traits;
 
