@@ -56,8 +56,8 @@ struct Exact_root_number_counts
 
   void reset()
   {
-    for (Counter* c : {&by_identity, &by_doubles, &by_precision, &zero_by_identity, &exactly_zero, &exactly_not_zero, &by_high_precision,
-                       &by_root_bound, &by_core})
+    for (Counter* c : {&by_identity, &by_doubles, &by_precision, &zero_by_identity, &exactly_zero, &exactly_not_zero,
+                       &by_high_precision, &by_root_bound, &by_core})
       c->reset();
   }
 };

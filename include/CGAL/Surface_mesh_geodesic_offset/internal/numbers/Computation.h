@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -44,16 +45,14 @@ void package_traits_of(const void*);
 template <class Traits>
 using Package_traits = decltype(internal::package_traits_of(static_cast<const Traits*>(nullptr)));
 
-// Whether a class derived from traits of the package has their functors.
-template <class Traits, class Package>
-constexpr bool has_functors_of()
-{
-#define CGAL_GEODESIC_OFFSET_IS_SAME(f) std::is_same<decltype(std::declval<const Traits&>().f()), decltype(std::declval<const Package&>().f())>::value
-  return CGAL_GEODESIC_OFFSET_IS_SAME(construct_apices_2_object) && CGAL_GEODESIC_OFFSET_IS_SAME(change_frame_2_object) &&
-         CGAL_GEODESIC_OFFSET_IS_SAME(compare_entry_with_apex_2_object) && CGAL_GEODESIC_OFFSET_IS_SAME(construct_exit_2_object) &&
-         CGAL_GEODESIC_OFFSET_IS_SAME(compute_distance_2_object) && CGAL_GEODESIC_OFFSET_IS_SAME(compare_distance_2_object);
-#undef CGAL_GEODESIC_OFFSET_IS_SAME
-}
+// The types of the functors of traits.
+template <class Traits, class T = const Traits&>
+using Functors_of = std::tuple<decltype(std::declval<T>().construct_apices_2_object()),
+                               decltype(std::declval<T>().change_frame_2_object()),
+                               decltype(std::declval<T>().compare_entry_with_apex_2_object()),
+                               decltype(std::declval<T>().construct_exit_2_object()),
+                               decltype(std::declval<T>().compute_distance_2_object()),
+                               decltype(std::declval<T>().compare_distance_2_object())>;
 
 // The traits that compute: the user's, unless these are the package's own, or derived from them, with numbers that others
 // stand for.
@@ -76,7 +75,7 @@ struct Computation<Traits, Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
   typedef Surface_mesh_geodesic_offset_traits<K, TriangleMesh> Package;
   typedef typename Computation_number<typename K::FT>::type Number;
   static constexpr bool is_own = std::is_same<Number, typename K::FT>::value;
-  static_assert(is_own || has_functors_of<Traits, Package>(),
+  static_assert(is_own || std::is_same<Functors_of<Traits>, Functors_of<Package>>::value,
                 "Surface_mesh_geodesic_offset: with exact square roots, traits that are derived from "
                 "Surface_mesh_geodesic_offset_traits must have its functors: the computation is on other numbers");
   typedef std::conditional_t<is_own, Traits, Surface_mesh_geodesic_offset_traits<Simple_cartesian<Number>, TriangleMesh>>
