@@ -86,11 +86,13 @@ public:
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }
 
+  // Of the distances in the face; of exact ones, with the error of an estimate.
   FT lower_bound() const
   {
-    FT low = Number_policy<FT>::infinity();
-    for (const FT& l : m_lowest) low = (std::min)(low, l);
-    return low;
+    typedef Estimation<FT> Estimates;
+    typename Estimates::Bound low = Estimates::lower_bound(estimate(Number_policy<FT>::infinity()));
+    for (const FT& l : m_lowest) low = (std::min)(low, typename Estimates::Bound(Estimates::lower_bound(estimate(l))));
+    return FT(low);
   }
 
   // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side

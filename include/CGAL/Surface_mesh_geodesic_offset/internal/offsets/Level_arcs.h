@@ -103,6 +103,7 @@ public:
   bool passes(std::size_t i, const Point& p) const
   {
     const Arc& a = m_arcs[i];
+    if constexpr (!Number_policy<FT>::is_inexact) return a.window().contains(p) && CGAL::is_zero(a.excess(p));
     return a.outside_cone(p) <= m_tolerances.tie && CGAL::abs(a.excess(p)) <= m_tolerances.tie;
   }
 
@@ -154,7 +155,7 @@ private:
   void add_arc(const Cone& c)
   {
     // windows that only touch the level count, too: it may run along the edge by which they enter
-    if (!(c.lowest < m_level + m_margin && c.cone.highest() >= m_level)) return;
+    if (!(c.lowest < m_level + m_margin && c.cone.reaches(m_level))) return;
     if (!c.window->is_parallel() && !CGAL::is_positive(FT(m_level - c.window->sigma))) return;
     const Arc arc(*c.window, c.cone, m_level);
     const Box box = arc.box(m_margin);
