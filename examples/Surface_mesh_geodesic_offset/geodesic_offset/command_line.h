@@ -99,6 +99,19 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
     po::store(parsed, map);
     po::notify(map);
   }
+  catch(const po::invalid_command_line_syntax& error)
+  {
+    // without a word, or with an empty one behind the equal sign
+    if(error.kind() == error.missing_parameter || error.kind() == error.empty_adjacent_parameter)
+      throw Usage_error(error.get_option_name() + " needs a value");
+    throw Usage_error(error.what());
+  }
+  catch(const po::unknown_option& error)
+  {
+    if(error.get_option_name().empty())
+      throw Usage_error("the name of a file is empty");
+    throw Usage_error(error.what());
+  }
   catch(const po::error& error)
   {
     throw Usage_error(error.what());
