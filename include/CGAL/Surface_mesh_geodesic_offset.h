@@ -36,7 +36,8 @@ functions. With floating point numbers the const member functions may be called 
 path reaches are at `infinity()`.
 
 Adding or removing sources does not change the result of the last build; only `build()`, `update()` and
-`build_with_offset_curves()` replace it.
+`build_with_offset_curves()` replace it. Callbacks may build anew, see \ref Surface_mesh_geodesic_distance_callbacks
+"Callbacks, Copies, Moves".
 
 The mesh is neither copied nor modified; it must outlive the object and must not change meanwhile. A vertex that several fans
 of faces share is one point of the surface: paths pass through it from each fan into the others, whether the fans are open or
@@ -68,8 +69,6 @@ class Surface_mesh_geodesic_offset
   typedef typename Base::Surface Surface;
   typedef Offset_levels<Number> Levels_inside;
 
-  using Base::built;
-  using Base::built_exactly;
   using Base::m_built;
   using Base::m_sources;
   using Base::m_surface;
@@ -217,7 +216,8 @@ public:
                                  const Offset_selection& selection = Offset_selection()) const
   {
     const Levels_inside wanted(as_levels(levels));
-    const Build& b = built_exactly();
+    const std::shared_ptr<const Build> last = this->shared_exact_build();
+    const Build& b = *last;
     if (b.kept)
     {
       const auto output = curve_output(b, wanted, selection, f);

@@ -85,6 +85,8 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
   positional.add("mesh", -1);
 
   po::variables_map map;
+  if(argc > 1 && *argv[1] == '\0')
+    throw Usage_error("the name of MESH is empty");
   try
   {
     // no abbreviations: a misspelt option is an error and not another option
@@ -98,6 +100,13 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
           throw Usage_error("--" + option.string_key + " needs a value");
     po::store(parsed, map);
     po::notify(map);
+  }
+  catch(const po::invalid_command_line_syntax& error)
+  {
+    // without a word, or with an empty one behind the equal sign
+    if(error.kind() == error.missing_parameter || error.kind() == error.empty_adjacent_parameter)
+      throw Usage_error(error.get_option_name() + " needs a value");
+    throw Usage_error(error.what());
   }
   catch(const po::error& error)
   {

@@ -16,6 +16,7 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,9 @@ meets itself or another one of the same distance.
 The curve is exact up to the rounding of its number type; it becomes a polyline only on output. Points on arcs, angles and
 lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
 `Surface_mesh_geodesic_offset` need not. Copies of the curve share the unfolded mesh, which is immutable. All member functions
-are const and, with floating point numbers, may be called from several threads.
+are const and, with floating point numbers, may be called from several threads. A curve that was moved from has no pieces: its
+length is 0, `discretize()` and the functions that write points write none, and those that return a point throw
+`std::logic_error`.
 
 \tparam Surface_ an implementation detail; `Surface_mesh_geodesic_offset::Offset_curve` names the type
 */
@@ -117,6 +120,7 @@ public:
   /// the point at a given arc length from the start, as a location. 0 and less is the start, `length()` and more is the end.
   Face_location location(const FT& way) const
   {
+    context(); // or an exception
     FT rest = way;
     for (const Piece& p : pieces())
     {
@@ -128,7 +132,7 @@ public:
   }
 
   /// the point at a given arc length from the start, as a point in space.
-  Point_3 point(const FT& way) const { return m_context->surface->point(location(way)); }
+  Point_3 point(const FT& way) const { return context().surface->point(location(way)); }
 
   /// calls `f(location, i)` for points along the curve, where `i` is the index of the piece that contains the point.
   ///
@@ -183,10 +187,16 @@ public:
   }
 
   /// the point in space of a location.
-  Point_3 point(const Face_location& location) const { return m_context->surface->point(location); }
+  Point_3 point(const Face_location& location) const { return context().surface->point(location); }
   /// @}
 
 private:
+  const Context& context() const
+  {
+    if (!m_context) throw std::logic_error("Surface_mesh_geodesic_offset: an offset curve that was moved from has no points");
+    return *m_context;
+  }
+
   std::shared_ptr<const Context> m_context;
   FT m_distance;
   bool m_closed;

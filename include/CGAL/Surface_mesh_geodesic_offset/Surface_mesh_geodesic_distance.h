@@ -37,6 +37,19 @@ path reaches are at `infinity()`. Lengths and distances are in the units of the 
 
 Adding or removing sources does not change the result of the last build; only `build()` and `update()` replace it.
 
+\anchor Surface_mesh_geodesic_distance_callbacks
+\cgalHeading{Callbacks, Copies, Moves}
+
+The functions that are passed to a member function - visitors, callbacks that receive offset curves, output iterators, property
+maps - may call all member functions of the object, also those that add or remove sources and those that build. A query
+continues with the result with which it began, of which it holds a share; a build and an update continue with the sources that
+there were when they began, and their result replaces the last one when they return: of two builds, one within the other, the
+outer one remains. These functions must not assign to the object, move it or destroy it.
+
+Copies share the result of the last build, which is immutable; the next build of one of them does not change that of the other.
+An object that was moved from has no mesh and no result: `is_built()` is false, it can be destroyed and assigned to, and
+functions that need the mesh or a result throw `std::logic_error`.
+
 \anchor Surface_mesh_geodesic_distance_threads
 \cgalHeading{Several Threads}
 
@@ -101,8 +114,8 @@ protected:
 
   using Base::classified;
   using Base::m_sources;
-  using Base::m_surface;
   using Base::m_traits;
+  using Base::surface;
   using Base::unfolded;
 
 public:
@@ -175,7 +188,8 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   void update(const NamedParameters& np = parameters::default_values())
   {
-    const Build& b = built();
+    const std::shared_ptr<const Build> before = shared_build();
+    const Build& b = *before;
     Request r = request(np);
     r.targets.clear();
     r.maximum = b.request().maximum;
@@ -262,7 +276,7 @@ public:
     Geodesic_offset::internal::Path_end<Number> end;
     const auto& primitive = built().initial.primitives[trace(p, start, end)];
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          start.root.side(), Surface::exported(start.distance), m_surface->location(end.point)};
+                          start.root.side(), Surface::exported(start.distance), surface().location(end.point)};
   }
 
   /// the gradient of the distance: the unit vector opposite to the direction in which the shortest path to the nearest source
@@ -275,7 +289,7 @@ public:
     if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
       return CGAL::NULL_VECTOR;
     const auto way = start.from - start.to;
-    return m_surface->vector(start.halfedge, (Number(1) / length(way)) * way);
+    return surface().vector(start.halfedge, (Number(1) / length(way)) * way);
   }
 
   /// writes the distances of all vertices to a map.
@@ -283,9 +297,9 @@ public:
   template <class VertexDistanceMap>
   void vertex_distances(VertexDistanceMap map) const
   {
-    const Build& b = built();
-    for (vertex_descriptor v : vertices(m_surface->tm))
-      put(map, v, FT(Surface::exported(b.field.distance[m_surface->index_of(v)])));
+    const std::shared_ptr<const Build> b = shared_build();
+    for (vertex_descriptor v : vertices(surface().tm))
+      put(map, v, FT(Surface::exported(b->field.distance[surface().index_of(v)])));
   }
 
   /// writes the id of the nearest source of each vertex to a map: the geodesic Voronoi diagram of the sources.
@@ -293,12 +307,12 @@ public:
   template <class VertexLabelMap>
   void source_labels(VertexLabelMap map) const
   {
-    const Build& b = built();
-    for (vertex_descriptor v : vertices(m_surface->tm))
+    const std::shared_ptr<const Build> b = shared_build();
+    for (vertex_descriptor v : vertices(surface().tm))
     {
-      const Index i = m_surface->index_of(v);
-      const bool has_distance = Policy::is_finite(b.field.distance[i]);
-      put(map, v, has_distance ? std::size_t(b.initial.source_of[b.field.root[i].primitive()]) : no_source());
+      const Index i = surface().index_of(v);
+      const bool has_distance = Policy::is_finite(b->field.distance[i]);
+      put(map, v, has_distance ? std::size_t(b->initial.source_of[b->field.root[i].primitive()]) : no_source());
     }
   }
 
@@ -326,7 +340,7 @@ public:
       throw std::logic_error("Surface_mesh_geodesic_offset: there is no farthest point: distances were not computed "
                              "everywhere");
     const auto farthest = this->farthest();
-    return {Face_location(m_surface->face_of[farthest.face], Surface::exported(farthest.weights)),
+    return {Face_location(surface().face_of[farthest.face], Surface::exported(farthest.weights)),
             Surface::exported(farthest.distance)};
   }
 
@@ -363,7 +377,7 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_to_sources(const Location& location, OutputIterator out) const
   {
-    trace_from(location, [&](const auto& p) { *out++ = m_surface->location(p); });
+    trace_from(location, [&](const auto& p) { *out++ = surface().location(p); });
     return out;
   }
 
@@ -373,17 +387,17 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    const Build& b = built_exactly();
-    if constexpr (decltype(b.legs_in_space)::keeps)
+    const std::shared_ptr<const Build> b = shared_exact_build();
+    if constexpr (decltype(b->legs_in_space)::keeps)
     {
-      Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(*m_surface, out);
+      Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(surface(), out);
       const Located_point p = classified(location);
-      tracing(b)(p, start_at(p), b.legs_in_space, points);
+      tracing(*b)(p, start_at(p), b->legs_in_space, points);
       return points.out();
     }
     else
     {
-      trace_from(location, [&](const auto& p) { *out++ = m_surface->point(p); });
+      trace_from(location, [&](const auto& p) { *out++ = surface().point(p); });
       return out;
     }
   }
@@ -396,7 +410,7 @@ public:
   template <class Location, class Visitor>
   void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
   {
-    trace_from(location, Geodesic_offset::internal::Path_visits<Surface, Visitor>(*m_surface, visitor));
+    trace_from(location, Geodesic_offset::internal::Path_visits<Surface, Visitor>(surface(), visitor));
   }
   /// @}
 
@@ -412,6 +426,19 @@ protected:
     if (built().is_approximate())
       throw std::logic_error("Surface_mesh_geodesic_offset: this query needs a build without a tolerance");
     return *m_built;
+  }
+
+  // Shares for functions that call those of the user, which may replace the last build. All others borrow it.
+  std::shared_ptr<const Build> shared_build() const
+  {
+    built();
+    return m_built;
+  }
+
+  std::shared_ptr<const Build> shared_exact_build() const
+  {
+    built_exactly();
+    return m_built;
   }
 
   const Build& built_with_windows() const
@@ -467,7 +494,7 @@ protected:
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const
   {
-    built_exactly();
+    const std::shared_ptr<const Build> b = shared_exact_build();
     const Located_point p = classified(location);
     trace(p, start_at(p), out);
   }

@@ -157,7 +157,7 @@ private:
 
   typename Mesh::Coordinates coordinates(Geodesic_offset::internal::Index v) const
   {
-    const auto p = this->m_surface->position(this->m_surface->vertex_of[v]);
+    const auto p = this->surface().position(this->surface().vertex_of[v]);
     return {p.x(), p.y(), p.z()};
   }
 

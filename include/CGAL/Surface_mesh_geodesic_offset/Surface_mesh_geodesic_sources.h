@@ -45,6 +45,9 @@ distances and offset curves.
 
 The mesh is neither copied nor modified; it must outlive the object and must not change meanwhile.
 
+Copies share what was set up of the mesh. An object that was moved from has no mesh: it can be destroyed and assigned to, and
+functions that need the mesh throw `std::logic_error`.
+
 \tparam Traits a model of `SurfaceMeshGeodesicOffsetTraits`
 \tparam VertexIndexMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and an unsigned integer type as
         value: indices from 0. %Default: the internal map of the mesh, or a map that the constructor makes.
@@ -231,19 +234,14 @@ public:
   /// adds a set of edges.
   /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
   /// \pre The edges belong to the mesh.
-  /// \throws std::invalid_argument if the range is empty, or if an edge has no face.
+  /// \throws std::invalid_argument if the range is empty, or if an edge has no face, or if an edge is null or of another mesh.
+  ///         An edge of another mesh that has the descriptor of an edge of this mesh, an index for instance, is that edge. If
+  ///         there is an exception, nothing is added.
   template <class EdgeRange>
   std::size_t add_source_edges(const EdgeRange& edges)
   {
     std::vector<Index> halfedges;
-    for (const edge_descriptor e : edges)
-    {
-      halfedge_descriptor h = halfedge(e, m_surface->tm);
-      if (is_border(h, m_surface->tm)) h = opposite(h, m_surface->tm);
-      if (is_border(h, m_surface->tm))
-        throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge without a face");
-      halfedges.push_back(m_surface->index_of_halfedge(h));
-    }
+    for (const edge_descriptor e : edges) halfedges.push_back(surface().index_beside_edge(halfedge(e, surface().tm)));
     return m_sources.add_edges(unfolded(), std::move(halfedges));
   }
 
@@ -253,7 +251,7 @@ public:
   std::vector<std::size_t> add_source_boundary()
   {
     std::vector<halfedge_descriptor> cycles;
-    Polygon_mesh_processing::extract_boundary_cycles(m_surface->tm, std::back_inserter(cycles));
+    Polygon_mesh_processing::extract_boundary_cycles(surface().tm, std::back_inserter(cycles));
     std::vector<std::size_t> ids;
     for (const halfedge_descriptor h : cycles)
       if (const std::vector<edge_descriptor> cycle = edges_of_cycle(h); !cycle.empty()) ids.push_back(add_source_edges(cycle));
@@ -262,10 +260,11 @@ public:
 
   /// adds one boundary cycle, that of a border halfedge: a set of edges. Edges without a face are left out.
   /// \pre The halfedge belongs to the mesh.
-  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or if no edge of the cycle has a face.
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null, or if no edge of the cycle has a face.
   std::size_t add_source_boundary(halfedge_descriptor border)
   {
-    if (!is_border(border, m_surface->tm))
+    surface().check_halfedge(border);
+    if (!is_border(border, surface().tm))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the halfedge of a boundary cycle is not on the border");
     return add_source_edges(edges_of_cycle(border));
   }
@@ -294,12 +293,12 @@ public:
     if (!(angle >= 0 && angle < 180))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the angle of sharp edges is not a number of degrees from 0 "
                                   "to less than 180");
-    const Triangle_mesh& tm = m_surface->tm;
+    const Triangle_mesh& tm = surface().tm;
     for (const edge_descriptor e : edges(tm))
     {
       const halfedge_descriptor h = halfedge(e, tm);
       if (is_border_edge(h, tm)) continue;
-      if (Geodesic_offset::internal::angle_of_normals(*m_surface, h) > angle) *out++ = e;
+      if (Geodesic_offset::internal::angle_of_normals(surface(), h) > angle) *out++ = e;
     }
     return out;
   }
@@ -339,28 +338,28 @@ public:
   /// the location nearest to a point in space.
   /// \throws std::invalid_argument if the mesh has no faces, or a coordinate or its square is not finite, or if the
   ///         tolerance is negative or not a number.
-  Face_location locate(const Point_3& p) const { return locate(p, m_locator->default_tolerance()); }
+  Face_location locate(const Point_3& p) const { return locate(p, locator().default_tolerance()); }
   /// Overload with a tolerance.
-  Face_location locate(const Point_3& p, const FT& tolerance) const { return m_locator->locate(p, tolerance); }
+  Face_location locate(const Point_3& p, const FT& tolerance) const { return locator().locate(p, tolerance); }
 
   /// the location nearest to a point in space, and the distance in space of the point from the location, in the units of the
   /// mesh's points. With a tolerance, the distance can exceed the distance from the surface by no more than the tolerance.
   std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const
   {
-    return locate_with_distance(p, m_locator->default_tolerance());
+    return locate_with_distance(p, locator().default_tolerance());
   }
   /// Overload with a tolerance.
   std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
   {
     const Face_location l = locate(p, tolerance);
-    return {l, Geodesic_offset::internal::square_root<FT>((p - m_surface->point(l)).squared_length())};
+    return {l, Geodesic_offset::internal::square_root<FT>((p - surface().point(l)).squared_length())};
   }
 
   /// the location where a ray meets the surface first; if the ray misses the surface, a location whose face is the null face.
   /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
-  Face_location locate(const Ray_3& r) const { return locate(r, m_locator->default_tolerance()); }
+  Face_location locate(const Ray_3& r) const { return locate(r, locator().default_tolerance()); }
   /// Overload with a tolerance.
-  Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_locator->locate(r, tolerance); }
+  Face_location locate(const Ray_3& r, const FT& tolerance) const { return locator().locate(r, tolerance); }
   /// @}
 
   /// \name Polylines and Sections
@@ -387,7 +386,7 @@ public:
   template <class PointRange>
   std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
   {
-    m_locator->expect(std::size_t(std::distance(std::begin(points), std::end(points))));
+    locator().expect(std::size_t(std::distance(std::begin(points), std::end(points))));
     std::vector<Face_location> locations;
     FT largest(0);
     for (const Point_3& p : points)
@@ -404,14 +403,14 @@ public:
   template <class FaceLocationRange>
   Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
   {
-    const Geodesic_offset::internal::Polyline_joining<Surface> join(*m_surface, m_traits);
+    const Geodesic_offset::internal::Polyline_joining<Surface> join(surface(), m_traits);
     Polyline polyline;
     std::optional<Located_point> last;
     std::size_t i = 0;
     const auto add = [&](const Face_location& l) {
       auto& path = polyline.locations;
       const Located_point p = classified(l);
-      if (last && m_surface->point(path.back()) == m_surface->point(l)) return;
+      if (last && surface().point(path.back()) == surface().point(l)) return;
       if (last && !join(*last, p, path))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
                                     std::to_string(i) + " of a polyline from the one before");
@@ -444,25 +443,32 @@ public:
       if (!Geodesic_offset::internal::Number_policy<FT>::is_finite(CGAL::abs(c)))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: a plane with a coefficient that is not finite");
     if (plane.is_degenerate()) throw std::invalid_argument("Surface_mesh_geodesic_offset: a degenerate plane");
-    return Geodesic_offset::internal::Plane_cutting<Surface, Plane_3>(*m_surface, plane)();
+    return Geodesic_offset::internal::Plane_cutting<Surface, Plane_3>(surface(), plane)();
   }
   /// @}
 
 protected:
-  const Geodesic_offset::internal::Unfolded_mesh<Number>& unfolded() const { return m_surface->unfolded; }
+  // \throws std::logic_error if the object was moved from, as all that needs the mesh
+  const Surface& surface() const
+  {
+    if (!m_surface) throw std::logic_error("Surface_mesh_geodesic_offset: this object was moved from, it has no mesh");
+    return *m_surface;
+  }
+
+  const Geodesic_offset::internal::Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
 
   Located_point classified(vertex_descriptor v) const
   {
     const bool is_null = v == Graph_traits::null_vertex();
-    const Index i = is_null ? Geodesic_offset::internal::no_index : m_surface->index_of(v);
+    const Index i = is_null ? Geodesic_offset::internal::no_index : surface().index_of(v);
     if (!(i < unfolded().number_of_vertices()))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: a vertex that is not of this mesh");
     return Surface_point::at_vertex(i);
   }
   Located_point classified(const Face_location& l) const
   {
-    const auto name = [&] { return m_surface->numbers.index_in_mesh(l.first); };
-    return Geodesic_offset::internal::classify<Number>(unfolded(), m_surface->index_of(l.first), name,
+    const auto name = [&] { return surface().numbers.index_in_mesh(l.first); };
+    return Geodesic_offset::internal::classify<Number>(unfolded(), surface().index_of(l.first), name,
                                                        Surface::imported(l.second));
   }
 
@@ -474,11 +480,17 @@ private:
   // Those that have a face on the other side of the border.
   std::vector<edge_descriptor> edges_of_cycle(halfedge_descriptor border) const
   {
-    const Triangle_mesh& tm = m_surface->tm;
+    const Triangle_mesh& tm = surface().tm;
     std::vector<edge_descriptor> edges;
     for (const halfedge_descriptor h : halfedges_around_face(border, tm))
       if (!is_border(opposite(h, tm), tm)) edges.push_back(edge(h, tm));
     return edges;
+  }
+
+  const Geodesic_offset::internal::Surface_locator<Surface>& locator() const
+  {
+    surface(); // or an exception
+    return *m_locator;
   }
 
   std::shared_ptr<const Geodesic_offset::internal::Surface_locator<Surface>> m_locator;

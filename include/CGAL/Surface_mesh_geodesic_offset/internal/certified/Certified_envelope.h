@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -43,6 +45,8 @@ public:
     }
     while (m_order.has_later()) take(m_order.pop_later(), length);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
+    CGAL_postcondition(std::is_sorted(m_envelope.begin(), m_envelope.end(),
+                                      [](const Window& a, const Window& b) { return a.b0 < b.b0; }));
     return m_envelope;
   }
 

@@ -81,7 +81,7 @@ public:
   {
     Point position;
     if (!position_in_face(m_mesh.unfolded(), p, face, position, edges)) return false;
-    const int k = edges ? edge_of_bit(edges) : -1;
+    const int k = p.kind == Place::EDGE ? edge_of_bit(edges) : -1;
     if (p.kind == Place::VERTEX)
       for (int i = 0; i < 3; ++i)
       {

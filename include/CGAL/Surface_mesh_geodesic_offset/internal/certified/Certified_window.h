@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,6 +96,7 @@ struct Certified_window
 
   void set_interval(double from, double to)
   {
+    CGAL_precondition(from <= to);
     const Number_pair<double> t(from, to);
     t.put(b0, b1);
     distances_at(t).put(d0, d1);

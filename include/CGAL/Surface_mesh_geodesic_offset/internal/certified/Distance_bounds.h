@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -34,6 +36,7 @@ public:
   // There is a path of this length, up to the radius.
   void update(Index v, double distance, double radius)
   {
+    CGAL_precondition(distance >= 0 && radius >= 0);
     m_lower[v] = (std::min)(m_lower[v], (std::max)(distance - radius, 0.));
     m_upper[v] = (std::min)(m_upper[v], distance + radius);
   }

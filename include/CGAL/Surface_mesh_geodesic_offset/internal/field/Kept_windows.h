@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 #include <boost/container/vector.hpp>
 
@@ -54,6 +56,7 @@ public:
             std::size_t number_of_faces, Team& team)
   {
     if (m_begin.empty()) m_begin.assign(4 * number_of_faces, 0);
+    CGAL_assertion(m_begin.size() == 4 * number_of_faces);
     const std::size_t at_once = items_at_once(team.size());
     std::vector<Place> places((std::min)(at_once, faces.size()));
     for (std::size_t first = 0; first < faces.size(); first += at_once)
@@ -160,6 +163,7 @@ public:
         if (k < 3)
           for (Index i = m_begin[4 * f + k]; i < m_begin[4 * f + k + 1]; ++i) fresh.at(place++) = at(i);
       }
+    CGAL_assertion(place == m_live);
     fresh.m_live = fresh.m_size;
     *this = std::move(fresh);
   }
@@ -239,6 +243,7 @@ private:
     }
     m_live += number;
     m_live -= m_begin[4 * face + 3] - m_begin[4 * face];
+    CGAL_assertion(m_live <= m_size);
   }
 
   void make_room(std::size_t windows)
@@ -261,6 +266,7 @@ private:
   {
     Index place = p.windows[0], sigma = p.sigma;
     for_each_kept(face, lists, distance, [&](int, const auto& w) { at(place++) = packed(w, sigma); });
+    CGAL_assertion(place == p.windows[3]);
     std::copy(p.windows, p.windows + 4, m_begin.begin() + 4 * face);
   }
 
@@ -346,8 +352,16 @@ private:
 
   Index merged_origin(Index place) const { return Merged_origin::with_error(CGAL::to_double(m_sigma[place + 1])); }
 
-  Packed& at(Index i) { return m_pages[i / page_size][i % page_size]; }
-  const Packed& at(Index i) const { return m_pages[i / page_size][i % page_size]; }
+  Packed& at(Index i)
+  {
+    CGAL_precondition(i < m_size);
+    return m_pages[i / page_size][i % page_size];
+  }
+  const Packed& at(Index i) const
+  {
+    CGAL_precondition(i < m_size);
+    return m_pages[i / page_size][i % page_size];
+  }
   Index first(Index h) const { return m_begin[4 * (h / 3) + h % 3]; }
   Index last(Index h) const { return m_begin[4 * (h / 3) + h % 3 + 1]; }
 

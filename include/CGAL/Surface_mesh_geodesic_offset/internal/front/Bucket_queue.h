@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ public:
     bool empty() const { return faces.empty() && halfedges.empty() && vertices.empty(); }
   };
 
-  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(16) {}
+  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(16) { CGAL_precondition(width > 0); }
 
   template <class FT>
   std::size_t bucket_of(const FT& distance) const
@@ -78,6 +80,7 @@ public:
 
   void move_to(std::size_t bucket)
   {
+    CGAL_precondition(bucket == m_current || (bucket > m_current && bucket <= first()));
     m_begin = (m_begin + (bucket - m_current)) & (m_ring.size() - 1);
     m_current = bucket;
   }
@@ -110,6 +113,7 @@ private:
   bool pop_event(std::vector<Index> Bucket::*items, Index& item)
   {
     if (!pop(items, item)) return false;
+    CGAL_assertion(m_events > 0);
     --m_events;
     return true;
   }
@@ -128,6 +132,7 @@ private:
     std::rotate(m_ring.begin(), m_ring.begin() + std::ptrdiff_t(m_begin), m_ring.end());
     m_begin = 0;
     m_ring.resize(size);
+    CGAL_postcondition(i < size && (size & (size - 1)) == 0);
   }
 
   double m_width, m_scale;

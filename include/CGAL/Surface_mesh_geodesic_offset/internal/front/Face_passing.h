@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -75,6 +77,7 @@ public:
 
   void finish(Index f, std::vector<Index>& passed) const
   {
+    CGAL_precondition(!is_finished(f));
     if (m_state.face_state[f] & State::SCHEDULED) m_state.unfinished.remove(f);
     m_state.is_finished[f] = true;
     passed.push_back(f);

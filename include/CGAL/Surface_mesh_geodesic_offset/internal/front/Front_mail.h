@@ -98,7 +98,11 @@ public:
   const FT& nearest() const { return m_nearest; }
 
   // What was told another part in the round before.
-  Box& box_for(Index part, unsigned round) { return m_box[round & 1u][m_place[round & 1u][part]]; }
+  Box& box_for(Index part, unsigned round)
+  {
+    CGAL_precondition(m_place[round & 1u][part] != none);
+    return m_box[round & 1u][m_place[round & 1u][part]];
+  }
 
   // What vertices were told where faces of several parts meet.
   Arrivals& shared_arrivals() { return m_shared_arrivals; }
@@ -129,6 +133,8 @@ public:
   // The ends of g must be the last two vertices that were updated.
   void add(Index g, Window& w)
   {
+    CGAL_precondition(m_last[0].vertex == m_state->mesh.source(g) || m_last[1].vertex == m_state->mesh.source(g));
+    CGAL_precondition(m_last[0].vertex == m_state->mesh.target(g) || m_last[1].vertex == m_state->mesh.target(g));
     if (m_state->admits(g, distance(m_state->mesh.source(g)), distance(m_state->mesh.target(g)), w))
       box_for_windows(m_state->parts.of_halfedge(g), minimum(w)).single_windows.push_back({g, w});
   }

@@ -20,6 +20,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Lower_envelope.h>
 
+#include <CGAL/assertions.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -53,6 +55,7 @@ public:
         return nullptr;
       }
     }
+    CGAL_precondition(list.taken <= list.size);
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =

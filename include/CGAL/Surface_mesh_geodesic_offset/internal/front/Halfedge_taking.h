@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <vector>
@@ -39,6 +41,7 @@ BOOST_FORCEINLINE void take_halfedge(Index h, Wavefront_state<typename Traits::F
   list.bucket = List::not_queued;
   if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
   list.taken = list.size;
+  CGAL_assertion(!list.has_new());
   state.schedule(state.mesh.face(h));
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();

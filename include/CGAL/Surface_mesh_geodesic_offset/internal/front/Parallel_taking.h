@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_taking.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Worker_team.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <bitset>
 #include <cstddef>
@@ -308,6 +310,7 @@ private:
 
   void take_halfedges(Index part, unsigned worker)
   {
+    CGAL_precondition(m_state.is_awake(part));
     Bucket_queue& queue = m_state.part(part).queue;
     Index h;
     while (m_state.pop_halfedge(queue, h))
@@ -317,6 +320,7 @@ private:
 
   void spread(Index part, const Ray_spreading<Traits>& spreading)
   {
+    CGAL_precondition(m_state.is_awake(part));
     Bucket_queue& queue = m_state.part(part).queue;
     Index v;
     while (queue.pop_vertex(v)) spreading.spread_from_pseudo_source(v, m_part[part].sender);

@@ -11,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_parts.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <deque>
@@ -38,6 +40,7 @@ public:
     const Index b = Index((std::min)(bucket, std::size_t((std::numeric_limits<Index>::max)() - 1)));
     Counts& counts = m_counts[m_parts.of_face(f)];
     if (counts.numbers.empty()) counts.first = b;
+    CGAL_precondition(b >= counts.first);
     if (b >= counts.first + counts.numbers.size()) counts.numbers.resize(b - counts.first + 1, 0);
     ++counts.numbers[b - counts.first];
     m_reached_in[f] = b;
@@ -47,6 +50,8 @@ public:
   {
     if (m_reached_in.empty()) return;
     Counts& counts = m_counts[m_parts.of_face(f)];
+    CGAL_precondition(m_reached_in[f] >= counts.first && m_reached_in[f] - counts.first < counts.numbers.size());
+    CGAL_precondition(counts.numbers[m_reached_in[f] - counts.first] > 0);
     --counts.numbers[m_reached_in[f] - counts.first];
   }
 

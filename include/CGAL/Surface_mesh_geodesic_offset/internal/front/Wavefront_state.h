@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -79,7 +81,11 @@ public:
 
   // The bucket that the front is at. Queues move on to it when something is to be done in their part.
   std::size_t current() const { return m_current; }
-  void move_to(std::size_t bucket) { m_current = bucket; }
+  void move_to(std::size_t bucket)
+  {
+    CGAL_precondition(bucket >= m_current);
+    m_current = bucket;
+  }
   double bucket_width() const { return m_part.front().queue.width(); }
 
   Part& awake_part(Index i)
@@ -87,6 +93,8 @@ public:
     m_part[i].queue.move_to(m_current);
     return m_part[i];
   }
+
+  bool is_awake(Index part) const { return m_part[part].queue.current() == m_current; }
 
   Wavefront_counts counts() const
   {
@@ -118,6 +126,8 @@ public:
   void update_vertex(Index v, const Arrival& a)
   {
     const FT& d = a.distance;
+    CGAL_precondition(CGAL::possibly(estimate(d) >= 0));
+    CGAL_precondition(a.back.corner == no_index || mesh.source(a.back.corner) == v);
     FT& known = field.distance[v];
     FT rounding = known * Number_policy<FT>::rounding(64);
     if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // not often
@@ -217,6 +227,7 @@ public:
   void schedule(Index f)
   {
     if (face_state[f]) return;
+    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finished[f]);
     face_state[f] = SCHEDULED;
     Bucket_queue& queue = m_part[parts.of_face(f)].queue;
     unfinished.add(f, queue.current());
@@ -276,6 +287,7 @@ public:
   // unless it waits in an earlier one. Its part must be awake.
   void enqueue(Index h, Window_list<FT>& list, std::size_t n, const FT& nearest)
   {
+    CGAL_precondition(is_awake(parts.of_halfedge(h)) && list.has_new());
     Part& p = m_part[parts.of_halfedge(h)];
     p.counts.windows_created += n;
     const std::size_t bucket = (std::max)(p.queue.bucket_of(nearest), p.queue.current());

@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -27,6 +29,7 @@ class Window_arena
 public:
   Window* allocate(Index size_class)
   {
+    CGAL_precondition(size_class < number_of_size_classes);
     std::vector<Window*>& free_blocks = m_free[size_class];
     if (!free_blocks.empty())
     {
@@ -42,18 +45,24 @@ public:
       m_top = m_pages.back().get();
       m_left = page;
     }
+    CGAL_assertion(n <= m_left);
     Window* block = m_top;
     m_top += n;
     m_left -= n;
     return block;
   }
 
-  void release(Window* block, Index size_class) { m_free[size_class].push_back(block); }
+  void release(Window* block, Index size_class)
+  {
+    CGAL_precondition(block != nullptr && size_class < number_of_size_classes);
+    m_free[size_class].push_back(block);
+  }
   std::size_t number_of_free_blocks(Index size_class) const { return m_free[size_class].size(); }
 
   // Gives n free blocks to another arena.
   void give(Window_arena& other, Index size_class, std::size_t n)
   {
+    CGAL_precondition(n <= number_of_free_blocks(size_class));
     std::vector<Window*>& from = m_free[size_class];
     const auto first = from.end() - std::ptrdiff_t(n);
     other.m_free[size_class].insert(other.m_free[size_class].end(), first, from.end());
@@ -92,6 +101,7 @@ struct Window_block
   Window_block(Window_arena<Window>& arena, const Window* first, std::size_t n)
     : size(Index(n)), size_class(Window_arena<Window>::size_class(n))
   {
+    CGAL_precondition(n > 0);
     data = arena.allocate(size_class);
     std::copy(first, first + n, data);
   }

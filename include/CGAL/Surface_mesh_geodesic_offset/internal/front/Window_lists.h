@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_arena.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -82,6 +84,7 @@ public:
 
   List& create(Index h)
   {
+    CGAL_precondition(!has(h));
     Part& part = part_of(h);
     if (part.free.empty())
     {
@@ -105,6 +108,7 @@ public:
   // Puts a block behind the windows of the list of a halfedge. Windows are copied only if there are two blocks already.
   void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
   {
+    CGAL_precondition(block.data != nullptr && block.size > 0 && block.size <= Arena::capacity(block.size_class));
     count(h, std::ptrdiff_t(block.size));
     if (!list.data)
     { // a block is as good as another
@@ -126,6 +130,7 @@ public:
     list.size = 0;
     drop_waiting(list, arena);
     write(list, windows.data(), windows.size(), arena);
+    CGAL_postcondition(list.size == windows.size() && !list.waiting.data);
   }
 
   // Gives up the lists of all halfedges of faces. They have not been asked for long: they are fetched all together.
@@ -138,7 +143,11 @@ public:
   }
 
   void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
-  Arena& arena(std::size_t i) { return m_arenas[i]; }
+  Arena& arena(std::size_t i)
+  {
+    CGAL_precondition(i < m_arenas.size());
+    return m_arenas[i];
+  }
 
   // Threads that free more blocks than they need would leave the others without: the free ones are shared out again.
   void balance_arenas()
@@ -203,6 +212,7 @@ private:
   void write(List& list, const Window* first, std::size_t n, Arena& arena) const
   {
     reserve(list, list.size + n, arena);
+    CGAL_assertion(list.size + n <= Arena::capacity(list.size_class));
     std::copy(first, first + n, list.data + list.size);
     list.size += Index(n);
   }
@@ -213,11 +223,14 @@ private:
     Part& part = part_of(h);
     List& list = part.lists[m_place[h]];
     part.live -= list.size + list.waiting.size;
+    CGAL_assertion(part.live >= 0);
     drop_waiting(list, arena);
     if (list.data) arena.release(list.data, list.size_class);
     part.free.push_back(m_place[h]);
     m_place[h] = no_index;
+    CGAL_assertion(part.free.size() <= part.lists.size());
     if (part.free.size() < part.lists.size()) return;
+    CGAL_assertion(part.live == 0);
     part.lists = std::vector<List>(); // the front has left the part
     part.free = std::vector<Index>();
   }

@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
 
+#include <CGAL/assertions.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -56,6 +58,7 @@ public:
   void finish(const Cursor& cursor)
   {
     m_size = cursor.is_open() ? std::size_t(cursor.m_next - m_windows.data()) : 0;
+    CGAL_postcondition(m_size <= m_windows.size());
     m_nearest = cursor.m_nearest;
   }
 

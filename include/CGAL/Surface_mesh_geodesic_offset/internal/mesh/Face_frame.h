@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 
@@ -72,6 +74,7 @@ public:
   Face_frame(const Unfolded_mesh<FT>& mesh, Index face)
   {
     const Index h = 3 * face;
+    CGAL_precondition(mesh.source(h) != no_index);
     m_corner[0] = {FT(0), FT(0)};
     m_corner[1] = {mesh[h].length, FT(0)};
     m_corner[2] = {mesh[h].apex_x, mesh[h].apex_y};

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -36,7 +38,11 @@ struct Face_links
   bool is_face() const { return source[0] != no_index; }
 
   // Which halfedge starts at a vertex of the face.
-  Index halfedge_from(Index vertex) const { return Index(source[1] == vertex) + 2 * Index(source[2] == vertex); }
+  Index halfedge_from(Index vertex) const
+  {
+    CGAL_precondition(source[0] == vertex || source[1] == vertex || source[2] == vertex);
+    return Index(source[1] == vertex) + 2 * Index(source[2] == vertex);
+  }
 };
 
 typedef boost::container::vector<Face_links> All_face_links; // by the indices of the faces

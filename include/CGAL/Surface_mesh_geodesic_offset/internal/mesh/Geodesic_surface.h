@@ -75,6 +75,26 @@ struct Geodesic_surface
   Index index_of(face_descriptor f) const { return numbers.of(f); }
   Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not on the border
 
+  // Of a halfedge, or of the opposite one if it is on the border.
+  // \throws std::invalid_argument if the halfedge is null or of another mesh, or if neither of the two has a face
+  Index index_beside_edge(halfedge_descriptor h) const
+  {
+    check_halfedge(h);
+    if (is_border(h, tm)) h = opposite(h, tm);
+    if (is_border(h, tm)) throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge without a face");
+    const face_descriptor f = face(h, tm);
+    const Index i = index_of(f);
+    if (!(i < face_of.size()) || face_of[i] != f) complain_of_foreign_edge();
+    return index_of_halfedge(h);
+  }
+
+  // \throws std::invalid_argument if the halfedge is null, or its index is not in use. Descriptors that are pointers are
+  // recognized by their face.
+  void check_halfedge(halfedge_descriptor h) const
+  {
+    if (h == Graph_traits::null_halfedge() || !has_index(tm, h, 0)) complain_of_foreign_edge();
+  }
+
   Face_location location(Index face, const Point_in_face<Number>& p) const
   {
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric(p)));
@@ -233,6 +253,24 @@ private:
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
                                   "type: the mesh must be scaled");
     if (!unfolded.is_laid_out()) complain();
+  }
+
+  // Whether the index of a halfedge is in use, for meshes that can tell, as CGAL::Surface_mesh
+  template <class Mesh>
+  static auto has_index(const Mesh& mesh, halfedge_descriptor h, int)
+    -> decltype(mesh.has_valid_index(h) && !mesh.is_removed(h))
+  {
+    return mesh.has_valid_index(h) && !mesh.is_removed(h);
+  }
+  template <class Mesh>
+  static bool has_index(const Mesh&, halfedge_descriptor, long)
+  {
+    return true;
+  }
+
+  [[noreturn]] static void complain_of_foreign_edge()
+  {
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge that is not of this mesh");
   }
 
   // Of the first face that can't be laid out.

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
@@ -101,6 +103,7 @@ private:
   // Puts two zeros between each two of 21 bits.
   static std::uint64_t spread(std::uint64_t i)
   {
+    CGAL_precondition(i <= largest);
     i = (i | i << 32) & 0x001f00000000ffff;
     i = (i | i << 16) & 0x001f0000ff0000ff;
     i = (i | i << 8) & 0x100f00f00f00f00f;

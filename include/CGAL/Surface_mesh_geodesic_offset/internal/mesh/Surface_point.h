@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <array>
@@ -159,7 +161,11 @@ std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<F
 }
 
 // The number of the halfedge that one of the bits below stands for.
-inline int edge_of_bit(unsigned bit) { return bit == 1 ? 0 : bit == 2 ? 1 : 2; }
+inline int edge_of_bit(unsigned bit)
+{
+  CGAL_precondition(bit == 1 || bit == 2 || bit == 4);
+  return bit == 1 ? 0 : bit == 2 ? 1 : 2;
+}
 
 // Position of p in the frame of the face; returns false if p does not lie in this (closed) face.
 // `edges` receives a bit for each halfedge of the face on which p lies.

@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -101,7 +103,11 @@ public:
   std::size_t number_of_halfedges() const { return m_halfedges.size(); }
   std::size_t number_of_vertices() const { return m_corner.size(); }
 
-  const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
+  const Halfedge& operator[](Index h) const
+  {
+    CGAL_precondition(h < m_halfedges.size());
+    return m_halfedges[h];
+  }
 
   // Says that the face of h will be asked for soon.
   void prefetch_face(Index h) const
@@ -207,7 +213,25 @@ private:
     }
     if (number_of_faces > 0)
       m_mean_edge_length = std::accumulate(lengths.begin(), lengths.end(), 0.) / (3. * double(number_of_faces));
-    if (m_is_laid_out && find_corners(first_corners, team) != 3 * number_of_faces) find_more_fans();
+    CGAL_postcondition(!m_is_laid_out || has_consistent_twins());
+    if (!m_is_laid_out) return;
+    const std::size_t number_of_corners = find_corners(first_corners, team);
+    CGAL_assertion(number_of_corners <= 3 * number_of_faces);
+    if (number_of_corners != 3 * number_of_faces) find_more_fans();
+  }
+
+  // Whether the halfedges of each edge are twins of each other, with opposite ends and the same length.
+  bool has_consistent_twins() const
+  {
+    for (Index h = 0; h < m_halfedges.size(); ++h)
+    {
+      const Index g = twin(h);
+      if (source(h) == no_index || g == no_index) continue;
+      if (g >= m_halfedges.size() || twin(g) != h || source(g) != target(h) || target(g) != source(h)) return false;
+      const FT &length = m_halfedges[h].length, difference = length - m_halfedges[g].length;
+      if (CGAL::abs(difference) > Number_policy<FT>::rounding(64) * length) return false;
+    }
+    return true;
   }
 
   template <class Numbers, class Traits, class First_corners>

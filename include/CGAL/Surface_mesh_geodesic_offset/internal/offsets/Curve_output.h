@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Shallow_loop.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Side_selection.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -47,6 +49,7 @@ public:
   // Levels that are skipped have no curves.
   void operator()(std::size_t level, const Level_curves<FT>& cut) const
   {
+    CGAL_precondition(level >= m_next);
     pass_to(level);
     std::vector<Curve> curves;
     const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);

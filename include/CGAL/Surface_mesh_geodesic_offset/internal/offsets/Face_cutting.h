@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -157,6 +159,7 @@ public:
         cut.chains.push_back({i, start, end, first, cut.pieces.size()});
       });
     }
+    CGAL_assertion(next == cut.gates.end());
   }
 
   std::size_t number_of_forced_joints() const { return m_tracer.number_of_forced_joints(); }

@@ -14,6 +14,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -29,6 +31,7 @@ public:
   Level_arc(const Face_window<FT>& w, const Window_cone<FT>& cone, const FT& level)
     : m_window(&w), m_cone(&cone), m_radius(level - w.sigma)
   {
+    CGAL_precondition(is_straight() || CGAL::is_positive(m_radius));
     if (is_straight())
     {
       m_start = foot(w.right);

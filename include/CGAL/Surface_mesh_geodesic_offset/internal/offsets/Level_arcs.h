@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -97,7 +99,11 @@ public:
   const FT& reach() const { return m_reach; }
   const Offset_tolerances<FT>& tolerances() const { return m_tolerances; }
   std::size_t size() const { return m_arcs.size(); }
-  const Arc& operator[](std::size_t i) const { return m_arcs[i]; }
+  const Arc& operator[](std::size_t i) const
+  {
+    CGAL_precondition(i < m_arcs.size());
+    return m_arcs[i];
+  }
 
   // Does arc i pass the point p, up to a tie?
   bool passes(std::size_t i, const Point& p) const
@@ -193,6 +199,7 @@ private:
         add(w.right);
       }
     }
+    CGAL_assertion(m_fans.size() <= 2 * windows.size()); // m_fan_cones has pointers to them
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
@@ -207,6 +214,7 @@ private:
     int n = 0;
     const auto add = [&](const Point& p) {
       if (!a.is_between(from, p, to)) return;
+      CGAL_assertion(n < 10);
       int k = n++;
       for (; k > 0 && CGAL::is_negative(a.advance(end[k - 1], p)); --k) end[k] = end[k - 1];
       end[k] = p;

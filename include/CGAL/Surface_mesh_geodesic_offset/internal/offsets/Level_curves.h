@@ -11,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <deque>
 #include <utility>
@@ -35,7 +37,11 @@ public:
   }
 
   // The second face has come.
-  void gate_found() { --m_waiting; }
+  void gate_found()
+  {
+    CGAL_precondition(m_waiting > 0);
+    --m_waiting;
+  }
 
   // Whether all faces that the known curves go through have come.
   bool is_complete() const { return m_waiting == 0; }
@@ -43,6 +49,8 @@ public:
   // A chain of pieces between two gates; no_index for a loop.
   void add_chain(Index start, Index end, const Piece* begin_of_pieces, const Piece* end_of_pieces)
   {
+    CGAL_precondition((start == no_index) == (end == no_index) && begin_of_pieces != end_of_pieces);
+    CGAL_precondition(start == no_index || (start < m_link_at.size() && m_link_at[start] == no_index));
     const std::size_t first = m_pieces.size();
     for (const Piece* p = begin_of_pieces; p != end_of_pieces; ++p)
     {

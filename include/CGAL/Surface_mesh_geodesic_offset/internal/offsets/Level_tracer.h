@@ -62,8 +62,13 @@ public:
     trace(m_face, search_loops);
     const auto give_out = [&](Index start, Index end) {
       drop_points();
+      CGAL_assertion(!m_chain.empty() && are_joined());
+      CGAL_assertion((start == no_index) == (end == no_index));
       if (start != no_index)
       {
+        CGAL_assertion(face.gates[start].is_start && !face.gates[end].is_start);
+        CGAL_assertion(is_same(m_chain.front().start, face.gates[start].point));
+        CGAL_assertion(is_same(m_chain.back().end, face.gates[end].point));
         m_chain.front().start_edge = face.gates[start].side;
         m_chain.back().end_edge = face.gates[end].side;
         start = face.gates[start].id;
@@ -142,6 +147,7 @@ private:
     for (std::size_t i = 0; i < n; ++i)
     {
       const Gate &s = cell.gates[i], &e = cell.gates[(i + 1) % n];
+      CGAL_assertion(s.is_start != e.is_start);
       if (!s.is_start) continue;
       m_chains.push_back({s.id, e.id, m_pieces.size(), m_pieces.size() + 1});
       m_pieces.push_back(straight_piece(s, e));
@@ -219,6 +225,7 @@ private:
       add_piece(run, first);
       if (run.gate != none)
       {
+        CGAL_assertion(!m_is_used[run.gate]);
         m_is_used[run.gate] = 1;
         m_chains.push_back({s.id, m_cell->gates[run.gate].id, first, m_pieces.size()});
         return true;
@@ -479,6 +486,16 @@ private:
         if (is_loop) out(no_index, no_index);
         else out(m_chains[i].start, end);
       }
+  }
+
+  static bool is_same(const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; }
+
+  // Whether each piece of m_chain ends where the next one starts.
+  bool are_joined() const
+  {
+    for (std::size_t i = 1; i < m_chain.size(); ++i)
+      if (!is_same(m_chain[i - 1].end, m_chain[i].start)) return false;
+    return true;
   }
 
   static bool is_inner(Index gate) { return gate != no_index && (gate & inner_gate) != 0; }

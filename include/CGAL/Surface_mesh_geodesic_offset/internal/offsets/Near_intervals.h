@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -29,6 +31,7 @@ public:
   // `reach`: the longest edge of the faces round the segment.
   void start(const FT& length, const FT& reach, const FT& level)
   {
+    CGAL_precondition(CGAL::is_positive(length));
     m_intervals.clear();
     m_length = length;
     m_level = level;
@@ -99,14 +102,18 @@ public:
       else
         m_intervals[n++] = i;
     }
+    CGAL_assertion_code(std::size_t ends = 0);
     for (std::size_t i = 0; i < n; ++i)
     {
+      CGAL_assertion(i == 0 || m_intervals[i - 1].second < m_intervals[i].first);
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
       const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].second, m_length);
       if (!at_source && !at_target && !(last - first > m_gap)) continue; // the level just touches the segment
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
+      CGAL_assertion_code(ends += std::size_t(!at_source) + std::size_t(!at_target));
     }
+    CGAL_assertion((ends % 2 == 1) == (source_is_near != target_is_near));
   }
 
 private:

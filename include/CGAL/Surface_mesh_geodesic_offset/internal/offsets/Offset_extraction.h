@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -49,6 +51,7 @@ public:
     const std::size_t at_once = items_at_once(team.size());
     for (const Index f : faces)
     {
+      CGAL_precondition(m_turn[f] == no_turn);
       m_turn[f] = m_next_turn++;
       const Level_range levels = m_cuttings.front()->levels_of(f);
       if (!levels.is_empty()) m_crossed.push_back({f, levels});
@@ -182,6 +185,7 @@ private:
   template <class Function>
   void give_out(typename Curves_of_levels::iterator level, const Function& out)
   {
+    CGAL_precondition(level == m_curves.begin());
     m_number_of_pieces += level->second.number_of_pieces();
     out(level->first, level->second);
     m_curves.erase(level);

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -91,7 +93,9 @@ public:
     if (goal.face == no_index || (walk.face() != goal.face && walk.face() != goal.other_face)) return false;
     Point place;
     unsigned edges;
+    CGAL_assertion_code(const bool is_there =)
     position_in_face(m_mesh, goal.end.point, walk.face(), place, edges);
+    CGAL_assertion(is_there);
     const Face_frame<FT> frame(m_mesh, walk.face());
     distance = length(place - frame.from_halfedge(int(walk.halfedge() % 3), walk.position()));
     return true;

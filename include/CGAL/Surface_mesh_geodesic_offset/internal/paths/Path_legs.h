@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <atomic>
@@ -100,6 +102,7 @@ public:
   template <class Items>
   void keep(Index v, const Items& items, const Leg_end<FT>& end, bool starts_path)
   {
+    CGAL_precondition(v < m_size);
     Place& place = places()[v];
     const Leg* known = nullptr;
     if (!starts_path) known = place.load(std::memory_order_relaxed);

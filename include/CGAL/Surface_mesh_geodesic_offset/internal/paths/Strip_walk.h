@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 #include <boost/container/container_fwd.hpp>
 
@@ -35,6 +37,7 @@ public:
   Strip_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& to, const FT& length, int k)
     : m_mesh(mesh), m_length(length)
   {
+    CGAL_precondition(0 <= k && k < 3 && CGAL::is_positive(length));
     const Point d = (FT(1) / length) * (to - from);
     const auto lay = [&](const Point& v) { return Point{dot(d, v), cross(d, v)}; };
     const Index n = m_mesh.next(h), p = m_mesh.previous(h);

@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -121,6 +123,7 @@ public:
     primitives.push_back(primitive);
     places.push_back(place);
     source_of.push_back(primitive.source);
+    CGAL_postcondition(primitives.size() == places.size() && primitives.size() == source_of.size());
     return Index(primitives.size() - 1);
   }
 
@@ -133,6 +136,7 @@ public:
 
   void add_edge_windows(Index h, const FT& b0, const FT& b1, Root on_left, Root on_right)
   {
+    CGAL_precondition(b0 <= b1);
     edges.push_back({h, b0, b1, on_left});
     if (m_mesh.twin(h) != no_index)
       edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});

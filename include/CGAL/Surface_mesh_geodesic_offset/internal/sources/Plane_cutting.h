@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_plane_section.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
 
+#include <CGAL/assertions.h>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
 
@@ -96,6 +98,7 @@ private:
     if (ends.size() == 1)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (side_of_source(h) == 0) ends.push_back(node_at_vertex(m_mesh.source(h)));
+    CGAL_assertion(ends.size() <= 2);
     if (ends.size() == 2) add_segment(ends[is_down ? 0 : 1], ends[is_down ? 1 : 0]);
     return 0;
   }
@@ -156,6 +159,7 @@ private:
 
   void add_segment(std::size_t a, std::size_t b)
   {
+    CGAL_precondition(a != b);
     m_nodes[a].segments.push_back(m_segments.size());
     m_nodes[b].segments.push_back(m_segments.size());
     m_segments.push_back({a, b});

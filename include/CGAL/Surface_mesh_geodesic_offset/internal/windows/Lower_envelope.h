@@ -12,9 +12,12 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_shares.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_ties.h>
+
+#include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
 
@@ -62,6 +65,9 @@ public:
       }
       add(*w);
     }
+    CGAL_postcondition(are_in_order(m_envelope.data(), m_envelope.data() + m_envelope.size(), length));
+    CGAL_expensive_postcondition(
+      have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
     return m_envelope;
   }
 
@@ -227,6 +233,8 @@ private:
   BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
                                    const Window* const* end)
   {
+    CGAL_precondition(w.b0 <= t && t < w.b1);
+    CGAL_precondition(m_envelope.empty() || !(t < m_envelope.back().b1));
     if ((next == end || t <= (*next)->b0) && (!m_order.has_later() || t <= m_order.first_later().b0))
     {
       m_envelope.push_back(w);
@@ -328,7 +336,9 @@ private:
   // Shortens the last window of the envelope to end at t, where its distance is d; removes it if nothing is left.
   void cut_back(const FT& t, const FT& d)
   {
+    CGAL_precondition(!m_envelope.empty());
     Window& a = m_envelope.back();
+    CGAL_precondition(CGAL::possibly(estimate(t) <= estimate(a.b1)));
     if (t - a.b0 <= m_min_width)
       m_envelope.pop_back();
     else

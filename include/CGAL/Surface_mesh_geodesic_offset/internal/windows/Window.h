@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merged_origin.h>
 
+#include <CGAL/assertions.h>
+
 #include <utility>
 
 namespace CGAL {
@@ -29,7 +31,7 @@ struct Root
   Index value = no_index;
 
   Root() = default;
-  Root(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) {}
+  Root(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) { CGAL_precondition(primitive < no_index >> 2); }
   Index primitive() const { return value >> 2; }
   Source_side side() const { return Source_side(value & 3u); }
   bool is_valid() const { return value != no_index; }
@@ -69,6 +71,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
   bool is_merged() const { return Merged_origin::is_merged(pseudo_source()); }
   static Index make_bits(bool parallel, Index pseudo_source)
   {
+    CGAL_precondition(pseudo_source == no_index || pseudo_source < no_index >> 2);
     return Index(parallel) | (pseudo_source == no_index ? 0u : (pseudo_source + 1) << 2);
   }
 

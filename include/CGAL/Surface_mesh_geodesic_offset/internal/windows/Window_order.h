@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -29,11 +31,16 @@ public:
     if (m_order.size() < m_size) m_order.resize(2 * m_size);
     const Window** end = m_order.data();
     int runs = Estimation<FT>::leaves_open ? most_runs : 0;
-    if (merge_runs(first, last, end, runs) && merge_runs(more, more_last, end, runs)) return;
-    end = m_order.data();
-    while (first != last) *end++ = first++;
-    while (more != more_last) *end++ = more++;
-    std::stable_sort(m_order.data(), end, [](const Window* a, const Window* b) { return key(*a) < key(*b); });
+    const auto begins_before = [](const Window* a, const Window* b) { return key(*a) < key(*b); };
+    if (!(merge_runs(first, last, end, runs) && merge_runs(more, more_last, end, runs)))
+    {
+      end = m_order.data();
+      while (first != last) *end++ = first++;
+      while (more != more_last) *end++ = more++;
+      std::stable_sort(m_order.data(), end, begins_before);
+    }
+    CGAL_postcondition(end == m_order.data() + m_size);
+    CGAL_postcondition(std::is_sorted(m_order.data(), m_order.data() + m_size, begins_before));
   }
 
   const Window* const* begin() const { return m_order.data(); }
@@ -45,14 +52,21 @@ public:
     auto it = m_later.end();
     while (it != m_later.begin() && key(*(it - 1)) < key(w)) --it;
     m_later.insert(it, w);
+    CGAL_postcondition(std::is_sorted(m_later.rbegin(), m_later.rend(),
+                                      [](const Window& a, const Window& b) { return key(a) < key(b); }));
   }
 
   bool has_later() const { return !m_later.empty(); }
   bool has_later_before(const Window& w) const { return !m_later.empty() && key(m_later.back()) < key(w); }
-  const Window& first_later() const { return m_later.back(); }
+  const Window& first_later() const
+  {
+    CGAL_precondition(has_later());
+    return m_later.back();
+  }
 
   Window pop_later()
   {
+    CGAL_precondition(has_later());
     const Window w = m_later.back();
     m_later.pop_back();
     return w;

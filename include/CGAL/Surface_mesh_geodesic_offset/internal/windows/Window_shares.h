@@ -11,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -35,6 +37,7 @@ public:
     : m_a(a), m_b(b), m_least_width(CGAL::to_double(length) / double(1ull << 44))
   {
     const Estimate a1 = estimate(a.b1), b0 = estimate(b.b0), b1 = estimate(b.b1);
+    CGAL_precondition(Estimation<FT>::key(a.b0) <= Estimation<FT>::key(b.b0));
     m_low = b0.inf();
     m_high = (std::min)(a1.sup(), b1.sup());
     if (m_high - b0.sup() <= m_least_width) return;
@@ -190,7 +193,10 @@ private:
     if (m_size > 0 && m_zones[m_size - 1].nearer == nearer)
       m_zones[m_size - 1].to = to;
     else
+    {
+      CGAL_assertion(m_size < 8); // two signs, with what is open between them, on both sides of the turning point, and the tail
       m_zones[m_size++] = Zone{nearer, from, to};
+    }
   }
 
   void remove_narrow_zones()

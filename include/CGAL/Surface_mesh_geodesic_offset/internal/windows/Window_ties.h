@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/config.hpp>
 
 #include <type_traits>
@@ -105,6 +107,7 @@ public:
   };
   BOOST_FORCEINLINE Place find(const FT& u, const FT& gu, const FT& v, const FT& gv) const
   {
+    CGAL_precondition(u <= v && (gu > 0) != (gv > 0));
     Place p;
     if (BOOST_UNLIKELY(!closed_form(u, v, p.t))) return Window_tie(*this).iterate(u, gu, v, gv);
     FT other;
@@ -230,6 +233,7 @@ public:
     const bool a_ends_first = a.b1 < b.b1;
     m_low = b.b0;
     m_high = a_ends_first ? a.b1 : b.b1;
+    CGAL_precondition(a.b0 <= m_low && m_low <= m_high);
     m_a_low = m_tie.at(a, m_low);
     m_b_low = b.d0;
     m_a_high = a_ends_first || m_high == a.b1 ? a.d1 : m_tie.at(a, m_high);
@@ -252,7 +256,11 @@ public:
 
   bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
   int number() const { return m_number; }
-  const FT& operator[](int i) const { return m_ties[i]; }
+  const FT& operator[](int i) const
+  {
+    CGAL_precondition(0 <= i && i < m_number);
+    return m_ties[i];
+  }
   const FT& distance(int i) const { return m_distances[i]; } // the same for both
 
 private:
@@ -264,6 +272,7 @@ private:
       if (m_first_sign == 0) m_first_sign = s;
       if (previous * s < 0)
       {
+        CGAL_assertion(m_number < 2); // the difference has one turning point
         const auto place = m_tie.find(from, g_from, to, g_to);
         m_ties[m_number] = place.t;
         m_distances[m_number++] = place.d;

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Statements about lists of windows, for assertions.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_CHECKS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_CHECKS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Whether a window has rays: its interval is not empty, and its distances are not negative, unless by the rounding of
+// coordinates, as beside a source on the edge. With exact numbers: whether their estimates do not exclude it.
+template <class FT>
+inline bool has_interval(const Window<FT>& w)
+{
+  FT least(0); // distance
+  if constexpr (Number_policy<FT>::is_inexact)
+    least = -Number_policy<FT>::rounding(64) * (w.b1 + CGAL::abs(w.x) + CGAL::abs(w.y) + CGAL::abs(w.sigma));
+  const bool is_open = Estimation<FT>::leaves_open ? CGAL::possibly(estimate(w.b0) <= estimate(w.b1)) : bool(w.b0 < w.b1);
+  return is_open && CGAL::possibly(estimate(w.d0) >= estimate(least)) && CGAL::possibly(estimate(w.d1) >= estimate(least));
+}
+
+// Whether windows are ordered by their intervals and do not overlap, on a halfedge of the given length. Exact numbers may
+// overlap where both windows may be the nearer one; then they are ordered by estimates of where they begin.
+template <class FT>
+inline bool are_in_order(const Window<FT>* first, const Window<FT>* last, const FT& length)
+{
+  for (const Window<FT>* w = first; w != last; ++w)
+  {
+    if (!has_interval(*w) || CGAL::certainly(estimate(w->b0) < 0) || CGAL::certainly(estimate(w->b1) > estimate(length)))
+      return false;
+    if (w == first) continue;
+    if (Estimation<FT>::leaves_open ? CGAL::certainly(estimate(w->b0) < estimate(w[-1].b0))
+                                    : CGAL::certainly(estimate(w->b0) < estimate(w[-1].b1)))
+      return false;
+  }
+  return true;
+}
+
+// Whether the distances of a window at the ends of its interval are those of its image, up to the rounding of many faces: each
+// takes them over from the one before. True for merged windows, whose distances decide, and for exact numbers.
+template <class FT>
+inline bool has_consistent_distances(const Window<FT>& w)
+{
+  if constexpr (!Number_policy<FT>::is_inexact) return true;
+  else
+  {
+    if (w.is_merged()) return true;
+    const FT size = w.d0 + w.d1 + w.b1 + CGAL::abs(w.x) + CGAL::abs(w.y) + CGAL::abs(w.sigma);
+    const FT allowance = Number_policy<FT>::rounding(1 << 20) * size;
+    return CGAL::abs(FT(w.distance_at(w.b0) - w.d0)) <= allowance && CGAL::abs(FT(w.distance_at(w.b1) - w.d1)) <= allowance;
+  }
+}
+
+template <class FT>
+inline bool have_consistent_distances(const Window<FT>* first, const Window<FT>* last)
+{
+  for (; first != last; ++first)
+    if (!has_consistent_distances(*first)) return false;
+  return true;
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

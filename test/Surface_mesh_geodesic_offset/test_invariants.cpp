@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Faults in the data between the steps of the pipeline, each of which an assertion finds: a list of windows that is not sorted,
+// a part of the front that is asleep, twins that are swapped, and others. Needs assertions: without them (NDEBUG) the test is
+// skipped.
+
+#include "generated_meshes.h"
+#include "geodesic_types.h"
+#include "test_check.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
+#include <CGAL/exceptions.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_invariants {
+
+using namespace test;
+using namespace CGAL::Geodesic_offset::internal;
+
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
+typedef CGAL::Geodesic_offset::internal::Window<double> Window;
+typedef Unfolded_mesh<double> Mesh;
+
+// The numbers of the soup are those of the unfolded mesh.
+struct Same_numbers
+{
+  Index of_vertex(Index v) const { return v; }
+  Index of_face(Index f) const { return f; }
+};
+
+All_face_links links_of(const Soup& soup)
+{
+  const Generated_mesh<test::Surface_mesh> data(soup);
+  const auto& mesh = data.mesh;
+  const std::vector<test::Surface_mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  Single_worker alone;
+  return face_links(mesh, faces, get(boost::vertex_index, mesh), get(boost::face_index, mesh), faces.size(), alone);
+}
+
+Mesh unfolded(const Soup& soup, const All_face_links& links)
+{
+  std::vector<Index> face_at(links.size());
+  for (Index f = 0; f < face_at.size(); ++f) face_at[f] = f;
+  Single_worker alone;
+  const std::vector<Point_3> points(soup.points.begin(), soup.points.end());
+  return Mesh(Same_numbers(), links, face_at, points, Traits(), alone);
+}
+
+// Whether an assertion stops f, with the given condition in its text. Other exceptions are failures.
+bool is_stopped(const std::function<void()>& f, const std::string& condition)
+{
+  const auto behaviour = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  const auto handler = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  bool result = false;
+  try
+  {
+    f();
+  }
+  catch (const CGAL::Failure_exception& failure)
+  {
+    result = failure.expression().find(condition) != std::string::npos;
+    CHECK_DETAIL(result, failure.expression());
+  }
+  CGAL::set_error_handler(handler);
+  CGAL::set_error_behaviour(behaviour);
+  return result;
+}
+
+// Two faces of a vertex that have taken the faces beyond each other
+void swapped_twin()
+{
+  const Soup soup = torus(8, 6);
+  const All_face_links links = links_of(soup);
+  CHECK(unfolded(soup, links).is_laid_out());
+  std::size_t stopped = 0;
+  for (Index f = 0; f < links.size(); ++f)
+  {
+    All_face_links faulty = links;
+    std::swap(faulty[f].beyond[0], faulty[f].beyond[1]);
+    stopped += is_stopped([&] { unfolded(soup, faulty); }, "") ? 1 : 0;
+  }
+  CHECK(stopped == links.size());
+}
+
+// A border on one side of an edge only
+void one_sided_border()
+{
+  const Soup soup = torus(8, 6);
+  All_face_links links = links_of(soup);
+  links[5].beyond[1] = no_index;
+  CHECK(is_stopped([&] { unfolded(soup, links); }, "has_consistent_twins"));
+}
+
+// The state of a front on the torus, in many parts
+struct Front
+{
+  Front() : soup(torus(60, 40)), mesh(unfolded(soup, links_of(soup))), partition(mesh, false)
+  {
+    field.clear(mesh);
+    state.reset(new Wavefront_state<double>(mesh, infinity, true, field, partition.parts()));
+  }
+
+  Soup soup;
+  Mesh mesh;
+  Front_partition partition;
+  Geodesic_field<double> field;
+  std::unique_ptr<Wavefront_state<double>> state;
+};
+
+void part_asleep()
+{
+  Front front;
+  Wavefront_state<double>& state = *front.state;
+  const Index last_face = Index(front.mesh.number_of_faces() - 1);
+  CHECK(state.parts.of_face(last_face) != state.parts.of_face(0));
+  state.move_to(7);
+  CHECK(is_stopped([&] { state.schedule(last_face); }, "is_awake"));
+  const Window w{0.1, -1, 0, 0, 0.1, 1, 1, Root(0, CGAL::Source_side::NONE), 0};
+  CHECK(is_stopped([&] { state.append(3 * last_face, w); }, "is_awake"));
+  state.awake_part(state.parts.of_face(last_face));
+  state.schedule(last_face);
+  state.append(3 * last_face, w);
+  CHECK(is_stopped([&] { state.schedule(0); }, "is_awake"));
+  CHECK(is_stopped([&] { state.move_to(6); }, "bucket >= m_current"));
+}
+
+void unsorted_list()
+{
+  Front front;
+  const Traits traits;
+  const double length = front.mesh[0].length;
+  std::vector<Window> windows;
+  for (int i = 0; i < 4; ++i)
+  {
+    Window w{length / 2, -1, 0, length * i / 4, length * (i + 1) / 4, 0, 0, Root(0, CGAL::Source_side::NONE), 0};
+    w.d0 = w.distance_at(w.b0);
+    w.d1 = w.distance_at(w.b1);
+    windows.push_back(w);
+  }
+  Batch_propagation<Traits> propagate(*front.state, traits);
+  const auto run = [&] {
+    double split_distance = infinity, split_entry = 0;
+    propagate(0, windows.data(), windows.size(), split_distance, split_entry);
+  };
+  run();
+  CHECK(propagate.number_of_windows() == 4 && !propagate.arrivals().empty());
+  std::swap(windows[1], windows[2]);
+  CHECK(is_stopped(run, "is_sorted"));
+
+  // the envelope sorts, so the list is one again
+  const std::vector<Index> source_of{0};
+  Lower_envelope<Traits> envelope(source_of, traits);
+  CHECK(envelope(windows.data(), windows.data() + windows.size(), length).size() == 1);
+  // but windows that are outside the edge come from nowhere
+  windows[0].b0 = -length;
+  CHECK(is_stopped([&] { envelope(windows.data(), windows.data() + windows.size(), length); }, "are_in_order"));
+}
+
+void queue_that_goes_back()
+{
+  Bucket_queue queue(0.5);
+  queue.push_halfedge(3, 17);
+  CHECK(is_stopped([&] { queue.move_to(4); }, "first()")); // past what waits
+  queue.move_to(2);
+  CHECK(is_stopped([&] { queue.move_to(1); }, "first()"));
+  queue.move_to(3);
+  Index h = no_index;
+  CHECK(queue.pop_halfedge(h) && h == 17);
+}
+
+void lists_and_arenas()
+{
+  Window_lists<double> lists(12);
+  lists.create(3);
+  CHECK(is_stopped([&] { lists.create(3); }, "has(h)"));
+  CHECK(is_stopped([&] { lists.arena(1); }, "m_arenas.size()"));
+  Window_arena<Window> arena, other;
+  CHECK(is_stopped([&] { arena.release(nullptr, 0); }, "nullptr"));
+  CHECK(is_stopped([&] { arena.give(other, 0, 1); }, "number_of_free_blocks"));
+}
+
+// Gates on the boundary of a cell alternate.
+void gates_that_do_not_alternate()
+{
+  Level_curves<double> curves;
+  CHECK(is_stopped([&] { curves.gate_found(); }, "m_waiting"));
+  CHECK(is_stopped([&] { curves.add_chain(0, no_index, nullptr, nullptr); }, "no_index"));
+  Level_cell<double> cell;
+  cell.corner = {{{0, 0}, {1, 0}, {0, 1}}};
+  const double r = std::sqrt(0.5);
+  cell.direction = {{{1, 0}, {-r, r}, {0, -1}}};
+  cell.is_near = {{true, false, false}};
+  cell.gates = {{{0.5, 0}, 0, true, 0}, {{0, 0.5}, 2, true, 1}};
+  const auto divide = [&] {
+    cell.divided([](const auto&, const auto&, double, bool, bool, const auto&) {}, [] { return Index(0); });
+  };
+  CHECK(is_stopped(divide, "is_consistent"));
+}
+
+} // namespace test_invariants
+
+GEODESIC_OFFSET_TEST(test_invariants)
+{
+#ifdef CGAL_NO_ASSERTIONS
+  std::cout << "test_invariants: skipped, it was built without assertions" << std::endl;
+  return skipped;
+#else
+  const std::pair<const char*, void (*)()> tests[] = {{"a swapped twin", swapped_twin},
+                                                      {"a border on one side", one_sided_border},
+                                                      {"a part that is asleep", part_asleep},
+                                                      {"a list that is not sorted", unsorted_list},
+                                                      {"a queue that goes back", queue_that_goes_back},
+                                                      {"lists and arenas", lists_and_arenas},
+                                                      {"gates", gates_that_do_not_alternate}};
+  return run_tests("test_invariants", tests);
+#endif
+}
