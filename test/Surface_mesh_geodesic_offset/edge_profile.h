@@ -194,12 +194,14 @@ private:
     // from a point of the face there is a straight path to any other
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE && !w.is_parallel()) return true;
     const Point_in_face b = frame.on_edge(k, length);
-    const double beyond = Judge_tolerances::bounding_ray * field.size();
+    const bool starts_in_face = w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE;
+    const double beyond =
+      (starts_in_face ? Judge_tolerances::source_ray : Judge_tolerances::bounding_ray) * field.size();
     const double left = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.left)),
                  right = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.right));
     clip(left - w.left_side(a), left - w.left_side(b), length, span);
     clip(right + w.right_side(a), right + w.right_side(b), length, span);
-    if (w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE)
+    if (starts_in_face)
       clip(beyond + w.distance_at(a), beyond + w.distance_at(b), length, span);
     return span.from <= span.to;
   }

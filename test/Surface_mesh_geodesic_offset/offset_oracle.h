@@ -70,13 +70,13 @@ public:
   typedef CGAL::Geodesic_offset::internal::Geodesic_field<double> Field;
 
   Face_tracing(const Mesh& mesh, const Initial& initial, const Field& field)
-    : mesh_(mesh), initial_(initial), field_(field), cut_(mesh, initial, field)
+    : mesh_(mesh), initial_(initial), field_(field), reach_(mesh), cut_(mesh, initial, field)
   {}
 
   std::vector<Level_chain> operator()(Index face, double level)
   {
     const CGAL::Offset_levels<double> levels(std::vector<double>{level});
-    CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, levels, field_.maximum);
+    CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, reach_, levels, field_.maximum);
     cut_.levels = cutting.levels_of(face);
     cutting.find_crossings(face, [](Index) { return true; }, cut_);
     Index number = 0;
@@ -142,6 +142,7 @@ private:
   const Mesh& mesh_;
   const Initial& initial_;
   const Field& field_;
+  const CGAL::Geodesic_offset::internal::Vertex_reach<double> reach_;
   CGAL::Geodesic_offset::internal::Face_cut<double> cut_;
   std::size_t forced_joints_ = 0;
 };

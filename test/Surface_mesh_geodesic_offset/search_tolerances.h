@@ -66,9 +66,13 @@ struct Judge_tolerances
   /// side its distance is off by twice the way, 8 times what is allowed.
   static constexpr double steps_to_left = 4;
 
-  /// Cones of windows are wider than their bounding rays by this part of the diameter of the face: the rounding of the rays,
-  /// Offset_tolerances::ray_slack.
-  static constexpr double bounding_ray = 0x1p-44;
+  /// Cones of sources in a face are wider than their bounding rays by this part of the diameter of the face: a source may lie
+  /// along the edge, Offset_tolerances::ray_slack.
+  static constexpr double source_ray = 0x1p-44;
+
+  /// Cones of windows on an edge are wider by this: the rounding of a point on another edge, 4 u. Not more, since in a needle face
+  /// a point beside the cone may be behind the window, and the straight path shorter than any path.
+  static constexpr double bounding_ray = 0x1p-50;
 
   /// Two distances are the same, in scales: 16 errors.
   static constexpr double same_distance = 16 * distance_error;

@@ -572,6 +572,24 @@ void test_points()
     }
 }
 
+// Traits that are derived from those of the package compute like them, on the package's own numbers.
+void test_derived_traits()
+{
+  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Package_traits;
+  struct Derived_traits : Package_traits
+  {};
+  std::map<std::pair<int, int>, std::size_t> id;
+  const Shape s = squares("derived traits", 6, 6, id, [](int, int) { return true; }); // CORE takes a minute
+  CGAL::Surface_mesh_geodesic_offset<Derived_traits> geodesic(s.mesh);
+  auto& counts = CGAL::Geodesic_offset::internal::Exact_root_number::counts();
+  counts.reset();
+  geodesic.add_source_point(s.vertices[0]);
+  geodesic.build();
+  CHECK(geodesic.statistics().sign_decisions > 0 && counts.by_doubles.value() > 0 && counts.by_core.value() == 0);
+  for (const auto& v : id)
+    CHECK(geodesic.distance_to_sources(s.vertices[v.second]) == hypotenuse(FT(v.first.first), FT(v.first.second)));
+}
+
 // Exact numbers have no use for a tolerance.
 void test_tolerance()
 {
@@ -606,6 +624,7 @@ GEODESIC_OFFSET_TEST(test_exact_kernel)
     {"points", test_points},
     {"coinciding sources", test_coinciding_sources},
     {"coinciding sources in general position", test_coinciding_sources_in_general_position},
+    {"derived traits", test_derived_traits},
     {"tolerance", test_tolerance}};
   return run_tests("test_exact_kernel", tests);
 }

@@ -32,7 +32,7 @@ type. The location of a source or of a query is classified first: barycentric co
 and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for paths that cross
 fewer than 2^16 faces without a bend; if there may be others, the build ends with an exception.
 
-The computation takes up to twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
+The computation takes about twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
 arithmetic with round to nearest, where every operation rounds to `double`: the header does not compile with `-ffast-math`,
 nor with `-ffinite-math-only`, `-freciprocal-math` or `-fassociative-math` alone, nor where x87 registers are used, be it for
 some operations only (`-mfpmath=both`). Builds check the arithmetic, too, as not all compilers tell their options, and builds

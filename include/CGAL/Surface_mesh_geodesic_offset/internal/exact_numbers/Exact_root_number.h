@@ -287,8 +287,8 @@ struct Sign_decisions<Exact_root_number>
   static std::size_t exact()
   {
     const Exact_root_number_counts& c = Exact_root_number::counts();
-    return std::size_t(c.exactly_zero.value() + c.exactly_not_zero.value() + c.by_high_precision.value() +
-                       c.by_root_bound.value() + c.by_core.value());
+    return std::size_t(c.zero_by_identity.value() + c.exactly_zero.value() + c.exactly_not_zero.value() +
+                       c.by_high_precision.value() + c.by_root_bound.value() + c.by_core.value());
   }
   static std::size_t all()
   {

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sign of an expression, by means that get stronger and slower: intervals of doubles, intervals of more bits, exact
-// arithmetic with roots, which decides whether the number is zero, and bounds on roots, first our own, then those of CORE.
+// The sign of an expression, by means that get stronger and slower: intervals of doubles, intervals of more bits, identities
+// of the parts of the expression, exact arithmetic with roots, which decides whether the number is zero, and bounds on roots,
+// first our own, then those of CORE.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
@@ -11,7 +12,9 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_bound.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_identity.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
 
 #include <atomic>
@@ -44,6 +47,7 @@ struct Exact_root_number_counts
   Counter by_identity;       // the same expression, or a rational
   Counter by_doubles;        // intervals of doubles
   Counter by_precision;      // intervals of up to 256 bits
+  Counter zero_by_identity;  // proved to be zero by an identity of parts of the expression
   Counter exactly_zero;      // proved to be zero by exact arithmetic
   Counter exactly_not_zero;  // proved not to be; then intervals of any precision
   Counter by_high_precision; // not settled by exact arithmetic, intervals of up to 65536 bits
@@ -52,8 +56,8 @@ struct Exact_root_number_counts
 
   void reset()
   {
-    for (Counter* c : {&by_identity, &by_doubles, &by_precision, &exactly_zero, &exactly_not_zero, &by_high_precision,
-                       &by_root_bound, &by_core})
+    for (Counter* c : {&by_identity, &by_doubles, &by_precision, &zero_by_identity, &exactly_zero, &exactly_not_zero,
+                       &by_high_precision, &by_root_bound, &by_core})
       c->reset();
   }
 };
@@ -162,6 +166,20 @@ public:
       ++counts().by_precision;
       return a->sign();
     }
+    int factor = 1;
+    const Reference simpler = with_same_sign(a, factor);
+    if (!(simpler == a))
+    {
+      const int s = factor * of(simpler);
+      if (s == 0) set_zero(*a);
+      return s;
+    }
+    if (Radical_identity::proves_zero(*a))
+    {
+      ++counts().zero_by_identity;
+      set_zero(*a);
+      return 0;
+    }
     const Vanishing vanishing = Radical_evaluation()(*a);
     if (vanishing == Vanishing::ZERO)
     {
@@ -196,11 +214,7 @@ public:
       sign = Radical_to_core::convert(a).sign();
       ++counts().by_core;
     }
-    if (sign == 0)
-    {
-      a->set_closed_form(Radical_quotient());
-      a->forget_operands();
-    }
+    if (sign == 0) set_zero(*a);
     return sign;
   }
 
@@ -219,6 +233,11 @@ public:
       return x.low > y.high ? 1 : x.high < y.low ? -1 : 0;
     }
     if (const auto parts = differing_parts(*a, *b)) return of_difference(*parts->first, *parts->second);
+    if (Radical_likeness()(*a, *b))
+    {
+      ++counts().by_identity;
+      return 0;
+    }
     return of(Radical_expression::difference(a, b));
   }
 
@@ -268,6 +287,54 @@ private:
       for (int j = 0; j < 2; ++j)
         if (a.operand(i) == b.operand(j)) return Parts(&a.operand(1 - i), &b.operand(1 - j));
     return std::nullopt;
+  }
+
+  static void set_zero(Radical_node& n)
+  {
+    n.set_closed_form(Radical_quotient());
+    n.forget_operands();
+  }
+
+  // A number that is made by fewer roots and quotients and has the same sign as a, times the factor.
+  static Reference with_same_sign(Reference a, int& factor)
+  {
+    while (a && a->operand(0))
+    {
+      const Reference x = a->operand(0), y = a->operand(1);
+      switch (a->operation())
+      {
+      case Radical_operation::NEGATE:
+        factor = -factor;
+        a = x;
+        continue;
+      case Radical_operation::MULTIPLY:
+      case Radical_operation::DIVIDE:
+        if (y->has_sign() && y->sign() != 0)
+        {
+          factor *= y->sign();
+          a = x;
+          continue;
+        }
+        if (a->operation() == Radical_operation::DIVIDE || !x->has_sign() || x->sign() == 0) return a;
+        factor *= x->sign();
+        a = y;
+        continue;
+      case Radical_operation::SUBTRACT:
+        // sqrt(u) - y and u - y^2 have one sign for y > 0
+        if (is_root(*x) && y->has_sign() && y->sign() > 0) a = Radical_expression::difference(x->operand(0), square(y));
+        else if (is_root(*y) && x->has_sign() && x->sign() > 0)
+          a = Radical_expression::difference(square(x), y->operand(0));
+        else return a;
+        continue;
+      default: return a;
+      }
+    }
+    return a;
+  }
+  static bool is_root(const Radical_node& n) { return n.operation() == Radical_operation::SQUARE_ROOT; }
+  static Reference square(const Reference& a)
+  {
+    return is_root(*a) ? a->operand(0) : Radical_expression::product(a, a);
   }
 
   static bool refined_has_sign(Radical_node& n, std::size_t bits, std::size_t most_bits)

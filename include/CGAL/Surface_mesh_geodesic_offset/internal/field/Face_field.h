@@ -86,11 +86,13 @@ public:
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }
 
+  // Of the distances in the face; of exact ones, with the error of an estimate.
   FT lower_bound() const
   {
-    FT low = Number_policy<FT>::infinity();
-    for (const FT& l : m_lowest) low = (std::min)(low, l);
-    return low;
+    typedef Estimation<FT> Estimates;
+    typename Estimates::Bound low = Estimates::lower_bound(estimate(Number_policy<FT>::infinity()));
+    for (const FT& l : m_lowest) low = (std::min)(low, typename Estimates::Bound(Estimates::lower_bound(estimate(l))));
+    return FT(low);
   }
 
   // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side
@@ -169,7 +171,8 @@ private:
     {
       const Vertex_sector<FT> sector(m_mesh);
       FT part_left(0), part_right(0);
-      sector.for_each_sector_behind(m_field.back[v].ray(), [&](const auto& from, const auto& to, Index first) {
+      const Ray_at_vertex<FT> back = m_field.back[v].ray();
+      const auto add_part = [&](const auto& from, const auto& to, Index first) {
         const Ray_at_vertex<FT>*lower, *upper;
         if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
         const FT r = lower ? FT(left - sector.exit_of_ray(h, *lower)) : FT(0);
@@ -178,7 +181,8 @@ private:
         // at a border vertex both sectors may be in one corner: the cone then holds them both
         part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
         part_left = (std::max)(part_left, l);
-      });
+      };
+      sector.for_each_sector_behind(back, add_part, sector.tie_angle(back));
       left = part_left;
       right = part_right;
     }

@@ -157,10 +157,9 @@ private:
   }
 
   // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
-  // that cover it, and by the second one if it ties. Unless numbers are exact, rounding may leave the apex between two
-  // windows. So a window that just misses it gives it the length of the path round its end, which is always valid, and if none
-  // covers it, so do its neighbours on either side. Finds the best distance given to the apex through h so far, and where its
-  // ray enters.
+  // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
+  // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
+  // on either side. Finds the best distance given to the apex through h so far, and where its ray enters.
   void sort_by_exit(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n)
   {
     if (m_exit.size() < n)
@@ -168,8 +167,7 @@ private:
       m_exit.resize(n);
       m_apex_distance.resize(n);
     }
-    const Window *nearest = nullptr, *second = nullptr, *last_left = nullptr, *first_right = nullptr;
-    FT second_distance(0);
+    const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
     bool covered = false;
     Exit* const exits = m_exit.data();
     std::size_t number = n;
@@ -195,13 +193,7 @@ private:
       {
         covered = true;
         const FT& d = m_apex_distance[i] = face.distance_at_apex(w);
-        const bool is_best = d < m_best;
-        if (is_best ? nearest != nullptr : !second || d < second_distance)
-        {
-          second = is_best ? nearest : &w;
-          second_distance = is_best ? m_best : d;
-        }
-        if (is_best)
+        if (d < m_best)
         {
           m_best = d;
           nearest = &w;
@@ -214,11 +206,10 @@ private:
     {
       const Window& w = *nearest;
       m_entry = face.entry_of_apex(w);
-      update_apex(h, face, m_best, w);
+      const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
+      update_apex(h, face, m_best, bx, by, w);
     }
     if (is_exact) return;
-    if (second && second_distance <= m_best + m_best * Number_policy<FT>::rounding(64))
-      update_apex(h, face, second_distance, *second);
     if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
     if (first_right && !covered) round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
     // The path to the apex along an edge from another corner of the face is shorter only in needle faces, where windows have
@@ -275,13 +266,6 @@ private:
     const bool is_in_corner = !CGAL::is_positive(FT(iy * face.apex_x - ix * face.apex_y)) &&
                               !CGAL::is_negative(FT(iy * (face.apex_x - face.length) - ix * face.apex_y));
     update_apex(h, face, d + length, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
-  }
-
-  // The straight path through the window.
-  void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const Window& w)
-  {
-    const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
-    update_apex(h, face, d, bx, by, w);
   }
 
   // (bx, by): from the apex back towards the source, in the frame of h.

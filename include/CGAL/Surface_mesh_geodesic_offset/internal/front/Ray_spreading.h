@@ -12,9 +12,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
-#include <algorithm>
-#include <cstdint>
-
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -68,15 +65,14 @@ public:
     if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
     const bool all_round = (m_state.vertex_state[v] & Wavefront_state<FT>::WAS_HIDDEN) ||
                            m_state.is_beside_image(v, m_state.field.back[v].pseudo_source);
-    const bool has_tie = m_state.vertex_state[v] & Wavefront_state<FT>::HAS_TIE;
     m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
     const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
     if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
-    const FT angle = has_tie && !is_flat_behind(back) ? tie_angle(v) : FT(0);
     m_sector.for_each_sector_behind(
-      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); }, angle);
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); },
+      m_sector.tie_angle(back));
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
@@ -84,37 +80,6 @@ public:
   }
 
 private:
-  // By how much the sectors behind a vertex are widened where paths from several images tie. One of the images gives the
-  // direction of its path; but distances that tie up to 2^-46 hide directions up to the square root of that, and rounding may
-  // have dropped the rays of the others there. The angle is eight times as large, 2^-20. Paths in the wider sector are valid,
-  // and too long by 2^-41 of their length at most where nothing shorter takes their place. In needle faces, the angle is no
-  // more than 1 / 16 of the corners.
-  FT tie_angle(Index v) const
-  {
-    FT angle(1. / (1 << 20));
-    m_mesh.for_each_fan(v, [&](Index first) {
-      Index h = first;
-      do
-      {
-        angle = (std::min)(angle, FT(m_mesh[h].apex_y / m_mesh[m_mesh.previous(h)].length / 16));
-        h = m_mesh.corner_ccw(h);
-      } while (h != no_index && h != first);
-    });
-    return angle;
-  }
-
-  // Whether the sectors behind a vertex are so narrow that the surface is flat up to rounding: up to 2^-40 radians, the error of
-  // the sum of the angles on a mesh a thousand edges wide whose coordinates are rounded. Windows beside the vertex leave no gap
-  // there, and wider sectors would give paths of one length from each vertex that they pass.
-  bool is_flat_behind(const Ray& back) const
-  {
-    bool is_flat = true;
-    m_sector.for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
-      is_flat = is_flat && m_sector.is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 40)));
-    });
-    return is_flat;
-  }
-
   // The part of a window that starts in a face and leaves it through halfedge k.
   void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
   {

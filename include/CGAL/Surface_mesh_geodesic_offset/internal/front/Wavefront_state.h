@@ -50,7 +50,7 @@ public:
   typedef Vertex_arrival<FT> Arrival;
   typedef Window_output<FT, Window> Output;
 
-  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8, HAS_TIE = 16 };
+  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8 };
   enum Face_state : char { SCHEDULED = 1, BOUNDED = 2 };
 
   // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
@@ -138,17 +138,15 @@ public:
       field.root[v] = a.root;
       vertex_state[v] &= char(~IS_BENT);
     }
-    const bool has_tie = ties(v, a);
-    if (has_tie) vertex_state[v] |= HAS_TIE;
     if (!(d < known)) return;
     // what rounding improves comes from no other root, and is no reason to spread again
-    const bool is_rounding = Number_policy<FT>::is_inexact && d >= known - rounding;
-    if (is_rounding && (vertex_state[v] & HAS_SPREAD)) return;
+    const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
+    if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
-    if (is_rounding) return;
+    if (ties) return;
     field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
     field.root[v] = a.root;
-    vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN | (has_tie ? 0 : HAS_TIE)));
+    vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN));
     if (a.is_bent) vertex_state[v] |= IS_BENT;
     Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
@@ -156,18 +154,6 @@ public:
     if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source)) return;
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
-  }
-
-  // Whether a path to a vertex comes from another image than the known one, and is as long up to rounding.
-  bool ties(Index v, const Arrival& a) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return false;
-    else
-    {
-      const FT& known = field.distance[v];
-      if (!(CGAL::abs(FT(a.distance - known)) <= known * Number_policy<FT>::rounding(64))) return false; // maybe infinite
-      return field.back[v].pseudo_source != a.pseudo_source || !(field.root[v] == a.root);
-    }
   }
 
   // Whether a vertex is so near to the image of the window that gives it its distance that rounding loses directions behind
@@ -201,7 +187,7 @@ public:
   // Whether update_vertex() may do anything.
   bool may_change(Index v, const Arrival& a) const
   {
-    return a.distance < field.distance[v] || ties(v, a) || (!a.is_bent && (vertex_state[v] & IS_BENT));
+    return a.distance < field.distance[v] || (!a.is_bent && (vertex_state[v] & IS_BENT));
   }
 
   // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given root.

@@ -10,7 +10,9 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace CORE {
 class Expr;
@@ -34,20 +36,48 @@ struct Computation_number
   typedef FT type;
 };
 
-// The traits that compute: the user's, unless these are the package's own with numbers that others stand for.
+// The traits of the package that a class is, or is derived from; void for others.
+template <class K, class TriangleMesh>
+Surface_mesh_geodesic_offset_traits<K, TriangleMesh>
+package_traits_of(const Surface_mesh_geodesic_offset_traits<K, TriangleMesh>*);
+void package_traits_of(const void*);
+
 template <class Traits>
-struct Computation
+using Package_traits = decltype(internal::package_traits_of(static_cast<const Traits*>(nullptr)));
+
+// The types of the functors of traits.
+template <class Traits, class T = const Traits&>
+using Functors_of = std::tuple<decltype(std::declval<T>().construct_apices_2_object()),
+                               decltype(std::declval<T>().change_frame_2_object()),
+                               decltype(std::declval<T>().compare_entry_with_apex_2_object()),
+                               decltype(std::declval<T>().construct_exit_2_object()),
+                               decltype(std::declval<T>().compute_distance_2_object()),
+                               decltype(std::declval<T>().compare_distance_2_object())>;
+
+// The traits that compute: the user's, unless these are the package's own, or derived from them, with numbers that others
+// stand for.
+template <class Traits, class Package = Package_traits<Traits>>
+struct Computation;
+
+template <class Traits>
+struct Computation<Traits, void>
 {
+  static_assert(!std::is_same<typename Traits::FT, CORE::Expr>::value,
+                "Surface_mesh_geodesic_offset: with exact square roots, the traits must be Surface_mesh_geodesic_offset_traits "
+                "or derived from it; on numbers of CORE, computations do not end");
   typedef Traits Computing_traits;
   static const Traits& computing_traits(const Traits& traits) { return traits; }
 };
 
-template <class K, class TriangleMesh>
-struct Computation<Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
+template <class Traits, class K, class TriangleMesh>
+struct Computation<Traits, Surface_mesh_geodesic_offset_traits<K, TriangleMesh>>
 {
-  typedef Surface_mesh_geodesic_offset_traits<K, TriangleMesh> Traits;
+  typedef Surface_mesh_geodesic_offset_traits<K, TriangleMesh> Package;
   typedef typename Computation_number<typename K::FT>::type Number;
   static constexpr bool is_own = std::is_same<Number, typename K::FT>::value;
+  static_assert(is_own || std::is_same<Functors_of<Traits>, Functors_of<Package>>::value,
+                "Surface_mesh_geodesic_offset: with exact square roots, traits that are derived from "
+                "Surface_mesh_geodesic_offset_traits must have its functors: the computation is on other numbers");
   typedef std::conditional_t<is_own, Traits, Surface_mesh_geodesic_offset_traits<Simple_cartesian<Number>, TriangleMesh>>
     Computing_traits;
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Bounding boxes in the frame of a face, and a tree over a sequence of them. Windows of one edge lie in order, so boxes of
-// consecutive windows are neighbours: the tree takes them as they come, without sorting.
+// consecutive windows are neighbours: the tree takes them as they come, without sorting. The boxes of exact numbers have
+// bounds of type double, rounded outwards, so no exact number is compared.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BOX_IN_FACE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BOX_IN_FACE_H
@@ -10,6 +11,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,26 +25,29 @@ namespace internal {
 template <class FT>
 struct Box_in_face
 {
-  typedef Point_in_face<FT> Point;
+  typedef Estimation<FT> Estimates;
+  typedef typename Estimates::Estimate Estimate;
+  typedef Point_in_face<typename Estimates::Bound> Corner;
 
-  Point low, high;
+  Corner low, high;
 
-  explicit Box_in_face(const Point& p) : low(p), high(p) {}
-
-  void add(const Point& p)
+  explicit Box_in_face(const Point_in_face<FT>& p) : Box_in_face(estimate(p.x), estimate(p.y)) {}
+  Box_in_face(const Estimate& x, const Estimate& y)
+    : low{Estimates::lower_bound(x), Estimates::lower_bound(y)}, high{Estimates::upper_bound(x), Estimates::upper_bound(y)}
   {
-    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
-    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
   }
+
+  void add(const Point_in_face<FT>& p) { add(Box_in_face(p)); }
   void add(const Box_in_face& o)
   {
-    add(o.low);
-    add(o.high);
+    low = {(std::min)(low.x, o.low.x), (std::min)(low.y, o.low.y)};
+    high = {(std::max)(high.x, o.high.x), (std::max)(high.y, o.high.y)};
   }
   void widen(const FT& d)
   {
-    low = {low.x - d, low.y - d};
-    high = {high.x + d, high.y + d};
+    const Estimate e = estimate(d);
+    low = {Estimates::lower_bound(low.x - e), Estimates::lower_bound(low.y - e)};
+    high = {Estimates::upper_bound(high.x + e), Estimates::upper_bound(high.y + e)};
   }
   void intersect(const Box_in_face& o)
   {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Near_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Vertex_reach.h>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -20,8 +21,9 @@ template <class FT>
 class Edge_crossings
 {
 public:
-  Edge_crossings(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_initial(initial), m_field(field)
+  Edge_crossings(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+                 const Vertex_reach<FT>& reach)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(reach)
   {
   }
 
@@ -34,7 +36,7 @@ public:
     const Index g = m_mesh.twin(h);
     CGAL_precondition(g == no_index || h < g);
     const FT length = m_mesh[h].length;
-    m_near.start(length, level);
+    m_near.start(length, m_reach.of_edge(h), level);
     const FT d0 = m_field.distance[m_mesh.source(h)], d1 = m_field.distance[m_mesh.target(h)];
     if (d0 < level) m_near.add(FT(0), level - d0);
     if (d1 < level) m_near.add(length - (level - d1), length);
@@ -68,6 +70,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
+  const Vertex_reach<FT>& m_reach;
   Near_intervals<FT> m_near;
 };
 

@@ -94,8 +94,9 @@ class Face_cutting
 {
 public:
   Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-               const Offset_levels<FT>& levels, const FT& maximum)
-    : m_mesh(mesh), m_field(field), m_levels(levels), m_end(levels.first_above(maximum)), m_crossings(mesh, initial, field)
+               const Vertex_reach<FT>& reach, const Offset_levels<FT>& levels, const FT& maximum)
+    : m_mesh(mesh), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)),
+      m_crossings(mesh, initial, field, reach)
   {
   }
 
@@ -116,7 +117,8 @@ public:
     cut.chains.clear();
     cut.pieces.clear();
     cut.field.set_face(face);
-    l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - Offset_tolerances<FT>::bound_slack(far_end_of(face)))));
+    const FT slack = Offset_tolerances<FT>::bound_slack(far_end_of(face));
+    l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack)));
     for (Index k = 0; k < 3; ++k)
     {
       std::vector<Crossing<FT>>& found = cut.crossings[k];
@@ -137,7 +139,8 @@ public:
     const bool loops = cut.field.has_local_sources() || may_have_interior_maximum(cut.field);
     std::stable_sort(cut.gates.begin(), cut.gates.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     auto next = cut.gates.begin();
-    m_tracer.set_face(cut.field, cut_level(cut.levels.first), cut_level(cut.levels.last - 1));
+    m_tracer.set_face(cut.field, m_reach.of_face(cut.field.face()), cut_level(cut.levels.first),
+                      cut_level(cut.levels.last - 1));
     const Face_frame<FT>& frame = cut.field.frame();
     for (int k = 0; k < 3; ++k)
     {
@@ -203,6 +206,7 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   const Geodesic_field<FT>& m_field;
+  const Vertex_reach<FT>& m_reach;
   const Offset_levels<FT>& m_levels;
   const std::size_t m_end; // of the levels up to the distance limit
   Edge_crossings<FT> m_crossings;

@@ -38,11 +38,12 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  // The face, and bounds of the levels in it that follow.
-  void set_face(const Face_field<FT>& field, const FT& lowest_level, const FT& highest_level)
+  // The face, the longest edge of the faces round it, and bounds of the levels that follow.
+  void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
-    m_margin = Offset_tolerances<FT>(field.size() + highest_level).smallest_cell;
+    m_reach = reach;
+    m_margin = Offset_tolerances<FT>(m_reach + highest_level).smallest_cell;
     m_cones.clear();
     m_fans.clear();
     m_fan_cones.clear();
@@ -59,7 +60,7 @@ public:
   void set_level(const FT& level)
   {
     m_level = level;
-    m_tolerances = Offset_tolerances<FT>(m_field->size() + level);
+    m_tolerances = Offset_tolerances<FT>(m_reach + level);
     m_has_fans = false;
     m_arcs.clear();
     m_boxes.clear();
@@ -95,6 +96,7 @@ public:
 
   const Face_field<FT>& field() const { return *m_field; }
   const FT& level() const { return m_level; }
+  const FT& reach() const { return m_reach; }
   const Offset_tolerances<FT>& tolerances() const { return m_tolerances; }
   std::size_t size() const { return m_arcs.size(); }
   const Arc& operator[](std::size_t i) const
@@ -107,6 +109,7 @@ public:
   bool passes(std::size_t i, const Point& p) const
   {
     const Arc& a = m_arcs[i];
+    if constexpr (!Number_policy<FT>::is_inexact) return a.window().contains(p) && CGAL::is_zero(a.excess(p));
     return a.outside_cone(p) <= m_tolerances.tie && CGAL::abs(a.excess(p)) <= m_tolerances.tie;
   }
 
@@ -158,7 +161,7 @@ private:
   void add_arc(const Cone& c)
   {
     // windows that only touch the level count, too: it may run along the edge by which they enter
-    if (!(c.lowest < m_level + m_margin && c.cone.highest() >= m_level)) return;
+    if (!(c.lowest < m_level + m_margin && c.cone.reaches(m_level))) return;
     if (!c.window->is_parallel() && !CGAL::is_positive(FT(m_level - c.window->sigma))) return;
     const Arc arc(*c.window, c.cone, m_level);
     const Box box = arc.box(m_margin);
@@ -249,7 +252,7 @@ private:
   }
 
   const Face_field<FT>* m_field = nullptr;
-  FT m_level, m_margin;
+  FT m_level, m_margin, m_reach;
   Offset_tolerances<FT> m_tolerances;
   std::vector<Cone> m_cones; // of the windows that have a level in the face
   std::vector<Face_window<FT>> m_fans;

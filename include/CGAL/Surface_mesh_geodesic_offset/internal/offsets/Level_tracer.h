@@ -40,10 +40,10 @@ public:
   typedef Level_gate<FT> Gate;
   typedef Level_cell<FT> Cell;
 
-  // The face to be cut, and bounds of the levels.
-  void set_face(const Face_field<FT>& field, const FT& lowest, const FT& highest)
+  // The face to be cut, the longest edge of the faces round it, and bounds of the levels.
+  void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest, const FT& highest)
   {
-    m_arcs.set_face(field, lowest, highest);
+    m_arcs.set_face(field, reach, lowest, highest);
   }
 
   // Calls out(start gate, end gate, pieces) for the chains of pieces that connect all gates, and with no_index for all
@@ -97,13 +97,14 @@ private:
   static constexpr std::size_t none = std::size_t(-1);
   static constexpr Index inner_gate = Index(1) << 31; // flag of the number of a gate between cells
 
-  // A part of an arc. It ends where the arc is covered, at the end of the window's cone, or at a gate.
+  // A part of an arc. It ends where the arc is covered, at the end of the window's cone, at a gate, or at a side of the cell.
   struct Run
   {
     std::size_t arc = none, gate = none;
     Point start{FT(0), FT(0)}, end{FT(0), FT(0)};
     FT length = FT(0);
     bool is_covered = false;
+    bool leaves = false; // the cell, where there is no gate
     bool is_valid() const { return arc != none; }
   };
 
@@ -129,11 +130,8 @@ private:
     }
     const auto crossings = [this](const Point& o, const Point& u, const FT& length, bool near_at_o, bool near_at_end,
                                   const auto& out) {
-      m_near.start(length, m_arcs.level());
-      m_arcs.for_each_window([&](const Face_window<FT>& w) {
-        if (w.origin == STARTS_AT_CORNER) this->m_near.add_disk(w.image(), this->m_arcs.level() - w.sigma, o, u);
-        else this->m_near.add_window(w, o, u, false);
-      });
+      m_near.start(length, m_arcs.reach(), m_arcs.level());
+      m_arcs.for_each_window([&](const Face_window<FT>& w) { this->m_near.add_window(w, o, u, false); });
       m_near.for_each_end(near_at_o, near_at_end, out);
     };
     const std::pair<Cell, Cell> parts = cell.divided(crossings, [this] { return inner_gate | m_inner_gates++; });
@@ -280,9 +278,17 @@ private:
         farthest = a.advance(start, end);
       }
     }
-    if (run.gate == none && !(farthest > tolerance.error)) return run;
     for (int k = 0; k < 3; ++k)
-      if (a.largest_value(m_cell->outside(k).opposite(), start, run.end) > tolerance.tie) return run;
+    {
+      const Half_plane<FT> side = m_cell->outside(k).opposite();
+      Point enter, leave;
+      if (!(a.largest_value(side, start, run.end) > tolerance.tie) || !a.meet(side, enter, leave)) continue;
+      run.leaves = true;
+      run.gate = none;
+      run.end = leave;
+      farthest = a.advance(start, leave);
+    }
+    if (run.gate == none && !(farthest > tolerance.error)) return run;
     run.length = farthest;
     run.arc = i;
     return run;
@@ -302,10 +308,10 @@ private:
       const Point start = last.is_covered ? joint(last, i) : p;
       const bool turns_back = last.is_valid() && CGAL::is_negative(dot(m_arcs[i].tangent(p), heading));
       int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
-      if (best.is_valid() && rank > best_rank) return;
+      if ((last.leaves && !turns_back) || (best.is_valid() && rank > best_rank)) return;
       const Run run = run_of(i, start, !last.is_valid());
       if (!run.is_valid()) return;
-      if (is_known_end(run)) rank += 4;
+      rank += 4 * int(is_known_end(run)) + 8 * int(run.leaves);
       if (best.is_valid() && (rank > best_rank || (rank == best_rank && !(run.length > best.length)))) return;
       best = run;
       best_rank = rank;
@@ -375,19 +381,21 @@ private:
     std::size_t nearest;
     if (m_arcs.field().distance(start, nearest) < m_arcs.level() - tie) return true;
     const std::size_t first = m_pieces.size(), first_followed = m_followed.size();
+    const auto is_outside = [&] {
+      if (!(deepest < tie)) return false;
+      m_pieces.resize(first);
+      return true;
+    };
     Run run = run_of(i, start, false);
-    if (!run.is_valid() || run.gate != none) return true;
+    if (!run.is_valid() || run.gate != none || run.leaves) return true;
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
       const std::size_t known = followed_by(run);
-      if (known != none && known < first_followed) return false; // a chain that came from somewhere else goes on here
       if (known != none)
-      { // back on this chain, maybe behind where it started
-        if (deepest < tie)
-        {
-          m_pieces.resize(first);
-          return true;
-        }
+      {
+        if (is_outside()) return true;
+        if (known < first_followed) return false; // a chain that came from somewhere else goes on here
+        // back on this chain, maybe behind where it started
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
@@ -398,9 +406,9 @@ private:
       deepest = (std::max)(deepest, m_cell->depth(m_arcs[run.arc].middle(run.start, run.end)));
       add_piece(run, first);
       run = best_run(run, run.end);
-      if (!run.is_valid() || run.gate != none) return false;
+      if (!run.is_valid() || run.gate != none) return is_outside();
     }
-    return false;
+    return is_outside();
   }
 
   // Parts of arcs that chains of the cell follow.

@@ -28,12 +28,14 @@ class Near_intervals
 public:
   typedef Point_in_face<FT> Point;
 
-  void start(const FT& length, const FT& level)
+  // `reach`: the longest edge of the faces round the segment.
+  void start(const FT& length, const FT& reach, const FT& level)
   {
     CGAL_precondition(CGAL::is_positive(length));
     m_intervals.clear();
     m_length = length;
     m_level = level;
+    m_gap = Offset_tolerances<FT>::interval_gap(reach + level);
   }
 
   const FT& length() const { return m_length; }
@@ -50,8 +52,7 @@ public:
     if (!(lo < hi)) return;
     if (d_lo < m_level) lo -= m_level - d_lo;
     if (d_hi < m_level) hi += m_level - d_hi;
-    if (reversed) add(m_length - hi, m_length - lo);
-    else add(lo, hi);
+    add_whole(lo, hi, reversed);
   }
 
   // A window of a list, on its own halfedge.
@@ -65,31 +66,22 @@ public:
   // A window in a face, on the segment from o in the unit direction u.
   void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
   {
+    // from a point of the face, all straight paths are valid, and the rounding of a ray along the segment does not matter
+    if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed);
     add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
         add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
     });
-    // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord, unless it starts
-    // in the face: the straight one is none, and in a narrow corner it is shorter by much more than the slack.
+    // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord: the straight one is
+    // none, and in a narrow corner it is shorter by much more than the slack.
     add_cone(w, o, u, Offset_tolerances<FT>::ray_slack(m_length), [&](const FT& from, const FT& to) {
-      const auto add_paths = [&](const Point& bend, const FT& r) {
+      for (const Point& bend : {w.left, w.right})
+      {
         FT lo = from, hi = to;
-        if (!cut_near_part(bend, r, o, u, lo, hi)) return;
-        if (reversed) add(m_length - hi, m_length - lo);
-        else add(lo, hi);
-      };
-      if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_paths(w.image(), FT(m_level - w.sigma));
-      add_paths(w.left, FT(m_level - w.distance_at(w.left)));
-      add_paths(w.right, FT(m_level - w.distance_at(w.right)));
+        if (cut_near_part(bend, FT(m_level - w.distance_at(bend)), o, u, lo, hi)) add_whole(lo, hi, reversed);
+      }
     });
-  }
-
-  // The disk of radius r about c.
-  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u)
-  {
-    FT lo(0), hi = m_length;
-    if (cut_near_part(c, r, o, u, lo, hi)) add(lo, hi);
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
@@ -102,11 +94,10 @@ public:
     if (source_is_near) add(FT(0), FT(0));
     if (target_is_near) add(m_length, m_length);
     std::sort(m_intervals.begin(), m_intervals.end());
-    const FT gap = Offset_tolerances<FT>::interval_gap(m_length + m_level);
     std::size_t n = 0;
     for (const Interval& i : m_intervals)
     {
-      if (n > 0 && i.first <= m_intervals[n - 1].second + gap)
+      if (n > 0 && i.first <= m_intervals[n - 1].second + m_gap)
         m_intervals[n - 1].second = (std::max)(m_intervals[n - 1].second, i.second);
       else
         m_intervals[n++] = i;
@@ -117,7 +108,7 @@ public:
       CGAL_assertion(i == 0 || m_intervals[i - 1].second < m_intervals[i].first);
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
       const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].second, m_length);
-      if (!at_source && !at_target && !(last - first > gap)) continue; // the level just touches the segment
+      if (!at_source && !at_target && !(last - first > m_gap)) continue; // the level just touches the segment
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
       CGAL_assertion_code(ends += std::size_t(!at_source) + std::size_t(!at_target));
@@ -127,6 +118,19 @@ public:
 
 private:
   typedef std::pair<FT, FT> Interval;
+
+  void add_whole(const FT& lo, const FT& hi, bool reversed)
+  {
+    if (reversed) add(m_length - hi, m_length - lo);
+    else add(lo, hi);
+  }
+
+  // The disk of radius r about c.
+  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u, bool reversed)
+  {
+    FT lo(0), hi = m_length;
+    if (cut_near_part(c, r, o, u, lo, hi)) add_whole(lo, hi, reversed);
+  }
 
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
   static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
@@ -181,7 +185,7 @@ private:
   }
 
   std::vector<Interval> m_intervals;
-  FT m_length = FT(0), m_level = FT(0);
+  FT m_length = FT(0), m_level = FT(0), m_gap = FT(0);
 };
 
 } // namespace internal

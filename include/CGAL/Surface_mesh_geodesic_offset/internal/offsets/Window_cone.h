@@ -36,7 +36,7 @@ public:
 
   // `margin` widens the box and the largest distance.
   Window_cone(const Face_window<FT>& w, const Face_frame<FT>& frame, const FT& margin)
-    : m_box(w.left), m_highest(w.distance_at(w.left))
+    : m_box(w.left), m_highest(Estimates::upper_bound(estimate(w.distance_at(w.left))))
   {
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
     m_left_direction = (FT(1) / length(l)) * l;
@@ -44,32 +44,10 @@ public:
     const Point nl = quarter_turn(m_left_direction), nr = FT(-1) * quarter_turn(m_right_direction);
     m_left = {nl, dot(nl, w.left)};
     m_right = {nr, dot(nr, w.right)};
-    // the face, clipped at the two rays
-    Point polygon[5] = {frame.corner(0), frame.corner(1), frame.corner(2), {}, {}}, clipped[5];
-    int n = 3;
-    for (const Half_plane<FT>* side : {&m_left, &m_right})
-    {
-      int m = 0;
-      for (int i = 0; i < n && m < 5; ++i)
-      {
-        const Point &p = polygon[i], &q = polygon[i + 1 == n ? 0 : i + 1];
-        const FT a = side->value(p), b = side->value(q);
-        if (!CGAL::is_positive(a)) clipped[m++] = p;
-        if (m < 5 && ((CGAL::is_positive(a) && CGAL::is_negative(b)) || (CGAL::is_negative(a) && CGAL::is_positive(b))))
-          clipped[m++] = p + (a / (a - b)) * (q - p);
-      }
-      std::copy(clipped, clipped + m, polygon);
-      n = m;
-    }
-    const auto add = [&](const Point& p) {
-      m_box.add(p);
-      m_highest = (std::max)(m_highest, w.distance_at(p));
-    };
-    add(w.right);
-    for (int i = 0; i < n; ++i) add(polygon[i]);
+    clip_face(w, frame);
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) m_box.add(w.image());
     m_box.widen(margin);
-    m_highest += margin;
+    m_highest = Estimates::upper_bound(m_highest + estimate(margin));
   }
 
   // The cone is { left() <= 0, right() <= 0 }.
@@ -78,15 +56,73 @@ public:
   // Unit vectors along the bounding rays.
   const Point& left_direction() const { return m_left_direction; }
   const Point& right_direction() const { return m_right_direction; }
-  // Bounds of the part of the face in the cone, and of the distances there.
+  // Bounds of the part of the face in the cone, and whether the distances there may be as large as a level.
   const Box_in_face<FT>& box() const { return m_box; }
-  const FT& highest() const { return m_highest; }
+  bool reaches(const FT& level) const { return CGAL::possibly(Estimate(m_highest) >= estimate(level)); }
 
 private:
+  typedef Estimation<FT> Estimates;
+  typedef typename Estimates::Estimate Estimate;
+  typedef Point_in_face<Estimate> Estimated_point;
+
+  // Adds the corners of the face, clipped at the two rays.
+  void clip_face(const Face_window<FT>& w, const Face_frame<FT>& frame)
+  {
+    static constexpr int most_corners = 3 << 2; // each clipping leaves at most two per corner
+    Estimated_point polygon[most_corners], clipped[most_corners];
+    int n = 3;
+    for (int k = 0; k < n; ++k) polygon[k] = estimated(frame.corner(k));
+    for (const Half_plane<FT>* side : {&m_left, &m_right})
+    {
+      const Half_plane<Estimate> half_plane{estimated(side->n), estimate(side->m)};
+      int m = 0;
+      for (int i = 0; i < n; ++i)
+      {
+        const Estimated_point &p = polygon[i], &q = polygon[i + 1 == n ? 0 : i + 1];
+        const Estimate a = half_plane.value(p), b = half_plane.value(q);
+        const bool p_is_outside = CGAL::certainly(CGAL::is_positive(a)), q_is_outside = CGAL::certainly(CGAL::is_positive(b));
+        if (!p_is_outside) clipped[m++] = p;
+        if ((p_is_outside && CGAL::possibly(CGAL::is_negative(b))) || (CGAL::possibly(CGAL::is_negative(a)) && q_is_outside))
+          clipped[m++] = p + crossing(a, b) * (q - p);
+      }
+      std::copy(clipped, clipped + m, polygon);
+      n = m;
+    }
+    add(estimated(w.right), w);
+    for (int i = 0; i < n; ++i) add(polygon[i], w);
+  }
+
+  // Where a function that is linear from a to b, on both sides of zero, is zero, from 0 to 1.
+  static Estimate crossing(const Estimate& a, const Estimate& b)
+  {
+    const Estimate t = a / (a - b);
+    if constexpr (Estimates::leaves_open) return Estimate((std::max)(0., t.inf()), (std::min)(1., t.sup())); // no NaN either
+    else return t;
+  }
+
+  void add(const Estimated_point& p, const Face_window<FT>& w)
+  {
+    m_box.add(Box_in_face<FT>(p.x, p.y));
+    m_highest = (std::max)(m_highest, Estimates::upper_bound(distance(w, p)));
+  }
+
+  static Estimate distance(const Face_window<FT>& w, const Estimated_point& p)
+  {
+    if constexpr (Estimates::leaves_open)
+    {
+      const Estimated_point image = estimated(w.image());
+      if (w.is_parallel()) return estimate(w.sigma) - dot(image, p);
+      return estimate(w.sigma) + CGAL::sqrt(CGAL::square(p.x - image.x) + CGAL::square(p.y - image.y));
+    }
+    else return w.distance_at(p);
+  }
+
+  static Estimated_point estimated(const Point& p) { return {estimate(p.x), estimate(p.y)}; }
+
   Half_plane<FT> m_left, m_right;
   Point m_left_direction, m_right_direction;
   Box_in_face<FT> m_box;
-  FT m_highest;
+  typename Estimates::Bound m_highest;
 };
 
 } // namespace internal

@@ -6,7 +6,8 @@
 //
 //   - a window is pruned only where an estimate says so with certainty, CGAL::certainly(a < b); what stays open is kept;
 //   - a window is cut where an estimate says, rounded so that it keeps more rays rather than fewer, lower_cut() and
-//     upper_cut(). Any set of rays within a window's own will do, so the cut needs no exactness: it is a double.
+//     upper_cut(). Any set of rays within a window's own will do, so the cut needs no exactness: it is a double;
+//   - a bounding box is one of estimates, lower_bound() and upper_bound().
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_ESTIMATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_ESTIMATION_H
@@ -44,12 +45,15 @@ template <class FT, bool is_inexact = Number_policy<FT>::is_inexact>
 struct Estimation
 {
   typedef FT Estimate;
+  typedef FT Bound;
   static constexpr bool leaves_open = false;
 
   static const FT& estimate(const FT& x) { return x; }
   static const FT& key(const FT& x) { return x; } // for what is only ordered
   static const FT& lower_cut(const Estimate& t) { return t; }
   static const FT& upper_cut(const Estimate& t) { return t; }
+  static const FT& lower_bound(const Estimate& t) { return t; }
+  static const FT& upper_bound(const Estimate& t) { return t; }
 };
 
 // For exact ones.
@@ -57,12 +61,15 @@ template <class FT>
 struct Estimation<FT, false>
 {
   typedef Interval_nt<> Estimate;
+  typedef double Bound;
   static constexpr bool leaves_open = true;
 
   static Estimate estimate(const FT& x) { return Estimate(bounds_of(x)); }
   static double key(const FT& x) { return bounds_of(x).first; }
   static FT lower_cut(const Estimate& t) { return FT(t.inf()); }
   static FT upper_cut(const Estimate& t) { return FT(t.sup()); }
+  static Bound lower_bound(const Estimate& t) { return t.inf(); }
+  static Bound upper_bound(const Estimate& t) { return t.sup(); }
 };
 
 template <class FT>

@@ -1,0 +1,325 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Proofs that an expression is zero by the way in which it is built, whatever the values of its parts are.
+//
+// The end of an arc lies on the arc, and two circles have the same common points whichever of them comes first: most
+// expressions that are zero are so by an identity of a few quantities, which may be large expressions themselves. The
+// expression is expanded down to some number of operations from the top. What is below is an indeterminate, and alike parts
+// are the same one. Above, a value is a quotient of polynomials, and a square root is an indeterminate with a known square.
+// An expression is zero if its numerator is the zero polynomial. The depth grows until a proof is found or the polynomials
+// get too large.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_IDENTITY_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_IDENTITY_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Whether two expressions are the same operations on the same constants. Numbers that are computed twice in the same way
+// are alike, as the image of a window that comes to an edge twice.
+class Radical_likeness
+{
+public:
+  bool operator()(const Radical_node& a, const Radical_node& b) { return are_alike(a, b, 0); }
+
+private:
+  static constexpr std::size_t most_levels = 1000; // of the recursion
+  static constexpr std::size_t most_pairs = 1 << 14;
+
+  bool are_alike(const Radical_node& a, const Radical_node& b, std::size_t level)
+  {
+    if (&a == &b) return true;
+    const Double_enclosure &x = a.enclosure(), &y = b.enclosure();
+    if (x.high < y.low || y.high < x.low || a.operation() != b.operation()) return false;
+    if (a.rational()) return *a.rational() == *b.rational();
+    if (!a.operand(0) || level == most_levels || m_known.size() == most_pairs) return false;
+    const auto known = m_known.emplace(std::make_pair(&a, &b), false);
+    if (!known.second) return known.first->second;
+    for (int i = 0; i < 2 && a.operand(i); ++i)
+      if (!are_alike(*a.operand(i), *b.operand(i), level + 1)) return false;
+    return m_known[{&a, &b}] = true;
+  }
+
+  std::map<std::pair<const Radical_node*, const Radical_node*>, bool> m_known; // false while it is being found out
+};
+
+// A polynomial in indeterminates with rational coefficients.
+class Radical_polynomial
+{
+public:
+  static constexpr std::size_t most_indeterminates = 32;
+  typedef std::array<std::uint8_t, most_indeterminates> Exponents;
+
+  Radical_polynomial() = default;
+  explicit Radical_polynomial(const Big_rational& c)
+  {
+    if (!c.is_zero()) m_terms.emplace(Exponents{}, c);
+  }
+  static Radical_polynomial indeterminate(std::size_t i)
+  {
+    Exponents e{};
+    e[i] = 1;
+    Radical_polynomial p;
+    p.m_terms.emplace(e, 1);
+    return p;
+  }
+
+  bool is_zero() const { return m_terms.empty(); }
+  unsigned degree(std::size_t i) const
+  {
+    std::uint8_t d = 0;
+    for (const auto& t : m_terms) d = (std::max)(d, t.first[i]);
+    return d;
+  }
+
+  Radical_polynomial negative() const
+  {
+    Radical_polynomial p(*this);
+    for (auto& t : p.m_terms) t.second = -t.second;
+    return p;
+  }
+
+  friend bool operator==(const Radical_polynomial& a, const Radical_polynomial& b) { return a.m_terms == b.m_terms; }
+
+  static Radical_polynomial sum(Radical_polynomial a, const Radical_polynomial& b, Radical_work& work)
+  {
+    work.spend(b.m_terms.size());
+    for (const auto& t : b.m_terms) a.add(t.first, t.second);
+    return a;
+  }
+
+  static Radical_polynomial product(const Radical_polynomial& a, const Radical_polynomial& b, Radical_work& work)
+  {
+    work.spend(a.m_terms.size() * b.m_terms.size());
+    Radical_polynomial p;
+    for (const auto& s : a.m_terms)
+      for (const auto& t : b.m_terms)
+      {
+        Exponents e = s.first;
+        for (std::size_t i = 0; i < most_indeterminates; ++i)
+        {
+          if (e[i] + t.first[i] > most_degree) throw Radical_limit_exceeded();
+          e[i] = std::uint8_t(e[i] + t.first[i]);
+        }
+        p.add(e, s.second * t.second);
+      }
+    return p;
+  }
+
+  // With over / under in place of the square of indeterminate i, times a power of `under` that makes it a polynomial.
+  Radical_polynomial with_square(std::size_t i, const Radical_polynomial& over, const Radical_polynomial& under,
+                                 Radical_work& work) const
+  {
+    const unsigned squares = degree(i) / 2;
+    if (squares == 0) return *this;
+    std::vector<Radical_polynomial> parts(squares + 1); // by the number of squares
+    for (const auto& t : m_terms)
+    {
+      Exponents e = t.first;
+      e[i] %= 2;
+      parts[t.first[i] / 2].m_terms.emplace(e, t.second);
+    }
+    Radical_polynomial p = std::move(parts[squares]), power_of_under{Big_rational(1)};
+    for (unsigned k = squares; k-- > 0;)
+    {
+      power_of_under = product(power_of_under, under, work);
+      p = sum(product(p, over, work), product(parts[k], power_of_under, work), work);
+    }
+    return p;
+  }
+
+private:
+  static constexpr unsigned most_degree = 255;
+
+  void add(const Exponents& e, const Big_rational& c)
+  {
+    const auto t = m_terms.emplace(e, c);
+    if (t.second) return;
+    t.first->second += c;
+    if (t.first->second.is_zero()) m_terms.erase(t.first);
+  }
+
+  std::map<Exponents, Big_rational> m_terms; // no coefficient is zero
+};
+
+class Radical_identity
+{
+public:
+  // True only if the number is zero. If that is not so, or needs another proof, it takes at most `most_depth` times
+  // `most_steps` products of two terms to find out.
+  static bool proves_zero(const Radical_node& top)
+  {
+    for (std::size_t depth = 1; depth <= most_depth; ++depth)
+    {
+      Radical_identity identity;
+      try
+      {
+        if (identity.vanishes(top, depth)) return true;
+      }
+      catch (const Radical_limit_exceeded&)
+      { // a greater depth may have fewer indeterminates
+      }
+      if (identity.m_is_complete) return false;
+    }
+    return false;
+  }
+
+private:
+  static constexpr std::size_t most_steps = std::size_t(1) << 15;
+  static constexpr std::size_t most_depth = 24;
+  static constexpr std::size_t most_bits_of_coefficient = 512; // a larger constant is an indeterminate
+
+  struct Quotient
+  {
+    Radical_polynomial over, under;
+  };
+  struct Indeterminate
+  {
+    const Radical_node* node; // null for a square root
+    Quotient square;          // of a square root
+  };
+
+  Radical_identity() : m_work(most_steps) {}
+
+  bool vanishes(const Radical_node& top, std::size_t depth)
+  {
+    // Expanded are the nodes to which no way from the top has `depth` operations or more. Users come before their operands.
+    typedef std::pair<std::size_t, const Radical_node*> Entry; // depth of the node, node
+    std::map<Entry, std::size_t, std::greater<Entry>> pending; // operations from the top
+    std::vector<const Radical_node*> expanded;
+    pending.emplace(Entry(top.depth(), &top), 0);
+    m_is_complete = true;
+    while (!pending.empty())
+    {
+      const Radical_node& n = *pending.begin()->first.second;
+      const std::size_t operations = pending.begin()->second;
+      pending.erase(pending.begin());
+      if (!n.operand(0)) continue;
+      if (operations >= depth)
+      {
+        m_is_complete = false;
+        continue;
+      }
+      expanded.push_back(&n);
+      for (int i = 0; i < 2 && n.operand(i); ++i)
+      {
+        const Radical_node* o = n.operand(i).get();
+        std::size_t& known = pending.emplace(Entry(o->depth(), o), 0).first->second;
+        known = (std::max)(known, operations + 1);
+      }
+    }
+    std::reverse(expanded.begin(), expanded.end());
+    for (const Radical_node* n : expanded) m_values.emplace(n, value(*n));
+    return !expanded.empty() && is_zero(m_values.at(&top).over);
+  }
+
+  Quotient value(const Radical_node& n)
+  {
+    const Quotient a = operand(n, 0);
+    switch (n.operation())
+    {
+    case Radical_operation::NEGATE: return {a.over.negative(), a.under};
+    case Radical_operation::ADD: return sum(a, operand(n, 1));
+    case Radical_operation::SUBTRACT:
+    {
+      const Quotient b = operand(n, 1);
+      return sum(a, {b.over.negative(), b.under});
+    }
+    case Radical_operation::MULTIPLY:
+    {
+      const Quotient b = operand(n, 1);
+      return {product(a.over, b.over), product(a.under, b.under)};
+    }
+    case Radical_operation::DIVIDE:
+    {
+      const Quotient b = operand(n, 1);
+      return {product(a.over, b.under), product(a.under, b.over)};
+    }
+    default: return {square_root(a), Radical_polynomial(1)};
+    }
+  }
+
+  Quotient operand(const Radical_node& n, int i)
+  {
+    const Radical_node& o = *n.operand(i);
+    const auto known = m_values.find(&o);
+    if (known != m_values.end()) return known->second;
+    if (o.rational() && bits_of(*o.rational()) <= most_bits_of_coefficient)
+      return {Radical_polynomial(*o.rational()), Radical_polynomial(1)};
+    return {part(o), Radical_polynomial(1)};
+  }
+
+  Radical_polynomial part(const Radical_node& n)
+  {
+    for (std::size_t i = 0; i < m_indeterminates.size(); ++i)
+      if (m_indeterminates[i].node && m_is_alike(*m_indeterminates[i].node, n)) return Radical_polynomial::indeterminate(i);
+    return new_indeterminate({&n, {}});
+  }
+
+  Radical_polynomial square_root(const Quotient& a)
+  {
+    for (std::size_t i = 0; i < m_indeterminates.size(); ++i)
+    {
+      const Indeterminate& s = m_indeterminates[i];
+      if (!s.node && is_zero(sum(a, {s.square.over.negative(), s.square.under}).over))
+        return Radical_polynomial::indeterminate(i);
+    }
+    return new_indeterminate({nullptr, a});
+  }
+
+  Radical_polynomial new_indeterminate(Indeterminate i)
+  {
+    if (m_indeterminates.size() == Radical_polynomial::most_indeterminates) throw Radical_limit_exceeded();
+    m_indeterminates.push_back(std::move(i));
+    return Radical_polynomial::indeterminate(m_indeterminates.size() - 1);
+  }
+
+  // No denominator of an expression is zero, so a numerator may be multiplied by that of a square.
+  bool is_zero(Radical_polynomial p)
+  {
+    for (std::size_t i = m_indeterminates.size(); i-- > 0 && !p.is_zero();)
+      if (!m_indeterminates[i].node)
+        p = p.with_square(i, m_indeterminates[i].square.over, m_indeterminates[i].square.under, m_work);
+    return p.is_zero();
+  }
+
+  Quotient sum(const Quotient& a, const Quotient& b)
+  {
+    if (a.under == b.under) return {Radical_polynomial::sum(a.over, b.over, m_work), a.under};
+    return {Radical_polynomial::sum(product(a.over, b.under), product(b.over, a.under), m_work),
+            product(a.under, b.under)};
+  }
+  Radical_polynomial product(const Radical_polynomial& a, const Radical_polynomial& b)
+  {
+    return Radical_polynomial::product(a, b, m_work);
+  }
+
+  Radical_work m_work;
+  Radical_likeness m_is_alike;
+  bool m_is_complete = false; // all operations are expanded
+  std::unordered_map<const Radical_node*, Quotient> m_values;
+  std::vector<Indeterminate> m_indeterminates; // a square root comes after those that its square is made of
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

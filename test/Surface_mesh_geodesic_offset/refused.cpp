@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What must not compile: certified bounds with flags that change the arithmetic, and traits of the user's with numbers of
+// CORE. ctest checks the messages.
+
+#ifdef REFUSED_TRAITS
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+
+typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Package_traits;
+
+#if REFUSED_TRAITS == 1 // derived, with another functor
+struct Traits : Package_traits
+{
+  struct Compare_distance_2 : Package_traits::Compare_distance_2
+  {};
+  Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(); }
+};
+#else // not derived
+struct Traits
+{
+  typedef Package_traits::Kernel Kernel;
+  typedef Package_traits::FT FT;
+};
+#endif
+
+typedef CGAL::Geodesic_offset::internal::Computation<Traits>::Computing_traits Computing_traits;
+
+#else
+
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+
+#endif
