@@ -66,6 +66,7 @@ class Surface_mesh_geodesic_offset
   typedef typename Base::Build Build;
   typedef typename Base::Index Index;
   typedef typename Base::Number Number;
+  typedef typename Base::Policy Policy;
   typedef typename Base::Surface Surface;
   typedef Offset_levels<Number> Levels_inside;
 
@@ -266,7 +267,6 @@ private:
   // Levels nearer to each other than rounding would never come to an end.
   void check_spacing(const Levels_inside& levels) const
   {
-    typedef Geodesic_offset::internal::Number_policy<Number> Policy;
     if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * unfolded().longest_edge())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
                                   "distances");

@@ -193,10 +193,10 @@ void gates_that_do_not_alternate()
   CHECK(is_stopped([&] { curves.gate_found(); }, "m_waiting"));
   CHECK(is_stopped([&] { curves.add_chain(0, no_index, nullptr, nullptr); }, "no_index"));
   Level_cell<double> cell;
-  cell.corner = {{{0, 0}, {1, 0}, {0, 1}}};
+  cell.corner = {{0, 0}, {1, 0}, {0, 1}};
   const double r = std::sqrt(0.5);
-  cell.direction = {{{1, 0}, {-r, r}, {0, -1}}};
-  cell.is_near = {{true, false, false}};
+  cell.direction = {{1, 0}, {-r, r}, {0, -1}};
+  cell.is_near = {true, false, false};
   cell.gates = {{{0.5, 0}, 0, true, 0}, {{0, 0.5}, 2, true, 1}};
   const auto divide = [&] {
     cell.divided([](const auto&, const auto&, double, bool, bool, const auto&) {}, [] { return Index(0); });

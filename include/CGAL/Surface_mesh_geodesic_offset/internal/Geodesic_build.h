@@ -34,8 +34,8 @@ class Geodesic_build
 public:
   typedef typename Traits::FT FT;
 
-  Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& sources, const Build_request<FT>& request)
-    : sources(sources), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
+  Geodesic_build(const Unfolded_mesh<FT>& mesh, const Source_set<FT>& source_set, const Build_request<FT>& request)
+    : sources(source_set), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
       legs(mesh.number_of_vertices()), legs_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
   {
     field.clear(mesh);
@@ -43,8 +43,8 @@ public:
 
   // What comes of another build when there are more sources. Its windows must be all that there are, up to the maximum
   // distance.
-  Geodesic_build(const Geodesic_build& before, const Source_set<FT>& sources, const Build_request<FT>& request)
-    : sources(sources), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
+  Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set, const Build_request<FT>& request)
+    : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
       kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()),
       legs_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
       m_first_new(Index(before.initial.primitives.size()))

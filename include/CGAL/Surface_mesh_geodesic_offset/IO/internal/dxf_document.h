@@ -102,7 +102,7 @@ private:
 
   void point(int code, const Coordinates& p)
   {
-    for (int i = 0; i < 3; ++i) group(code + 10 * i, p[i]);
+    for (int i = 0; i < 3; ++i) group(code + 10 * i, p[std::size_t(i)]);
   }
 
   // The number, the owner and the class of an object

@@ -126,7 +126,7 @@ private:
     const Vector &a = u[(longest + 1) % 3], &b = u[(longest + 2) % 3];
     const Vector n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     const Double_double area = square_root(dot(n, n));
-    for (int k = 0; k < 3; ++k)
+    for (Index k = 0; k < 3; ++k)
     {
       const Double_double scale = Double_double(1) / (m_halfedges[h + k].length * m_halfedges[h + (k + 2) % 3].length);
       m_halfedges[h + k].corner = {-dot(u[k], u[(k + 2) % 3]) * scale, area * scale};

@@ -127,7 +127,7 @@ public:
   void for_each_in_face(Index face, const Function& f) const
   {
     auto i = std::lower_bound(in_faces.begin(), in_faces.end(), face,
-                              [](const Certified_source& s, Index face) { return s.face < face; });
+                              [](const Certified_source& s, Index number) { return s.face < number; });
     for (; i != in_faces.end() && i->face == face; ++i) f(*i);
   }
 

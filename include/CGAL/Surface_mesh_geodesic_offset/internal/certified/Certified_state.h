@@ -45,9 +45,9 @@ public:
   typedef Window_lists<double, Window> Lists;
   typedef Window_output<double, Window> Output;
 
-  Certified_state(const Certified_mesh& mesh, bool keeps_windows, Certified_field& field)
-    : keeps_windows(keeps_windows), mesh(mesh), unfolded(mesh.unfolded()), field(field),
-      lists(unfolded.number_of_halfedges()), queue(0.25 * mesh.to_unit(unfolded.mean_edge_length())),
+  Certified_state(const Certified_mesh& m, bool keeps, Certified_field& f)
+    : keeps_windows(keeps), mesh(m), unfolded(m.unfolded()), field(f),
+      lists(unfolded.number_of_halfedges()), queue(0.25 * m.to_unit(unfolded.mean_edge_length())),
       m_arrivals(unfolded.number_of_vertices()), m_face_state(unfolded.number_of_faces(), 0)
   {
     field.bounds = Distance_bounds(unfolded.number_of_vertices());

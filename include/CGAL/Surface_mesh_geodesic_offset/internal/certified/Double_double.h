@@ -26,8 +26,8 @@ struct Double_length
   Number high = Number(0.), low = Number(0.);
 
   Double_length() = default;
-  Double_length(const Number& high) : high(high) {}
-  Double_length(const Number& high, const Number& low) : high(high), low(low) {}
+  Double_length(const Number& h) : high(h) {}
+  Double_length(const Number& h, const Number& l) : high(h), low(l) {}
 };
 
 typedef Double_length<double> Double_double;

@@ -115,9 +115,9 @@ private:
     {
       vertices[i + 1].height = (std::max)(vertices[i].height, vertices[i + 1].height);
       vertices[i + 1].is_kept = vertices[i + 1].is_kept || vertices[i].is_kept;
-      vertices.erase(vertices.begin() + i);
-      points.erase(points.begin() + i);
-      is_straight.erase(is_straight.begin() + i);
+      vertices.erase(vertices.begin() + std::ptrdiff_t(i));
+      points.erase(points.begin() + std::ptrdiff_t(i));
+      is_straight.erase(is_straight.begin() + std::ptrdiff_t(i));
     }
   };
 
@@ -232,7 +232,7 @@ private:
     c.vertices[0].is_kept = c.vertices[n].is_kept;
     const auto turn = [&](auto& v) {
       v.pop_back();
-      std::rotate(v.begin(), v.begin() + corner, v.end());
+      std::rotate(v.begin(), v.begin() + std::ptrdiff_t(corner), v.end());
       v.push_back(v.front());
     };
     turn(c.vertices);

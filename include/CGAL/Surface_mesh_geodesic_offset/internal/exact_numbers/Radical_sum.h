@@ -146,7 +146,7 @@ public:
         {
           pending.push_back(m_elements[i] / common);
           pending.push_back(common);
-          m_elements.erase(m_elements.begin() + i);
+          m_elements.erase(m_elements.begin() + std::ptrdiff_t(i));
         }
         pending.push_back(x / common);
       }

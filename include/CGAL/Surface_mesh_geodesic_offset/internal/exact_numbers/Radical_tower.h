@@ -104,8 +104,8 @@ public:
   }
 
 private:
-  static Element low(const Element& a) { return Element(a.begin(), a.begin() + a.size() / 2); }
-  static Element high(const Element& a) { return Element(a.begin() + a.size() / 2, a.end()); }
+  static Element low(const Element& a) { return Element(a.begin(), a.begin() + std::ptrdiff_t(a.size() / 2)); }
+  static Element high(const Element& a) { return Element(a.begin() + std::ptrdiff_t(a.size() / 2), a.end()); }
   static Element joined(Element a, const Element& b)
   {
     a.insert(a.end(), b.begin(), b.end());

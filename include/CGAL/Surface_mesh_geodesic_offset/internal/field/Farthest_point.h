@@ -17,6 +17,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Max_min.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,7 @@ struct Farthest
 {
   FT distance;
   Index face;                // no_index if there are points beyond
-  std::array<FT, 3> weights; // barycentric coordinates, exactly zero on edges
+  Per_corner<FT> weights; // barycentric coordinates, exactly zero on edges
 };
 
 // The search in one face after another, with the farthest point so far.
@@ -49,7 +50,7 @@ class Farthest_in_face
 public:
   typedef Point_in_face<FT> Point;
   typedef Face_window<FT> Window;
-  typedef std::array<FT, 3> Row;
+  typedef Per_corner<FT> Row;
 
   explicit Farthest_in_face(const FT& distance) : m_best(distance) {}
 
@@ -60,7 +61,7 @@ public:
   FT threshold(const FT& size) const { return m_best + allowance(size); }
 
   // The face to come. Returns an upper bound of its distances; `farther` as in search().
-  FT start(const std::array<Point, 3>& corners, const std::vector<Window>& windows, const FT& size, bool& farther)
+  FT start(const Per_corner<Point>& corners, const std::vector<Window>& windows, const FT& size, bool& farther)
   {
     m_corner = corners;
     m_windows = &windows;
@@ -113,7 +114,7 @@ private:
 
   struct Triangle
   {
-    std::array<Row, 3> corner; // barycentric coordinates in the face
+    Per_corner<Row> corner; // barycentric coordinates in the face
     std::size_t first, last;   // in m_candidates
     FT bound;
     friend bool operator<(const Triangle& a, const Triangle& b) { return a.bound < b.bound; }
@@ -216,7 +217,7 @@ private:
   Row m_weights{};
   bool m_farther = false;
 
-  std::array<Point, 3> m_corner;
+  Per_corner<Point> m_corner;
   const std::vector<Window>* m_windows = nullptr;
   FT m_size = FT(0);
 
@@ -239,7 +240,7 @@ class Farthest_point
 {
 public:
   typedef Point_in_face<FT> Point;
-  typedef std::array<FT, 3> Weights;
+  typedef Per_corner<FT> Weights;
 
   Farthest_point(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_initial(initial), m_field(field)
@@ -444,7 +445,7 @@ private:
     return {approximate(w.x), approximate(w.y), approximate(w.sigma), approximate(w.left), approximate(w.right),
             w.root, w.bits, w.origin, w.edge};
   }
-  static std::array<Point_in_face<NT>, 3> corners(const Face_frame<FT>& frame)
+  static Per_corner<Point_in_face<NT>> corners(const Face_frame<FT>& frame)
   {
     return {approximate(frame.corner(0)), approximate(frame.corner(1)), approximate(frame.corner(2))};
   }

@@ -29,8 +29,8 @@ struct Way_back
   FT x = FT(0), y = FT(0);
 
   Way_back() = default;
-  Way_back(const Ray_at_vertex<FT>& ray, Index pseudo_source)
-    : corner(ray.corner), pseudo_source(pseudo_source), x(ray.x), y(ray.y)
+  Way_back(const Ray_at_vertex<FT>& ray, Index vertex)
+    : corner(ray.corner), pseudo_source(vertex), x(ray.x), y(ray.y)
   {
   }
   Ray_at_vertex<FT> ray() const { return {corner, x, y}; }

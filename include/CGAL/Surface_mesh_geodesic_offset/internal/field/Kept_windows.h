@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Chord_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/assertions.h>
@@ -63,7 +64,7 @@ public:
     {
       const Index* const face = faces.data() + first;
       const Index number = Index((std::min)(at_once, faces.size() - first));
-      const auto weight = [](Index) { return 1; };
+      const auto weight = [](Index) { return std::size_t(1); };
       team.for_each(number, weight, number >= worthwhile, [&](unsigned, Index i) {
         places[i] = {};
         this->for_each_kept(face[i], lists, distance, [&places, i](int k, const auto& w) { places[i].count(k, w); });
@@ -91,7 +92,7 @@ public:
 
   // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
   // only where the window misses the ray to the point by no more than the allowance, a length: where rounding has lost rays.
-  void find_nearest(Index face, const std::array<Point_in_face<FT>, 3>& q, const FT& allowance,
+  void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance,
                     const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
   {
     if (m_begin.empty()) return;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ template <class FT>
 class Max_min
 {
 public:
-  typedef std::array<FT, 3> Row;
+  typedef Per_corner<FT> Row;
 
   // Stops once the bound is not above `enough`.
   void operator()(const std::vector<Row>& rows, const FT& enough)
@@ -87,7 +88,7 @@ private:
   // Combinations of row r with one or two members; whether one of them lowers the bound.
   bool exchange(const std::vector<Row>& rows, std::size_t r)
   {
-    const std::array<std::size_t, 3> old = m_members;
+    const Per_corner<std::size_t> old = m_members;
     const int size = m_size;
     const FT before = m_bound;
     for (int i = 0; i < size; ++i)
@@ -120,7 +121,7 @@ private:
     take_if_lower(rows, {r, s, t}, cross(u, v), cross(minus(a, b), minus(a, c)), 3);
   }
 
-  void take_if_lower(const std::vector<Row>& rows, const std::array<std::size_t, 3>& members, Row coefficients,
+  void take_if_lower(const std::vector<Row>& rows, const Per_corner<std::size_t>& members, Row coefficients,
                      Row weights, int size)
   {
     if (!normalize(coefficients) || !normalize(weights)) return;
@@ -137,7 +138,7 @@ private:
 
   FT m_bound = FT(0);
   Row m_weights{};
-  std::array<std::size_t, 3> m_members{};
+  Per_corner<std::size_t> m_members{};
   int m_size = 0;
 };
 

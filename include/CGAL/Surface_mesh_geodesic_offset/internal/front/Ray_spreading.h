@@ -83,7 +83,7 @@ private:
   // The part of a window that starts in a face and leaves it through halfedge k.
   void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
   {
-    const Index g = m_mesh.twin(3 * face + k);
+    const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.root, local.bits};
     frame.window_to_twin(m_traits, k, w);

@@ -70,7 +70,7 @@ public:
       if (m_state.current() > asked)
       { // less one bucket, against rounding
         asked = m_state.current();
-        const FT final_up_to(double(asked - 1) * m_state.bucket_width());
+        const FT final_up_to = FT(double(asked - 1) * m_state.bucket_width());
         if (!goes_on(final_up_to, m_number_of_passed))
         {
           m_state.maximum = (std::min)(m_state.maximum, final_up_to);

@@ -64,12 +64,12 @@ public:
     Output single;
   };
 
-  // The field says what is known already. `needs_envelopes`: whether the lists of a face that the front has passed must be
+  // The field says what is known already. `needs_all_envelopes`: whether the lists of a face that the front has passed must be
   // lower envelopes, and not just contain them.
-  Wavefront_state(const Unfolded_mesh<FT>& mesh, const FT& maximum_distance, bool needs_envelopes,
-                  Geodesic_field<FT>& field, const Front_parts& parts = Front_parts())
-    : mesh(mesh), maximum(maximum_distance), needs_envelopes(needs_envelopes), field(field), parts(parts),
-      vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
+  Wavefront_state(const Unfolded_mesh<FT>& unfolded, const FT& maximum_distance, bool needs_all_envelopes,
+                  Geodesic_field<FT>& geodesic_field, const Front_parts& front_parts = Front_parts())
+    : mesh(unfolded), maximum(maximum_distance), needs_envelopes(needs_all_envelopes), field(geodesic_field),
+      parts(front_parts), vertex_state(mesh.number_of_vertices(), 0), face_state(mesh.number_of_faces(), 0),
       is_finished(mesh.number_of_faces(), 0),
       unfinished(needs_envelopes ? mesh.number_of_faces() : 0, parts),
       m_part(parts.number(), Part(bucket_edges(parts) * mesh.mean_edge_length()))

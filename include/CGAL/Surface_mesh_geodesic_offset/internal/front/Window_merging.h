@@ -188,7 +188,7 @@ private:
     {
       FT added;
       if (!deviation(*w, m, rounding, added)) return false;
-      const FT before(error_of_origin(w->pseudo_source()));
+      const FT before = FT(error_of_origin(w->pseudo_source()));
       is_same = is_same && w->pseudo_source() == first->pseudo_source() && is_rounding(added);
       largest = (std::max)(largest, FT(is_rounding(added) ? before : before + added));
       if (w != first)

@@ -111,7 +111,7 @@ private:
     {
       const Face_links& l = links[f];
       if (!l.is_face()) continue;
-      for (int k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3; ++k)
       {
         far += l.beyond[k] != no_index && are_far(f, l.beyond[k]);
         far += are_far(l.source[k], l.source[(k + 1) % 3]);

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
@@ -78,7 +79,7 @@ public:
     m_corner[0] = {FT(0), FT(0)};
     m_corner[1] = {mesh[h].length, FT(0)};
     m_corner[2] = {mesh[h].apex_x, mesh[h].apex_y};
-    for (int k = 0; k < 3; ++k) m_length[k] = mesh[h + k].length;
+    for (int k = 0; k < 3; ++k) m_length[k] = mesh[h + Index(k)].length;
     m_direction[0] = {FT(1), FT(0)};
     // from the vectors at the corners, not from differences of corners: edges may be tiny
     m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
@@ -132,7 +133,7 @@ public:
     FT t = along(k, p) / m_length[k];
     if (t < FT(0)) t = FT(0);
     if (t > FT(1)) t = FT(1);
-    std::array<FT, 3> w;
+    Per_corner<FT> w;
     w[k] = FT(1) - t;
     w[(k + 1) % 3] = t;
     w[(k + 2) % 3] = FT(0);
@@ -144,8 +145,8 @@ public:
   }
 
 private:
-  std::array<Point, 3> m_corner, m_direction;
-  std::array<FT, 3> m_length;
+  Per_corner<Point> m_corner, m_direction;
+  Per_corner<FT> m_length;
 };
 
 } // namespace internal

@@ -47,11 +47,11 @@ struct Geodesic_surface
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
   template <class Team>
-  Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                   const VertexPointMap& vpm, const Traits& traits, Team& team)
-    : Geodesic_surface(tm, vim, fim, vpm,
-                       std::vector<vertex_descriptor>(vertices(tm).begin(), vertices(tm).end()),
-                       std::vector<face_descriptor>(faces(tm).begin(), faces(tm).end()), traits, team)
+  Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                   const VertexPointMap& points, const Traits& traits, Team& team)
+    : Geodesic_surface(mesh, vim, fim, points,
+                       std::vector<vertex_descriptor>(vertices(mesh).begin(), vertices(mesh).end()),
+                       std::vector<face_descriptor>(faces(mesh).begin(), faces(mesh).end()), traits, team)
   {
   }
 
@@ -187,7 +187,7 @@ struct Geodesic_surface
     for (int k = 0; k < 3; ++k, h = next(h, tm))
     {
       const Point_3 p = position(source(h, tm));
-      const FT& w = l.second[k];
+      const FT& w = l.second[std::size_t(k)];
       x += w * p.x();
       y += w * p.y();
       z += w * p.z();
@@ -216,10 +216,10 @@ private:
 
   // all_vertices, all_faces: in the order of the mesh
   template <class Team>
-  Geodesic_surface(const Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& vpm,
+  Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& point_map,
                    const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
                    const Traits& traits, Team& team)
-    : tm(tm), vpm(vpm), numbers(tm, vim, fim, all_vertices, all_faces)
+    : tm(mesh), vpm(point_map), numbers(mesh, vim, fim, all_vertices, all_faces)
   {
     const All_face_links links = numbers.face_links(all_faces, team);
     // coordinates that are no floating point numbers may share memory

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
@@ -31,7 +32,7 @@ namespace internal {
 class Spatial_order
 {
 public:
-  typedef std::array<double, 3> Point;
+  typedef Per_corner<double> Point; // three coordinates
 
   // Of n points; point(i) has finite coordinates.
   template <class Function, class Team>
@@ -80,8 +81,9 @@ private:
 
     Box()
     {
-      low.fill(std::numeric_limits<double>::infinity());
-      high.fill(-std::numeric_limits<double>::infinity());
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      low = Point(infinity, infinity, infinity);
+      high = Point(-infinity, -infinity, -infinity);
     }
     void add(const Point& p, const Point& q)
     {

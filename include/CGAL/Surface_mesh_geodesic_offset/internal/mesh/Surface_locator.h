@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -69,9 +70,9 @@ public:
   typedef typename Kernel::FT FT;
   typedef typename Kernel::Point_3 Point_3;
   typedef typename Kernel::Vector_3 Vector_3;
-  typedef std::array<FT, 3> Coordinates;
+  typedef Per_corner<FT> Coordinates;
 
-  explicit Triangle_projection(const std::array<Point_3, 3>& corners) : m_corner(corners)
+  explicit Triangle_projection(const Per_corner<Point_3>& corners) : m_corner(corners)
   {
     FT longest(-1);
     for (int k = 0; k < 3; ++k)
@@ -145,7 +146,7 @@ private:
     return w;
   }
 
-  std::array<Point_3, 3> m_corner;
+  Per_corner<Point_3> m_corner;
   int m_first = 0; // where the longest edge starts
   Vector_3 m_base, m_height;
   FT m_foot; // of the height, on the base
@@ -237,7 +238,7 @@ private:
 #else
   typedef AABB_tree<AABB_traits<Kernel, Primitive>> Tree;
 #endif
-  typedef std::array<double, 3> Coordinates;
+  typedef Per_corner<double> Coordinates;
 
   // The number of searches through all faces that take the time in which the tree is built: on meshes with 600 to 1.3 million
   // faces, 600 to 3,500 ns per face for the tree and 6 to 44 ns for a search. Building the tree after as many searches takes at
@@ -386,7 +387,7 @@ private:
       const double x = c[0] - s[0], y = c[1] - s[1], z = c[2] - s[2];
       const double u = y * d[2] - z * d[1], v = z * d[0] - x * d[2], w = x * d[1] - y * d[0]; // of the line
       if (u * u + v * v + w * w > CGAL::square((radius + allowance) * length)) return;
-      const std::array<Point_3, 3> t = corners(f);
+      const Per_corner<Point_3> t = corners(f);
       if (Kernel().do_intersect_3_object()(r, typename Kernel::Triangle_3(t[0], t[1], t[2]))) hit.push_back(f);
     });
     return hit;
@@ -415,7 +416,7 @@ private:
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the tolerance is negative or not a number");
   }
 
-  std::array<Point_3, 3> corners(face_descriptor f) const
+  Per_corner<Point_3> corners(face_descriptor f) const
   {
     const Triangle_mesh& tm = m_surface->tm;
     const halfedge_descriptor h = halfedge(f, tm);
@@ -440,9 +441,9 @@ private:
     std::set<Index> seen{m_surface->index_of(l.first)};
     for (std::size_t i = 0; i < reached.size() && !CGAL::is_zero(to_vertex); ++i)
     {
-      const std::array<Point_3, 3> corner = corners(reached[i]);
+      const Per_corner<Point_3> corner = corners(reached[i]);
       halfedge_descriptor h = halfedge(reached[i], tm);
-      for (int k = 0; k < 3; ++k, h = next(h, tm))
+      for (std::size_t k = 0; k < 3; ++k, h = next(h, tm))
       {
         const Point_3 &a = corner[k], &b = corner[(k + 1) % 3];
         const FT v = (std::min)(FT((p - a).squared_length()), FT((q - a).squared_length()));

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 
 #include <CGAL/assertions.h>
 
@@ -73,7 +74,7 @@ struct Located_point : Surface_point<FT>
   std::array<FT, 3> weights; // FACE
 
   Located_point(const Surface_point<FT>& p) : Surface_point<FT>(p) {}
-  Located_point(const Surface_point<FT>& p, const std::array<FT, 3>& weights) : Surface_point<FT>(p), weights(weights) {}
+  Located_point(const Surface_point<FT>& p, const std::array<FT, 3>& w) : Surface_point<FT>(p), weights(w) {}
 };
 
 // Where a path crosses an edge, as a part of the way from the source of the halfedge to its target; or passes a vertex.
@@ -92,8 +93,9 @@ inline double snapping_tolerance() { return 1e-13; }
 // At a vertex, or on an edge, if it is one; w: coordinates of which the sum is 1.
 template <class FT, class Name>
 Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, bool valid,
-                                       std::array<FT, 3> w, const FT& eps)
+                                       const std::array<FT, 3>& coordinates, const FT& eps)
 {
+  const Per_corner<FT> w = coordinates;
   const FT slack = Number_policy<FT>::is_inexact ? FT(1e-9) : FT(0);
   int zeros = 0, zero = -1, other = -1;
   for (int k = 0; valid && k < 3; ++k)
@@ -110,7 +112,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   if (!valid)
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
                                 " does not lie in the face, or the face is not of this mesh");
-  if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + other));
+  if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + Index(other)));
   // Halfedge k is opposite to corner `zero`. The point is projected on it: on a needle, a coordinate of the size of rounding
   // stands for a long way along the halfedge.
   const int k = (zero + 1) % 3;
@@ -182,7 +184,7 @@ bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p,
   const Face_frame<FT> frame(mesh, face);
   for (int k = 0; k < 3; ++k)
   {
-    const Index h = 3 * face + k;
+    const Index h = 3 * face + Index(k);
     if (p.kind == Surface_point<FT>::VERTEX && mesh.source(h) == p.element)
     {
       position = frame.corner(k);

@@ -260,17 +260,17 @@ private:
       {
         result.have_area &= has_area(length[k], y[k]);
         result.longest_edge = (std::max)(result.longest_edge, length[k]);
-        lower(first_corners[v[k]], h + k);
-        const Index b = l.beyond[k];
+        lower(first_corners[v[k]], h + Index(k));
+        const Index b = l.beyond[std::size_t(k)];
         Index twin = no_index;
         if (b != no_index)
         {
-          twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[(k + 1) % 3]);
+          twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[std::size_t(k + 1) % 3]);
           // one number for both sides of an edge: an exact number knows itself at once
           if constexpr (!Number_policy<FT>::is_inexact)
             if (twin < h) length[k] = m_halfedges[twin].length;
         }
-        m_halfedges[h + k] = {length[k], x[k], y[k], twin, v[k]};
+        m_halfedges[h + Index(k)] = {length[k], x[k], y[k], twin, v[k]};
       }
       lengths[i / Blocks::step] += CGAL::to_double(length[0]) + CGAL::to_double(length[1]) + CGAL::to_double(length[2]);
       ++result.number;

@@ -11,6 +11,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
@@ -82,7 +83,7 @@ struct Face_cut
 
   Level_range levels{0, 0};
   Face_field<FT> field;
-  std::array<std::vector<Crossing<FT>>, 3> crossings; // with the edges that no face before has looked at
+  Per_corner<std::vector<Crossing<FT>>> crossings; // with the edges that no face before has looked at
   std::vector<Gate> gates;
   std::vector<Chain> chains; // by level
   std::vector<Piece> pieces; // of the chains

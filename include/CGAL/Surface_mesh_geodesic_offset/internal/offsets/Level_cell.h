@@ -11,6 +11,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
 
 #include <CGAL/assertions.h>
@@ -42,9 +43,9 @@ struct Level_cell
   typedef Point_in_face<FT> Point;
   typedef Level_gate<FT> Gate;
 
-  std::array<Point, 3> corner; // counterclockwise
-  std::array<Point, 3> direction; // unit vector along side k, from corner k to the next one
-  std::array<bool, 3> is_near; // per corner
+  Per_corner<Point> corner; // counterclockwise
+  Per_corner<Point> direction; // unit vector along side k, from corner k to the next one
+  Per_corner<bool> is_near; // per corner
   std::vector<Gate> gates;     // counterclockwise from corner 0
 
   Half_plane<FT> outside(int k) const

@@ -34,7 +34,7 @@ struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
 template <class Surface>
 struct Passed_points : boost::container::small_vector<typename Surface::Point_3, 128>
 {
-  explicit Passed_points(const Surface& surface) : surface(surface) {}
+  explicit Passed_points(const Surface& s) : surface(s) {}
 
   typename Surface::Point_3 item(const Path_crossing<typename Surface::Number>& c) const { return surface.point(c); }
 

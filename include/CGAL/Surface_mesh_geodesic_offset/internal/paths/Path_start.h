@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Straight_walk.h>
 
@@ -87,7 +88,7 @@ public:
     {
       if (h == no_index) continue;
       const FT t = p.x / m_mesh[h].length;
-      std::array<FT, 3> w;
+      Per_corner<FT> w;
       w[h % 3] = h == p.element ? FT(FT(1) - t) : t;
       w[(h + 1) % 3] = h == p.element ? t : FT(FT(1) - t);
       w[(h + 2) % 3] = FT(0);
@@ -103,15 +104,15 @@ private:
     FT by_corner = Number_policy<FT>::infinity(); // the shortest way by a corner
     int corner = 0;
     bool is_near_source = false; // something starts in the face
-    std::array<Point, 3> q;      // the point in the frames of the face's halfedges
+    Per_corner<Point> q;        // the point in the frames of the face's halfedges
   };
 
   // From kept windows, without making them. Of ways that tie, a straight one tells the distance best.
-  Nearest nearest_in(Index face, const std::array<FT, 3>& w) const
+  Nearest nearest_in(Index face, const Per_corner<FT>& w) const
   {
     Nearest n;
     const Index h = 3 * face;
-    const std::array<FT, 3> d = {m_field.distance[m_mesh.source(h)], m_field.distance[m_mesh.source(h + 1)],
+    const Per_corner<FT> d = {m_field.distance[m_mesh.source(h)], m_field.distance[m_mesh.source(h + 1)],
                                  m_field.distance[m_mesh.source(h + 2)]};
     const bool is_reached = Number_policy<FT>::is_finite(d[0]);
     if (!is_reached && !Number_policy<FT>::is_finite(m_field.maximum)) return n;

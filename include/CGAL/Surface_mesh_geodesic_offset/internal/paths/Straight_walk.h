@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 
 #include <array>
 
@@ -100,9 +101,9 @@ private:
 
   const Unfolded_mesh<FT>* m_mesh;
   Point m_position, m_goal;
-  std::array<Index, 3> m_edge;
-  std::array<FT, 3> m_length;
-  std::array<Point, 3> m_corner, m_direction; // m_direction: of the frames of the twins
+  Per_corner<Index> m_edge;
+  Per_corner<FT> m_length;
+  Per_corner<Point> m_corner, m_direction; // m_direction: of the frames of the twins
 };
 
 } // namespace internal

@@ -145,7 +145,7 @@ public:
   void seed_corner(Index face, const Face_frame<FT>& frame, int k, const FT& distance, const Point& back, Root root)
   {
     const Point u = frame.vector_to_halfedge(k, back);
-    seeds.push_back({m_mesh.source(3 * face + k), distance, Ray{3 * face + Index(k), u.x, u.y}, root});
+    seeds.push_back({m_mesh.source(3 * face + Index(k)), distance, Ray{3 * face + Index(k), u.x, u.y}, root});
   }
 
   // The rays from a point inside a face or an edge. The sector reaches counterclockwise from `from` to `to` (at most

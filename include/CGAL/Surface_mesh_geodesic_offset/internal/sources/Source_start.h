@@ -182,7 +182,7 @@ private:
     const Index v = (at_second ? s.second : s.first).element;
     const Face_frame<FT> frame(m_mesh, s.face);
     int k = 0;
-    while (m_mesh.source(3 * s.face + k) != v) ++k;
+    while (m_mesh.source(3 * s.face + Index(k)) != v) ++k;
     const Index h = 3 * s.face + Index(k), before = m_mesh.previous(h);
     if (s.edge == 1u << k) return {h, FT(1), FT(0)};
     if (s.edge == 1u << (before % 3))

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
 
@@ -171,7 +172,7 @@ private:
     return boundary_is_near(level, f) ? m_surface.face_at(f).area() : 0;
   }
 
-  void add_bounds(const Validation_face& face, const std::array<Point, 3>& corner, double cut, std::size_t depth,
+  void add_bounds(const Validation_face& face, const Per_corner<Point>& corner, double cut, std::size_t depth,
                   double& low, double& high) const
   {
     const Point middle = (1. / 3) * (corner[0] + (corner[1] + corner[2]));

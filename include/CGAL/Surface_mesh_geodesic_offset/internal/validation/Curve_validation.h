@@ -41,7 +41,7 @@ public:
     const std::size_t n = curve.number_of_pieces();
     if (!m_report.check(CLOSEDNESS, n > 0, [] { return std::string("a curve without pieces"); })) return;
     ++m_report.curves;
-    m_report.closed_curves += curve.is_closed() ? 1 : 0;
+    m_report.closed_curves += std::size_t(curve.is_closed());
     m_report.pieces += n;
     const std::size_t number = level.curves++;
     bool is_in_one_face = curve.is_closed();
@@ -72,7 +72,7 @@ private:
   {
     Location result;
     result.first = m_surface.index_of(l.first);
-    for (int k = 0; k < 3; ++k) result.second[k] = CGAL::to_double(l.second[k]);
+    for (std::size_t k = 0; k < 3; ++k) result.second[k] = CGAL::to_double(l.second[k]);
     return result;
   }
 

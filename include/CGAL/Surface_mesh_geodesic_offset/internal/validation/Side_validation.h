@@ -129,7 +129,7 @@ private:
       if (has_last)
       {
         std::size_t crossings = 0;
-        for (auto q = pieces.first; q != pieces.second; ++q) crossings += q->separates(last, p) ? 1 : 0;
+        for (auto q = pieces.first; q != pieces.second; ++q) crossings += std::size_t(q->separates(last, p));
         const bool separated = last_is_near != (excess < 0);
         m_report.separated_in_faces += separated ? 1 : 0;
         m_report.check(SEPARATION, crossings % 2 == (separated ? 1u : 0u), [&] {

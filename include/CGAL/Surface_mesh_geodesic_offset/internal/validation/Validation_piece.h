@@ -38,16 +38,16 @@ struct Validation_piece
 
   // `p`: a Geodesic_offset_piece
   template <class Piece>
-  Validation_piece(const Piece& p, Index face, std::size_t curve, std::size_t level)
-    : face(face), curve(curve), level(level), is_straight(p.is_segment()), start(plain(p.start_2())), end(plain(p.end_2()))
+  Validation_piece(const Piece& p, Index f, std::size_t c, std::size_t l)
+    : face(f), curve(c), level(l), is_straight(p.is_segment()), start(plain(p.start_2())), end(plain(p.end_2()))
   {
     double reach = 0;
     if (is_straight)
     {
-      const auto l = p.supporting_line();
-      const double a = CGAL::to_double(l.a()), b = CGAL::to_double(l.b()), norm = std::sqrt(a * a + b * b);
+      const auto line = p.supporting_line();
+      const double a = CGAL::to_double(line.a()), b = CGAL::to_double(line.b()), norm = std::sqrt(a * a + b * b);
       center = {-a / norm, -b / norm};
-      radius = CGAL::to_double(l.c()) / norm;
+      radius = CGAL::to_double(line.c()) / norm;
     }
     else
     {

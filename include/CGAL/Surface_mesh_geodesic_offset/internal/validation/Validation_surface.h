@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <CGAL/Bbox_3.h>
@@ -33,10 +34,10 @@ namespace internal {
 struct Validation_face
 {
   typedef Point_in_face<double> Point;
-  typedef std::array<double, 3> Weights; // barycentric coordinates
+  typedef Per_corner<double> Weights; // barycentric coordinates
 
   Index face;
-  std::array<Point, 3> corner;
+  Per_corner<Point> corner;
 
   double area() const { return corner[1].x * corner[2].y / 2; }
   double edge_length(int k) const { return length(corner[(k + 1) % 3] - corner[k]); }
@@ -100,7 +101,7 @@ public:
   typedef Validation_face Face;
   typedef Face::Point Point;
   typedef Face::Weights Weights;
-  typedef std::array<double, 3> Point_in_space;
+  typedef Per_corner<double> Point_in_space;
 
   Validation_surface(const Geodesic& geodesic, const Triangle_mesh& tm)
     : m_geodesic(geodesic), m_face_index(get_initialized_face_index_map(tm))
@@ -186,7 +187,7 @@ public:
     const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const double base = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     const double twice_area = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    return Face{f, {{{0, 0}, {base, 0}, {(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base, twice_area / base}}}};
+    return Face{f, {{0, 0}, {base, 0}, {(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base, twice_area / base}}};
   }
 
   // The distance of a point of the face that may be outside by rounding.
@@ -194,7 +195,7 @@ public:
   {
     typename Geodesic::Barycentric_coordinates exact;
     w = face_at(face).projected(w);
-    for (int k = 0; k < 3; ++k) exact[k] = FT(w[k]);
+    for (std::size_t k = 0; k < 3; ++k) exact[k] = FT(w[k]);
     return CGAL::to_double(m_geodesic.distance_to_sources(Face_location(m_faces[face], exact)));
   }
   double distance_at(const Face& face, const Point& p) const { return distance_at(face.face, face.weights(p)); }

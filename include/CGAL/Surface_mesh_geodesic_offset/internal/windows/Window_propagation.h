@@ -158,9 +158,9 @@ private:
 
   template <bool is_parallel>
   BOOST_FORCEINLINE bool exit(const Window& w, const FT& x, const FT& b, const FT& d, const FT& c, const FT& s,
-                              const FT& length, FT& t, FT& distance, bool& is_rough) const
+                              const FT& exit_length, FT& t, FT& distance, bool& is_rough) const
   {
-    return m_exit(x, w.y, w.sigma, is_parallel, b, d, c, s, length, t, distance, is_rough);
+    return m_exit(x, w.y, w.sigma, is_parallel, b, d, c, s, exit_length, t, distance, is_rough);
   }
 
   const Traits& m_traits;

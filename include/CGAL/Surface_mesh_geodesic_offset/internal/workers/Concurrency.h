@@ -88,7 +88,7 @@ public:
   void for_each(Team& team, const Function& f) const
   {
     team.for_each(
-      number(), [](Index) { return 1; }, number() > 1,
+      number(), [](Index) { return std::size_t(1); }, number() > 1,
       [this, &f](unsigned, Index i) { f(i, m_size * i, (std::min)(m_size * (i + 1), m_items)); });
   }
 

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The headers of the package, and what tests instantiate of them, for the target strict_warnings: -Wall -Wextra -pedantic
+// -Wconversion -Wsign-conversion -Wshadow -Werror. The tests themselves are compiled without the last three.
+
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wfloat-conversion"
+#endif
+#endif
+
+#include "test_certified_bounds.cpp"
+#include "test_exact_kernel.cpp"
+#include "test_kernels.cpp"
+#include "test_offset_curves.cpp"
+#include "test_offset_files.cpp"
+#include "test_offset_validation.cpp"
+#include "test_plane_section.cpp"
+#include "test_queries_against_shortest_path.cpp"
+#include "test_shared_results.cpp"
