@@ -138,13 +138,7 @@ private:
 
   bool in_fan(Index c, Index first) const
   {
-    Index i = first;
-    do
-    {
-      if (i == c) return true;
-      i = m_mesh.corner_ccw(i);
-    } while (i != no_index && i != first);
-    return false;
+    return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
   // The rays from v in a sector: windows on the edges opposite to v, and distances along the edges.

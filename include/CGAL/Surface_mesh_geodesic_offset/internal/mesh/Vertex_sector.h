@@ -11,7 +11,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
-
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
