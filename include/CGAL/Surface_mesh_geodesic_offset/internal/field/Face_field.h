@@ -162,28 +162,40 @@ private:
     const FT& d = m_field.distance[v];
     // rays from sources are among the local windows
     if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) return;
+    if (!m_mesh.can_be_pseudo_source(v)) return add_cone(k, d, FT(0), FT(0));
+    if (m_mesh.has_several_fans(v) || m_field.back[v].corner == no_index)
+      return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
+    const Vertex_sector<FT> sector(m_mesh);
+    const Ray_at_vertex<FT> back = m_field.back[v].ray();
+    FT left(0), right(0), margin_left(0), margin_right(0);
+    const auto add_part = [&](const auto& from, const auto& to, Index first, FT& part_left, FT& part_right) {
+      const FT length = m_frame.edge_length((k + 1) % 3);
+      const Ray_at_vertex<FT>*lower, *upper;
+      if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
+      const FT r = lower ? FT(length - sector.exit_of_ray(h, *lower)) : FT(0);
+      const FT l = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
+      if (!(r < l)) return;
+      // at a border vertex both sectors may be in one corner: the cone then holds them both
+      part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
+      part_left = (std::max)(part_left, l);
+    };
+    sector.for_each_sector_behind(
+      back, [&](const auto& from, const auto& to, Index first) { add_part(from, to, first, left, right); });
+    add_cone(k, d, right, left);
+    sector.for_each_margin_behind(back, [&](const auto& from, const auto& to, Index first) {
+      margin_left = margin_right = FT(0);
+      add_part(from, to, first, margin_left, margin_right);
+      if (margin_right < margin_left)
+        add_cone(k, d + sector.margin_surcharge(d, m_size), margin_right, margin_left);
+    });
+  }
+
+  // The rays from corner k between two points of the opposite edge, d its distance.
+  void add_cone(int k, const FT& d, const FT& right, const FT& left)
+  {
     const Point& c = m_frame.corner(k);
     const int opposite = (k + 1) % 3;
-    FT left = m_frame.edge_length(opposite), right(0);
-    if (!m_mesh.can_be_pseudo_source(v))
-      left = right;
-    else if (!m_mesh.has_several_fans(v) && m_field.back[v].corner != no_index)
-    {
-      const Vertex_sector<FT> sector(m_mesh);
-      FT part_left(0), part_right(0);
-      sector.for_each_sector_behind(m_field.back[v].ray(), [&](const auto& from, const auto& to, Index first) {
-        const Ray_at_vertex<FT>*lower, *upper;
-        if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
-        const FT r = lower ? FT(left - sector.exit_of_ray(h, *lower)) : FT(0);
-        const FT l = upper ? FT(left - sector.exit_of_ray(h, *upper)) : left;
-        if (!(r < l)) return;
-        // at a border vertex both sectors may be in one corner: the cone then holds them both
-        part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
-        part_left = (std::max)(part_left, l);
-      });
-      left = part_left;
-      right = part_right;
-    }
+    const Index v = m_mesh.source(3 * m_face + Index(k));
     add(Window_in_face{c.x, c.y, d, m_frame.on_edge(opposite, left), m_frame.on_edge(opposite, right), m_field.root[v],
                        Window<FT>::make_bits(false, v), STARTS_AT_CORNER, (unsigned char)(k)},
         d);

@@ -72,6 +72,8 @@ public:
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
     m_sector.for_each_sector_behind(
       back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
+    m_sector.for_each_margin_behind(
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front, true); });
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
@@ -141,9 +143,10 @@ private:
     return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
-  // The rays from v in a sector: windows on the edges opposite to v, and distances along the edges.
+  // The rays from v in a sector, or in its margin: windows on the edges opposite to v, and distances along the edges.
   template <class Front>
-  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source, Front& front) const
+  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source, Front& front,
+              bool is_margin = false) const
   {
     const FT sigma = m_state.field.distance[v];
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
@@ -157,6 +160,7 @@ private:
       const FT length = m_mesh[e].length;
       Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), root,
                Window::make_bits(false, pseudo_source)};
+      if (is_margin) w.sigma += Vertex_sector<FT>::margin_surcharge(sigma, length);
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
       if (!(w.b0 < w.b1)) return;

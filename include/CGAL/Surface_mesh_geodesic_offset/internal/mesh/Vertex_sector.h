@@ -11,6 +11,9 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -139,24 +142,11 @@ public:
   }
 
   // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
-  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
-  // wider by a small angle at both ends if `back` is known up to that angle only.
+  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner.
   template <class Function>
-  void for_each_sector_behind(const Ray& back, const Function& f, const FT& angle = FT(0)) const
+  void for_each_sector_behind(const Ray& back, const Function& f) const
   {
-    Ray from, to;
-    if (CGAL::is_zero(angle))
-    {
-      from = turn_ccw(back, 2);
-      to = turn_cw(back, 2);
-    }
-    else
-    { // half way, where no border is near: `back` may be along one
-      from = turn_ccw(back, 1);
-      if (from.corner != no_index) from = turn_ccw(turned(from, FT(-angle)), 1);
-      to = turn_cw(back, 1);
-      if (to.corner != no_index) to = turn_cw(turned(to, angle), 1);
-    }
+    const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
     const Index first = m_mesh->first_on_border(back.corner);
     if (first != no_index)
     {
@@ -167,6 +157,51 @@ public:
     else if (!comes_first(back.corner, from.corner, to.corner))
       f(from, to, from.corner);
   }
+
+  // Calls f(from, to, first) for the margins of those sectors: the directions beside each bounding ray, up to margin_angle().
+  // Paths from several images may tie at the vertex. One image gives `back`; rounding may have dropped rays of the others
+  // up to the square root of the rounding of distances. Rays in a margin close the gap. They are paths of the surface, too long by
+  // margin_surcharge() at most, so they must lose against windows that are shorter by less than that.
+  template <class Function>
+  void for_each_margin_behind(const Ray& back, const Function& f) const
+  {
+    const FT angle = margin_angle(back);
+    if (!CGAL::is_positive(angle)) return;
+    const Index first = m_mesh->first_on_border(back.corner);
+    // turned half way, where no border is near: `back` may be along one
+    Ray before = turn_ccw(back, 1), behind = turn_cw(back, 1);
+    if (before.corner != no_index) before = turn_ccw(turned(before, FT(-angle)), 1);
+    if (behind.corner != no_index) behind = turn_cw(turned(behind, angle), 1);
+    if (before.corner != no_index) f(before, turn_ccw(back, 2), first);
+    if (behind.corner != no_index) f(turn_cw(back, 2), behind, first);
+  }
+
+  // The width of margins: 2^-20 radians, eight times the square root of 2^-46, up to which distances tie; at most 1 / 16 of each
+  // corner, for needles. Zero where the sectors are narrower than 2^-40 radians, the error of the sum of the angles on a mesh a
+  // thousand edges wide with rounded coordinates: the surface is flat there up to rounding, and windows leave no gap.
+  FT margin_angle(const Ray& back) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else
+    {
+      bool is_flat = true;
+      for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
+        is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 40)));
+      });
+      if (is_flat) return FT(0);
+      FT angle(1. / (1 << 20));
+      const Index border = m_mesh->first_on_border(back.corner);
+      m_mesh->any_corner(border != no_index ? border : back.corner, [&](Index h) {
+        angle = (std::min)(angle, FT((*m_mesh)[h].apex_y / (*m_mesh)[m_mesh->previous(h)].length / 16));
+        return false;
+      });
+      return angle;
+    }
+  }
+
+  // What margins add to a path of the given length that goes on along an edge: 2^-45 of both. A path that bends by the margin's
+  // angle is too long by 2^-41 of the edge at most, and by 2^-45 where distances tie.
+  static FT margin_surcharge(const FT& distance, const FT& edge) { return Number_policy<FT>::rounding(128) * (distance + edge); }
 
   // The part of the directions [from, to] in the corner at the source of h: its bounding rays, null for the corner's own
   // edges. False if there is none.
@@ -193,6 +228,19 @@ public:
   }
 
 private:
+  // Whether a sector, as in for_each_corner(), lies in one corner and is not wider than a small angle.
+  bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
+  {
+    int number_of_corners = 0;
+    bool result = true;
+    for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
+      const Ray a = lower ? *lower : Ray{h, FT(1), FT(0)};
+      const Ray b = upper ? *upper : Ray{h, (*m_mesh)[h].apex_x, (*m_mesh)[h].apex_y};
+      result = ++number_of_corners == 1 && cross(a.x, a.y, b.x, b.y) <= angle * (a.x * b.x + a.y * b.y);
+    });
+    return result;
+  }
+
   // The ray, turned counterclockwise by a small angle; at most up to the border.
   Ray turned(const Ray& ray, const FT& angle) const
   {
