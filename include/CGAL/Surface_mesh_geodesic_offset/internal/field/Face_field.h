@@ -186,7 +186,7 @@ private:
       margin_left = margin_right = FT(0);
       add_part(from, to, first, margin_left, margin_right);
       if (margin_right < margin_left)
-        add_cone(k, d + sector.margin_surcharge(d, m_size), margin_right, margin_left);
+        add_cone(k, d + FT(2) * sector.margin_surcharge(d + m_size), margin_right, margin_left);
     });
   }
 

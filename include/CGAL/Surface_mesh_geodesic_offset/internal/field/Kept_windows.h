@@ -303,7 +303,7 @@ private:
   static bool is_outdated(const Window& w, const std::vector<FT>& distance)
   {
     const Index v = w.is_parallel() || w.is_merged() ? no_index : w.pseudo_source();
-    return v != no_index && w.sigma > distance[v] + Number_policy<FT>::rounding(256) * distance[v];
+    return v != no_index && w.sigma > distance[v] + Number_policy<FT>::rounding(256) * (std::max)(w.d0, w.d1);
   }
 
   static const Packed& packed(const Packed& p, Index&) { return p; }

@@ -160,10 +160,10 @@ private:
       const FT length = m_mesh[e].length;
       Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), root,
                Window::make_bits(false, pseudo_source)};
-      if (is_margin) w.sigma += Vertex_sector<FT>::margin_surcharge(sigma, length);
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
       if (!(w.b0 < w.b1)) return;
+      if (is_margin) w.sigma += m_sector.margin_surcharge((std::max)(w.distance_at(w.b0), w.distance_at(w.b1)));
       w.d0 = w.distance_at(w.b0);
       w.d1 = w.distance_at(w.b1);
       front.add(g, w);

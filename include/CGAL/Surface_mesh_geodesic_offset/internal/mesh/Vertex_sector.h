@@ -160,8 +160,8 @@ public:
 
   // Calls f(from, to, first) for the margins of those sectors: the directions beside each bounding ray, up to margin_angle().
   // Paths from several images may tie at the vertex. One image gives `back`; rounding may have dropped rays of the others
-  // up to the square root of the rounding of distances. Rays in a margin close the gap. They are paths of the surface, too long by
-  // margin_surcharge() at most, so they must lose against windows that are shorter by less than that.
+  // up to the square root of the rounding of distances. Rays in a margin close the gap. They are paths of the surface, and as
+  // long as others up to rounding; margin_surcharge() makes them lose.
   template <class Function>
   void for_each_margin_behind(const Ray& back, const Function& f) const
   {
@@ -199,9 +199,9 @@ public:
     }
   }
 
-  // What margins add to a path of the given length that goes on along an edge: 2^-45 of both. A path that bends by the margin's
-  // angle is too long by 2^-41 of the edge at most, and by 2^-45 where distances tie.
-  static FT margin_surcharge(const FT& distance, const FT& edge) { return Number_policy<FT>::rounding(128) * (distance + edge); }
+  // What is added to the distances of rays in a margin, at a largest distance: above the rounding of two distances, so that
+  // margins lose ties.
+  static FT margin_surcharge(const FT& largest_distance) { return Number_policy<FT>::rounding(64) * largest_distance; }
 
   // The part of the directions [from, to] in the corner at the source of h: its bounding rays, null for the corner's own
   // edges. False if there is none.
