@@ -23,6 +23,10 @@
 
 namespace test {
 
+/// The lengths of exact curves and of those in doubles are the same up to this part of themselves: some 2^16 units in the last
+/// place, the rounding of the joints of curves with a hundred pieces and of their sum, with room for joints at small angles.
+constexpr double same_length = 1e-11;
+
 /// The convex hull of random points on a sphere, with coordinates of 53 bits: a number of faces that is even, in general
 /// position.
 inline Soup random_hull(std::size_t faces, unsigned seed)

@@ -68,7 +68,7 @@ void compare(const std::string& name, const Soup& soup, double part, std::size_t
             << " by exact arithmetic" << std::endl;
   CHECK(actual.curves > 0 && actual.curves == expected.curves);
   CHECK_DETAIL(actual.pieces == expected.pieces, std::to_string(actual.pieces) + ", " + std::to_string(expected.pieces));
-  CHECK_DETAIL(std::abs(actual.length - expected.length) <= 1e-11 * expected.length,
+  CHECK_DETAIL(std::abs(actual.length - expected.length) <= same_length * expected.length,
                values(actual.length, expected.length));
   CHECK_DETAIL(by_exact_arithmetic <= most_by_exact_arithmetic, std::to_string(by_exact_arithmetic));
   CHECK(statistics.exact_decisions < statistics.sign_decisions / 10);

@@ -10,7 +10,7 @@
 // faces, only such meshes are measured. Seconds are those of build_with_offset_curves() with the kernel
 // Exact_predicates_exact_constructions_kernel_with_sqrt. The last columns are the number of signs, of those that intervals of
 // up to 256 bits leave open, and of those among them that take exact arithmetic or more. The exit code is 1 if the length of
-// the curves differs from that of the curves of doubles by more than 1e-9 of itself.
+// the curves differs from that of the curves of doubles by more than test::same_length.
 
 #include "exact_offset_meshes.h"
 
@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
                   std::size_t(data.mesh.number_of_faces()), r.curves, r.pieces, r.seconds,
                   std::size_t(statistics.sign_decisions), std::size_t(statistics.exact_decisions), r.exact_arithmetic);
       std::fflush(stdout);
-      if (!(std::abs(r.length - expected.length) <= 1e-9 * expected.length))
+      if (!(std::abs(r.length - expected.length) <= test::same_length * expected.length))
       {
         std::printf("length %.17g, of doubles %.17g\n", r.length, expected.length);
         is_right = false;

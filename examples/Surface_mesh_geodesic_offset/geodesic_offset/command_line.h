@@ -103,7 +103,7 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
   }
   catch(const po::invalid_command_line_syntax& error)
   {
-    // without a word, or with an empty one behind the equal sign
+    // nothing follows the option, or nothing follows its equal sign
     if(error.kind() == error.missing_parameter || error.kind() == error.empty_adjacent_parameter)
       throw Usage_error(error.get_option_name() + " needs a value");
     throw Usage_error(error.what());

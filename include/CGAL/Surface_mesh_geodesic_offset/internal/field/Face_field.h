@@ -171,8 +171,7 @@ private:
     {
       const Vertex_sector<FT> sector(m_mesh);
       FT part_left(0), part_right(0);
-      const Ray_at_vertex<FT> back = m_field.back[v].ray();
-      const auto add_part = [&](const auto& from, const auto& to, Index first) {
+      sector.for_each_sector_behind(m_field.back[v].ray(), [&](const auto& from, const auto& to, Index first) {
         const Ray_at_vertex<FT>*lower, *upper;
         if (!sector.part_in_corner(from, to, first, h, lower, upper)) return;
         const FT r = lower ? FT(left - sector.exit_of_ray(h, *lower)) : FT(0);
@@ -181,8 +180,7 @@ private:
         // at a border vertex both sectors may be in one corner: the cone then holds them both
         part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
         part_left = (std::max)(part_left, l);
-      };
-      sector.for_each_sector_behind(back, add_part, sector.tie_angle(back));
+      });
       left = part_left;
       right = part_right;
     }

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Way_out.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 
@@ -48,9 +49,7 @@ public:
     const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
     m_state.field.lists.prefetch_place(beyond_left); // where the children will go
     m_state.field.lists.prefetch_place(beyond_right);
-    CGAL_precondition(std::is_sorted(w, w + n, [](const Window& a, const Window& b) {
-      return Estimation<FT>::key(a.b0) < Estimation<FT>::key(b.b0);
-    }));
+    CGAL_precondition(std::is_sorted(w, w + n, Window_order<FT, Window>::begins_before));
     CGAL_expensive_precondition(std::all_of(w, w + n, has_interval<FT>));
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
     m_arrivals.clear();

@@ -71,8 +71,7 @@ public:
     if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
     m_sector.for_each_sector_behind(
-      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); },
-      m_sector.tie_angle(back));
+      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
@@ -139,13 +138,7 @@ private:
 
   bool in_fan(Index c, Index first) const
   {
-    Index i = first;
-    do
-    {
-      if (i == c) return true;
-      i = m_mesh.corner_ccw(i);
-    } while (i != no_index && i != first);
-    return false;
+    return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
   // The rays from v in a sector: windows on the edges opposite to v, and distances along the edges.

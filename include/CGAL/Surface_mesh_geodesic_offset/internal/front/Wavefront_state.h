@@ -169,14 +169,8 @@ public:
       const FT far = (field.distance[v] - sigma) / FT(least_clear_distance);
       if (far >= mesh.longest_edge()) return false;
       bool result = false;
-      mesh.for_each_fan(v, [&](Index first) {
-        Index h = first;
-        do
-        {
-          result = result || far < mesh[h].length || far < mesh[mesh.next(h)].length;
-          h = mesh.corner_ccw(h);
-        } while (!result && h != no_index && h != first);
-      });
+      const auto is_long = [&](Index h) { return far < mesh[h].length || far < mesh[mesh.next(h)].length; };
+      mesh.for_each_fan(v, [&](Index first) { result = result || mesh.any_corner(first, is_long); });
       return result;
     }
   }

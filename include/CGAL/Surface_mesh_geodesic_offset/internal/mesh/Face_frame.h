@@ -81,8 +81,12 @@ public:
     m_corner[2] = {mesh[h].apex_x, mesh[h].apex_y};
     for (int k = 0; k < 3; ++k) m_length[k] = mesh[h + Index(k)].length;
     m_direction[0] = {FT(1), FT(0)};
-    // from the vectors at the corners, not from differences of corners: edges may be tiny
-    m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
+    // From the vectors at the corners where the edge is short, since a difference of corners loses its digits; from the
+    // difference where the other edge is shorter: then the direction fits the corners beyond the rounding of its own size.
+    if (m_length[1] < m_length[0])
+      m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
+    else
+      m_direction[1] = (FT(1) / m_length[1]) * (m_corner[2] - m_corner[1]);
     m_direction[2] = {-mesh[h].apex_x / m_length[2], -mesh[h].apex_y / m_length[2]};
   }
 

@@ -156,6 +156,19 @@ public:
     for (; it != m_more_fans.end() && it->first == v; ++it) f(it->second);
   }
 
+  // Whether f(corner) is true for one of the corners of a fan, counterclockwise from its first one; the rest is not asked.
+  template <class Function>
+  bool any_corner(Index first, const Function& f) const
+  {
+    Index c = first;
+    do
+    {
+      if (f(c)) return true;
+      c = corner_ccw(c);
+    } while (c != no_index && c != first);
+    return false;
+  }
+
   // Can shortest paths bend here? True for saddle vertices (total angle above 2 pi), border vertices with an
   // inner angle above pi, and pinched vertices.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }

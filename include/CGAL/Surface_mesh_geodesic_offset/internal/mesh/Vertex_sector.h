@@ -11,9 +11,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
-#include <algorithm>
-#include <cstdint>
-
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -141,34 +138,6 @@ public:
     } while (c != no_index && c != start);
   }
 
-  // By how much the sectors behind a vertex, as in for_each_sector_behind(), are to be widened if paths from several images may
-  // tie there. One of the images gives the direction of its path; but distances that tie up to 2^-46 hide directions up to the
-  // square root of that, and rounding may have dropped the rays of the others there. The angle is eight times as large, 2^-20.
-  // Paths in the wider sector are valid, and too long by 2^-41 of their length at most where nothing shorter takes their place.
-  // In needle faces, the angle is no more than 1 / 16 of the corners.
-  // It is zero where the sectors are so narrow that the surface is flat up to rounding: up to 2^-40 radians, the error of the sum
-  // of the angles on a mesh a thousand edges wide whose coordinates are rounded. Windows beside the vertex leave no gap there, and
-  // wider sectors would give paths of one length from each vertex that they pass.
-  FT tie_angle(const Ray& back) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    bool is_flat = true;
-    for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
-      is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 40)));
-    });
-    if (is_flat) return FT(0);
-    FT angle(1. / (1 << 20));
-    Index h = m_mesh->first_on_border(back.corner);
-    if (h == no_index) h = back.corner;
-    const Index start = h;
-    do
-    {
-      angle = (std::min)(angle, FT((*m_mesh)[h].apex_y / (*m_mesh)[m_mesh->previous(h)].length / 16));
-      h = m_mesh->corner_ccw(h);
-    } while (h != no_index && h != start);
-    return angle;
-  }
-
   // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
   // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
   // wider by a small angle at both ends if `back` is known up to that angle only.
@@ -224,19 +193,6 @@ public:
   }
 
 private:
-  // Whether a sector, as in for_each_corner(), lies in one corner and is not wider than a small angle.
-  bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
-  {
-    int number_of_corners = 0;
-    bool result = true;
-    for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
-      const Ray a = lower ? *lower : Ray{h, FT(1), FT(0)};
-      const Ray b = upper ? *upper : Ray{h, (*m_mesh)[h].apex_x, (*m_mesh)[h].apex_y};
-      result = ++number_of_corners == 1 && cross(a.x, a.y, b.x, b.y) <= angle * (a.x * b.x + a.y * b.y);
-    });
-    return result;
-  }
-
   // The ray, turned counterclockwise by a small angle; at most up to the border.
   Ray turned(const Ray& ray, const FT& angle) const
   {

@@ -4,10 +4,10 @@
 // One level inside one face: chains of pieces from gate to gate, and loops.
 //
 // A chain follows an arc while it is visible, goes on with the arc that covers it, or that begins where its cone ends, and
-// ends at the first gate that lies on its arc. What is found is accepted if every gate has its chain, and no chain leaves
-// the cell. Otherwise the cell is divided, with gates on the dividing segment that both parts share. A cell of the size of
-// rounding is crossed straight from gate to gate. So chains always fit together, and what rounding leaves undecided
-// concerns cells of its own size.
+// ends at the first gate that lies on its arc. Where it meets a side of the cell without a gate, it must turn back along an
+// arc that ties. What is found is accepted if every gate has its chain. Otherwise the cell is divided, with gates on the
+// dividing segment that both parts share. A cell of the size of rounding is crossed straight from gate to gate. So chains
+// always fit together, and what rounding leaves undecided concerns cells of its own size.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
@@ -284,6 +284,7 @@ private:
       Point enter, leave;
       if (!(a.largest_value(side, start, run.end) > tolerance.tie) || !a.meet(side, enter, leave)) continue;
       run.leaves = true;
+      run.is_covered = false;
       run.gate = none;
       run.end = leave;
       farthest = a.advance(start, leave);
@@ -297,8 +298,9 @@ private:
   // The next run of a chain, from the end of the last one, or from the gate where the chain starts: of all arcs that pass
   // there, the one that can be followed farthest. A fan counts only where there is no other, since it ties with the windows
   // beside its gap; an arc that turns back only if nothing goes ahead: where both sides of a strip are as near to each
-  // other as rounding, each of them passes all points of the other one; and the end of a part that is known already only if
-  // there is nothing else: where three arcs meet within rounding, it leads back and forth between two of them.
+  // other as rounding, each of them passes all points of the other one; the end of a part that is known already only if there
+  // is nothing else: where three arcs meet within rounding, it leads back and forth between two of them; and last an arc that
+  // meets a side without a gate: the strip between it and the next arc is as narrow as rounding there, so the chain turns back.
   Run best_run(const Run& last, const Point& p) const
   {
     Run best;

@@ -15,8 +15,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Lengths. The magnitude of a level in a face is the level plus the longest edge of the face: an upper bound of the
-// coordinates of the images whose arcs cross the face. Binding tests: test_smallest_loops, test_offset_oracle, offset_search.
+// Lengths. The magnitude of a level in a face is the level plus the longest edge of the faces round its corners
+// (Vertex_reach): an upper bound of the coordinates of the images whose arcs cross the face, there and in the faces that their
+// windows came through last. Binding tests: test_smallest_loops, test_offset_oracle, offset_search.
 template <class FT>
 struct Offset_tolerances
 {
@@ -29,7 +30,7 @@ struct Offset_tolerances
   static FT bound_slack(const FT& largest_distance) { return unit(14) * largest_distance; }
 
   // Near intervals of a segment, and gaps between them, up to this are left out: two errors of a distance, 2^6 u times the
-  // level plus the length of the segment. In an interval, or gap, of the width w the distance differs from the level by at
+  // magnitude. In an interval, or gap, of the width w the distance differs from the level by at
   // most w / 2, since it is 1-Lipschitz: by no more than its error.
   static FT interval_gap(const FT& magnitude) { return unit(6) * magnitude; }
 

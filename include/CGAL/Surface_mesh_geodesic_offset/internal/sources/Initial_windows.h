@@ -219,8 +219,8 @@ public:
 
 private:
   // The angle by which rounding may turn rays from p where they leave the faces of p. Chords shorter than 64 u L are left out,
-  // an angle of 64 u L / r seen from p at distance r. Twice that, since two rays may be turned. Zero if it is at most 2^-30: a
-  // path that bends by it at the far end of a face of size L is too long by up to 1e-9 L, and one that bends farther on by less.
+  // an angle of 64 u L / r seen from p at distance r. Twice that, since two rays may be turned. Zero above
+  // r = least_clear_distance * L.
   FT lost_angle(const Surface_point_& p) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
@@ -240,7 +240,7 @@ private:
           result = (std::max)(result, height > lost ? FT(lost / height) : FT(1));
         }
       }
-      return result > FT(1. / (1 << 30)) ? result : FT(0);
+      return result > Number_policy<FT>::rounding(128 / least_clear_distance) ? result : FT(0);
     }
   }
 

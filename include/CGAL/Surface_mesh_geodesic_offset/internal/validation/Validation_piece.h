@@ -145,12 +145,13 @@ private:
 
   static bool is_left(const Point& a, const Point& b, const Point& p) { return cross(b - a, p - a) > 0; }
 
+  // Between the chord and the arc. A chord as short as rounding may have any direction, so its side alone does not tell.
   bool is_beside_chord(const Point& p, bool is_left_of_chord) const
   {
-    return !is_straight && !is_left_of_chord && length(p - center) < radius;
+    return !is_straight && !is_left_of_chord && length(p - center) < radius && reaches(p);
   }
 
-  // For a point of the whole circle or line: is it on the piece?
+  // Is a point in the sector of the piece? Of the whole circle or line: is it on the piece?
   bool reaches(const Point& p) const
   {
     if (is_straight) return dot(p - start, end - start) >= 0 && dot(p - end, start - end) >= 0;

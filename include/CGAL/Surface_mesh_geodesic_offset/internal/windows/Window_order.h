@@ -23,6 +23,8 @@ template <class FT, class Window>
 class Window_order
 {
 public:
+  static bool begins_before(const Window& a, const Window& b) { return key(a) < key(b); }
+
   // The windows [first, last), and [more, more_last) behind them. Those that begin at one point keep their order.
   void start(const Window* first, const Window* last, const Window* more, const Window* more_last)
   {
@@ -31,16 +33,16 @@ public:
     if (m_order.size() < m_size) m_order.resize(2 * m_size);
     const Window** end = m_order.data();
     int runs = Estimation<FT>::leaves_open ? most_runs : 0;
-    const auto begins_before = [](const Window* a, const Window* b) { return key(*a) < key(*b); };
+    const auto comes_before = [](const Window* a, const Window* b) { return begins_before(*a, *b); };
     if (!(merge_runs(first, last, end, runs) && merge_runs(more, more_last, end, runs)))
     {
       end = m_order.data();
       while (first != last) *end++ = first++;
       while (more != more_last) *end++ = more++;
-      std::stable_sort(m_order.data(), end, begins_before);
+      std::stable_sort(m_order.data(), end, comes_before);
     }
     CGAL_postcondition(end == m_order.data() + m_size);
-    CGAL_postcondition(std::is_sorted(m_order.data(), m_order.data() + m_size, begins_before));
+    CGAL_postcondition(std::is_sorted(m_order.data(), m_order.data() + m_size, comes_before));
   }
 
   const Window* const* begin() const { return m_order.data(); }
@@ -50,14 +52,13 @@ public:
   void push_later(const Window& w)
   {
     auto it = m_later.end();
-    while (it != m_later.begin() && key(*(it - 1)) < key(w)) --it;
+    while (it != m_later.begin() && begins_before(*(it - 1), w)) --it;
     m_later.insert(it, w);
-    CGAL_postcondition(std::is_sorted(m_later.rbegin(), m_later.rend(),
-                                      [](const Window& a, const Window& b) { return key(a) < key(b); }));
+    CGAL_postcondition(std::is_sorted(m_later.rbegin(), m_later.rend(), begins_before));
   }
 
   bool has_later() const { return !m_later.empty(); }
-  bool has_later_before(const Window& w) const { return !m_later.empty() && key(m_later.back()) < key(w); }
+  bool has_later_before(const Window& w) const { return !m_later.empty() && begins_before(m_later.back(), w); }
   const Window& first_later() const
   {
     CGAL_precondition(has_later());
