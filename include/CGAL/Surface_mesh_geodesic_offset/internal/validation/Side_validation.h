@@ -55,6 +55,7 @@ private:
   void check_edge(Index h, const Validation_level& level, std::mt19937& random) const
   {
     const Index u = m_surface.origin(h), v = m_surface.target(h);
+    if (level.is_near[u] == Validation_level::either_side || level.is_near[v] == Validation_level::either_side) return;
     const auto range = level.crossings_of(h);
     const std::size_t n = std::size_t(range.second - range.first);
     const bool separating = level.is_near[u] != level.is_near[v];

@@ -39,6 +39,10 @@ struct Validation_crossing
 
 struct Validation_level
 {
+  // The side of a vertex that lies on the level up to rounding and is shared by several fans: each fan may decide for itself,
+  // since no curve leads from one into another.
+  static constexpr char either_side = 2;
+
   double level, cut; // the distance asked for, and the one at which it is cut
   std::size_t number;
   std::size_t curves = 0;
@@ -46,7 +50,7 @@ struct Validation_level
   std::vector<Validation_gate> gates;
   std::vector<Validation_crossing> crossings;
   std::vector<Index> loops;  // the faces of curves that stay in one face
-  std::vector<char> is_near; // of each vertex
+  std::vector<char> is_near; // of each vertex: 0, 1, or either_side
 
   // Records that a curve leaves, or enters, the face of a halfedge. Its smaller distances are on its left, so the near part
   // of the halfedge is behind the point where it leaves.
@@ -132,8 +136,9 @@ struct Validation_level
       const double d = surface.vertex_distance(v);
       is_near[v] = d < cut;
       if (!(std::abs(d - cut) <= doubt)) continue;
-      is_decided[v] = 0;
       ++undecided;
+      if (surface.is_shared(v)) is_near[v] = either_side;
+      else is_decided[v] = 0;
     }
     if (undecided > 0) spread_sides(surface, is_decided);
     return undecided;
@@ -173,6 +178,7 @@ private:
         if (surface.twin(h) < h) continue;
         const Index u = surface.origin(h), v = surface.target(h);
         if (is_decided[u] && is_decided[v]) continue;
+        if (is_near[u] == either_side || is_near[v] == either_side) continue;
         const int sum = sum_of_steps(h);
         if (!is_decided[u]) around[u].push_back({v, -sum});
         if (!is_decided[v]) around[v].push_back({u, sum});
