@@ -12,6 +12,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -24,7 +25,7 @@
 
 namespace test {
 
-/// The points and triangles of a mesh.
+/// The points and triangles of a mesh. A mesh that adds these triangles in their order has the same first halfedges.
 inline Soup soup_of(const Surface_mesh& mesh)
 {
   Soup soup;
@@ -37,7 +38,7 @@ inline Soup soup_of(const Surface_mesh& mesh)
   for (const auto f : mesh.faces())
   {
     const auto h = mesh.halfedge(f);
-    soup.add_triangle({{number[mesh.source(h)], number[mesh.target(h)], number[mesh.target(mesh.next(h))]}});
+    soup.add_triangle({{number[mesh.target(h)], number[mesh.target(mesh.next(h))], number[mesh.source(h)]}});
   }
   return soup;
 }
@@ -52,10 +53,18 @@ inline Surface_mesh manifold_of(Soup soup)
   return mesh;
 }
 
+/// Whether the sine of an angle of a triangle is below 2^-20: a flip that makes such triangles makes needles from rounding.
+inline bool is_thin(const Point_3& p, const Point_3& q, const Point_3& r)
+{
+  const Vector_3 u = q - p, v = r - q, w = p - r;
+  const double longest = (std::max)({u.squared_length(), v.squared_length(), w.squared_length()});
+  return !(CGAL::cross_product(u, v).squared_length() > 0x1p-40 * longest * longest);
+}
+
 /// Other triangles of the same surface: faces and edges are divided at random points, and edges between coplanar faces are
 /// flipped. Exact but for the rounding of the new points; those on edges lie on them where `only_middles`, and no point is new
-/// inside a face then. `part`: the part of faces and edges that is divided.
-inline void retriangulate(Surface_mesh& mesh, Random& random, double part, bool only_middles)
+/// inside a face then. `part`: the part of faces and edges that is divided. Returns the number of flips.
+inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part, bool only_middles)
 {
   const std::vector<Surface_mesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
   const std::vector<Surface_mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
@@ -82,6 +91,7 @@ inline void retriangulate(Surface_mesh& mesh, Random& random, double part, bool 
       if (!mesh.is_border(side)) CGAL::Euler::split_face(side, mesh.next(mesh.next(side)), mesh);
   }
   // where the two faces are one convex quadrangle in a plane
+  std::size_t flips = 0;
   for (const auto e : std::vector<Surface_mesh::Edge_index>(mesh.edges().begin(), mesh.edges().end()))
   {
     if (mesh.is_border(e) || uniform(random) < 0.5) continue;
@@ -89,13 +99,17 @@ inline void retriangulate(Surface_mesh& mesh, Random& random, double part, bool 
     const auto a = mesh.source(h), b = mesh.target(h), c = mesh.target(mesh.next(h)), d = mesh.target(mesh.next(o));
     if (c == d || mesh.halfedge(c, d) != Surface_mesh::null_halfedge()) continue;
     const Point_3 &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
-    if (!CGAL::coplanar(pa, pb, pc, pd) || CGAL::collinear(pa, pb, pc) || CGAL::collinear(pa, pb, pd) ||
-        CGAL::collinear(pa, pc, pd) || CGAL::collinear(pb, pc, pd))
+    if (!CGAL::coplanar(pa, pb, pc, pd) || is_thin(pa, pb, pc) || is_thin(pa, pb, pd) || is_thin(pa, pc, pd) ||
+        is_thin(pb, pc, pd))
       continue;
     if (CGAL::coplanar_orientation(pc, pd, pa, pb) == CGAL::NEGATIVE &&
         CGAL::coplanar_orientation(pa, pb, pc, pd) == CGAL::NEGATIVE)
+    {
       CGAL::Euler::flip_edge(h, mesh);
+      ++flips;
+    }
   }
+  return flips;
 }
 
 /// The perturbations of the corpus, by name. Each changes a soup of triangles.

@@ -84,6 +84,7 @@ public:
     triangulate(path, faces);
     Vertex_pairs copies = pairs_of_vertices(faces);
     remove_faces_without_area(path, copies);
+    flip_flat_caps();
     require_area_in_doubles(path);
     join(path, copies);
   }
@@ -471,6 +472,14 @@ private:
     for(auto& pair : copies)
       pair = {new_vertex[pair.first], new_vertex[pair.second]};
     m_remarks.push_back(counted(degenerate.size(), "face") + " without area removed (the first is " + first + ")");
+  }
+
+  void flip_flat_caps()
+  {
+    const std::size_t changes = geodesic_offset::flip_flat_caps(m_mesh);
+    m_mesh.collect_garbage(); // of faces and edges: all vertices stay
+    if(changes != 0)
+      m_remarks.push_back(counted(changes, "face") + " flatter than rounding removed");
   }
 
   // The vertices of a face may be collinear up to less than the rounding of its area.

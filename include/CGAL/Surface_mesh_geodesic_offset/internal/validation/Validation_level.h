@@ -140,7 +140,7 @@ struct Validation_level
       if (surface.is_shared(v)) is_near[v] = either_side;
       else is_decided[v] = 0;
     }
-    if (undecided > 0) spread_sides(surface, is_decided);
+    if (undecided > 0) spread_sides(surface, doubt, is_decided);
     return undecided;
   }
 
@@ -163,7 +163,7 @@ struct Validation_level
 
 private:
   template <class Surface>
-  void spread_sides(const Surface& surface, std::vector<char>& is_decided)
+  void spread_sides(const Surface& surface, double doubt, std::vector<char>& is_decided)
   {
     struct Neighbor
     {
@@ -185,20 +185,39 @@ private:
         for (Index w : {u, v})
           if (!is_decided[w] && is_decided[w == u ? v : u]) next.push_back(w);
       }
-    while (!next.empty())
+    const auto spread = [&] {
+      while (!next.empty())
+      {
+        const Index v = next.back();
+        next.pop_back();
+        if (is_decided[v]) continue;
+        for (const Neighbor& n : around[v])
+          if (is_decided[n.vertex])
+          {
+            is_near[v] = char(is_near[n.vertex] + n.step == 1);
+            is_decided[v] = 1;
+            break;
+          }
+        for (const Neighbor& n : around[v])
+          if (!is_decided[n.vertex]) next.push_back(n.vertex);
+      }
+    };
+    spread();
+    // Where no vertex is decided, the middle of an edge that is not crossed tells.
+    for (Index h = 0; h < 3 * surface.number_of_faces(); ++h)
     {
-      const Index v = next.back();
-      next.pop_back();
-      if (is_decided[v]) continue;
-      for (const Neighbor& n : around[v])
-        if (is_decided[n.vertex])
-        {
-          is_near[v] = char(is_near[n.vertex] + n.step == 1);
-          is_decided[v] = 1;
-          break;
-        }
-      for (const Neighbor& n : around[v])
-        if (!is_decided[n.vertex]) next.push_back(n.vertex);
+      if (!surface.is_used(h / 3) || is_decided[surface.origin(h)] || is_near[surface.origin(h)] == either_side) continue;
+      const auto range = crossings_of(surface.twin(h) < h ? surface.twin(h) : h);
+      if (range.first != range.second) continue;
+      typename Surface::Weights middle{{0, 0, 0}};
+      middle[h % 3] = middle[(h + 1) % 3] = 0.5;
+      const double d = surface.distance_at(h / 3, middle);
+      if (!(std::abs(d - cut) > doubt)) continue;
+      const Index v = surface.origin(h);
+      is_near[v] = d < cut;
+      is_decided[v] = 1;
+      for (const Neighbor& n : around[v]) next.push_back(n.vertex);
+      spread();
     }
   }
 };

@@ -186,15 +186,19 @@ public:
 
   double edge_length(Index halfedge) const { return distance(m_point[origin(halfedge)], m_point[target(halfedge)]); }
 
+  // Twice the area from the two shorter sides: from long ones that differ little it would lose digits.
   Face face_at(Index f) const
   {
     const Point_in_space &a = m_point[m_origin[3 * f]], &b = m_point[m_origin[3 * f + 1]],
                          &c = m_point[m_origin[3 * f + 2]];
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double base = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    const double twice_area = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    return Face{f, {{0, 0}, {base, 0}, {(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base, twice_area / base}}};
+    const Point_in_space u[3] = {difference(b, a), difference(c, b), difference(a, c)};
+    int longest = 0;
+    for (int k : {1, 2})
+      if (dot(u[k], u[k]) > dot(u[longest], u[longest])) longest = k;
+    const Point_in_space &v = u[(longest + 1) % 3], &w = u[(longest + 2) % 3];
+    const Point_in_space n = {{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]}};
+    const double base = std::sqrt(dot(u[0], u[0]));
+    return Face{f, {{0, 0}, {base, 0}, {-dot(u[0], u[2]) / base, std::sqrt(dot(n, n)) / base}}};
   }
 
   // The distance of a point of the face that may be outside by rounding.
@@ -237,6 +241,12 @@ private:
       for (Index g = m_twin[h]; g != no_index && !is_seen[after(g)]; g = m_twin[after(g)]) is_seen[after(g)] = true;
     }
   }
+  static Point_in_space difference(const Point_in_space& p, const Point_in_space& q)
+  {
+    return {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}};
+  }
+  static double dot(const Point_in_space& u, const Point_in_space& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
   static Index after(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index before(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 

@@ -96,8 +96,9 @@ private:
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
     const FT rounding = Number_policy<FT>::rounding(256);
-    const FT allowance = rounding * (a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y));
-    const FT& of_image = a.is_parallel() ? rounding : allowance; // the image of parallel rays is a unit vector
+    // the image of parallel rays is a unit vector
+    const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
+    const FT& of_image = a.is_parallel() ? rounding : allowance;
     return CGAL::abs(a.x - b.x) <= of_image && CGAL::abs(a.y - b.y) <= of_image &&
            CGAL::abs(a.sigma - b.sigma) <= allowance && is_of_one_root(a, b);
   }
