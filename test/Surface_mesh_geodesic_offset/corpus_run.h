@@ -234,10 +234,7 @@ private:
   Corpus_outcome check_bounds(const Geodesic& geodesic, const Surface_mesh& mesh)
   {
     Enclosure enclosure(mesh);
-    for (const auto v : sources_.vertices) enclosure.add_source_point(v);
-    for (const auto& p : sources_.points) enclosure.add_source_point(p);
-    for (const auto& p : sources_.polylines) enclosure.add_source_polyline(p.locations, p.is_closed);
-    if (!sources_.edges.empty()) enclosure.add_source_edges(sources_.edges);
+    sources_.add_to(enclosure);
     try
     {
       enclosure.build();
