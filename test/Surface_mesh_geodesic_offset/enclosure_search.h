@@ -137,8 +137,7 @@ public:
     print("all", total());
   }
 
-private:
-  // The weights in the order of the face's halfedges.
+  /// A location of the reference: the weights in the order of the face's halfedges.
   static Enclosure::Face_location location(const Generated_mesh<Surface_mesh>& data, const Enclosure_case& c,
                                            const Enclosure_case::Location& l)
   {
@@ -149,6 +148,7 @@ private:
     return {f, {{l.weights[first], l.weights[(first + 1) % 3], l.weights[(first + 2) % 3]}}};
   }
 
+private:
   template <class Name>
   void compare(const std::pair<double, double>& bounds, const Number& distance, Enclosure_counts& counts, const Name& name)
   {

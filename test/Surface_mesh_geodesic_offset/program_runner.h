@@ -19,6 +19,15 @@
 #include <string>
 #include <vector>
 
+// AddressSanitizer needs terabytes of address space, so a limit of it ends every program. The programs are built as the tests.
+#if defined(__SANITIZE_ADDRESS__)
+#define GEODESIC_OFFSET_TEST_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define GEODESIC_OFFSET_TEST_ADDRESS_SANITIZER
+#endif
+#endif
+
 namespace test {
 
 inline std::string read_file(const std::filesystem::path& path)

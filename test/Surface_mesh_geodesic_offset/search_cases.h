@@ -283,7 +283,9 @@ struct Search_sources
     return vertices.empty() && points.empty() && polylines.empty() && edges.empty();
   }
 
-  void add_to(Geodesic& geodesic) const
+  /// `Solver`: Geodesic, or another class that takes sources
+  template <class Solver>
+  void add_to(Solver& geodesic) const
   {
     for (const auto v : vertices) geodesic.add_source_point(v);
     for (const Face_location& p : points) geodesic.add_source_point(p);

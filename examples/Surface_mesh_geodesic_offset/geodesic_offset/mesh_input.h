@@ -84,6 +84,8 @@ public:
     triangulate(path, faces);
     Vertex_pairs copies = pairs_of_vertices(faces);
     remove_faces_without_area(path, copies);
+    flip_flat_caps();
+    require_area_in_doubles(path);
     join(path, copies);
   }
   Mesh_input(Mesh_input&&) = default;
@@ -470,6 +472,29 @@ private:
     for(auto& pair : copies)
       pair = {new_vertex[pair.first], new_vertex[pair.second]};
     m_remarks.push_back(counted(degenerate.size(), "face") + " without area removed (the first is " + first + ")");
+  }
+
+  void flip_flat_caps()
+  {
+    const std::size_t changes = geodesic_offset::flip_flat_caps(m_mesh);
+    m_mesh.collect_garbage(); // of faces and edges: all vertices stay
+    if(changes != 0)
+      m_remarks.push_back(counted(changes, "face") + " flatter than rounding removed");
+  }
+
+  // The vertices of a face may be collinear up to less than the rounding of its area.
+  void require_area_in_doubles(const std::string& path) const
+  {
+    const auto construct_apices = Traits().construct_apices_2_object();
+    for(Face f : m_mesh.faces())
+    {
+      const Halfedge h = m_mesh.halfedge(f);
+      double lengths[3], x[3], heights[3] = {0, 0, 0};
+      construct_apices(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))),
+                       lengths, x, heights);
+      if(!(heights[0] > 0 && heights[1] > 0 && heights[2] > 0))
+        throw Input_error(quoted(path) + ": the area of " + name_of(f) + " is zero in double precision");
+    }
   }
 };
 

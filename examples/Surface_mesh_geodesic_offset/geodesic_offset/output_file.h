@@ -223,7 +223,7 @@ private:
     const std::unique_lock<std::mutex> lock = temporaries.lock();
     for(;;)
     {
-      const std::string name = unused_name_beside(entry.file);
+      std::string name = unused_name_beside(entry.file);
       errno = 0;
       const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if(descriptor >= 0)

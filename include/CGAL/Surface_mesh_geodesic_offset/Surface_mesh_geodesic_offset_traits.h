@@ -256,7 +256,7 @@ public:
       }
       const FT growth = s * b * inverse;
       distance = is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth);
-      is_rough = growth > FT(2) || t > length;
+      is_rough = growth > (is_parallel ? FT(2) * d : FT(2)) || t > length;
       if (t > length) t = length;
       return true;
     }
@@ -273,7 +273,7 @@ public:
       const Pair growth = sb * inverse;
       t = b * y * inverse;
       distance = is_parallel ? d - growth : d + (sigma - d) * growth;
-      return ((sb < den) & (t <= length)).bits() == 3;
+      return ((sb < (is_parallel ? den * d : den)) & (t <= length)).bits() == 3;
     }
 #endif
   };

@@ -27,9 +27,12 @@ public:
   /// One to eight changes; `other`: a file to take parts from
   std::string operator()(std::string bytes, const std::string& other)
   {
-    for (std::size_t n = below(3) == 0 ? 1 + below(8) : 1; n > 0; --n) change(bytes, other);
     constexpr std::size_t longest = 1 << 16;
-    bytes.resize(std::min(bytes.size(), longest));
+    for (std::size_t n = below(3) == 0 ? 1 + below(8) : 1; n > 0; --n)
+    {
+      change(bytes, other);
+      bytes.resize(std::min(bytes.size(), longest));
+    }
     return bytes;
   }
 

@@ -128,7 +128,7 @@ private:
     const double tolerance = CGAL::to_double(m_tolerance);
     Candidates few = without_straight_parts(candidates(first, count, is_kept, 1));
     if (is_closed) turn_to_corner(few);
-    const std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
+    std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
     if (!is_closed || result.size() >= 4) return result;
     // A closed curve within the tolerance of a point or segment remains a triangle. It has two pieces at least that are no
     // points, of which one is an arc, so with three parts of each arc there are three segments at least.

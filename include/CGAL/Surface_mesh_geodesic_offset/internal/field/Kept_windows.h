@@ -91,14 +91,16 @@ public:
   }
 
   // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
-  // only where the window misses the ray to the point by no more than the allowance, a length: where rounding has lost rays.
+  // only where rounding has lost rays: where the window misses the ray to the point by no more than the allowance, a length,
+  // and where the point is beyond the end of one window and before the begin of the next one.
   void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance,
                     const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
   {
     if (m_begin.empty()) return;
     const Index* begin = &m_begin[4 * face];
     enum { block = 64 };
-    Index candidate[block]; // without branches, which could not be foreseen
+    Index candidate[2 * block]; // without branches, which could not be foreseen
+    int was_beyond = 0, last_halfedge = 0;
     for (Index i = begin[0], n = begin[3]; i < n;)
     {
       const Index size = (std::min)({Index(n - i), Index(page_size - i % page_size), Index(block)});
@@ -107,23 +109,30 @@ public:
       for (Index j = 0; j < size; ++j)
       {
         const Packed& w = p[j];
-        const Point_in_face<FT>& s = q[halfedge_of(begin, i + j)];
+        const int k = halfedge_of(begin, i + j);
+        const Point_in_face<FT>& s = q[k];
         const FT height = w.bits & 1u ? FT(-w.y) : FT(s.y - w.y);
         const FT entry = w.x * s.y - s.x * w.y, off = allowance * height; // entry times the height
-        candidate[count] = j;
-        count += Index(int(!(entry < w.b0 * height - off)) & int(!(entry > w.b1 * height + off)));
+        const int is_before = int(entry < w.b0 * height - off), is_beyond = int(entry > w.b1 * height + off);
+        const int is_in_gap = was_beyond & is_before & int(k == last_halfedge);
+        candidate[count] = i + j - 1;
+        count += Index(is_in_gap);
+        candidate[count] = i + j;
+        count += Index(is_in_gap | int((is_before | is_beyond) == 0));
+        was_beyond = is_beyond;
+        last_halfedge = k;
       }
       for (Index j = 0; j < count; ++j)
       {
-        const int k = halfedge_of(begin, i + candidate[j]);
+        const int k = halfedge_of(begin, candidate[j]);
         bool is_straight;
-        const FT d = path_length(p[candidate[j]], distance, q[k], is_straight);
+        const FT d = path_length(at(candidate[j]), distance, q[k], is_straight);
         if (!is_straight)
           nearest.bent = (std::min)(nearest.bent, d);
         else if (d < nearest.straight)
         {
           nearest.straight = d;
-          nearest.window = i + candidate[j];
+          nearest.window = candidate[j];
           nearest.halfedge = k;
         }
       }

@@ -53,7 +53,7 @@ public:
     pass_to(level);
     std::vector<Curve> curves;
     const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
-    cut.for_each_curve([&](bool closed, auto&& pieces) {
+    cut.for_each_curve([&](bool closed, std::vector<Level_piece<FT>>&& pieces) {
       if (m_is_shallow(closed, pieces, m_levels[level])) return;
       m_select(shortest, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
         curves.push_back(

@@ -164,7 +164,7 @@ private:
       if (std::abs(m_surface.vertex_distance(m_surface.origin(h)) - level.cut) >
           std::abs(m_surface.vertex_distance(best) - level.cut))
         best = m_surface.origin(h);
-    return level.is_near[best];
+    return level.is_near[best] == 1;
   }
 
   double uncrossed_area(const Validation_level& level, Index f) const

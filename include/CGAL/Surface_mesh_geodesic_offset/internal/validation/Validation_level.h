@@ -39,6 +39,10 @@ struct Validation_crossing
 
 struct Validation_level
 {
+  // The side of a vertex that lies on the level up to rounding and is shared by several fans: each fan may decide for itself,
+  // since no curve leads from one into another.
+  static constexpr char either_side = 2;
+
   double level, cut; // the distance asked for, and the one at which it is cut
   std::size_t number;
   std::size_t curves = 0;
@@ -46,7 +50,7 @@ struct Validation_level
   std::vector<Validation_gate> gates;
   std::vector<Validation_crossing> crossings;
   std::vector<Index> loops;  // the faces of curves that stay in one face
-  std::vector<char> is_near; // of each vertex
+  std::vector<char> is_near; // of each vertex: 0, 1, or either_side
 
   // Records that a curve leaves, or enters, the face of a halfedge. Its smaller distances are on its left, so the near part
   // of the halfedge is behind the point where it leaves.
@@ -132,10 +136,11 @@ struct Validation_level
       const double d = surface.vertex_distance(v);
       is_near[v] = d < cut;
       if (!(std::abs(d - cut) <= doubt)) continue;
-      is_decided[v] = 0;
       ++undecided;
+      if (surface.is_shared(v)) is_near[v] = either_side;
+      else is_decided[v] = 0;
     }
-    if (undecided > 0) spread_sides(surface, is_decided);
+    if (undecided > 0) spread_sides(surface, doubt, is_decided);
     return undecided;
   }
 
@@ -158,7 +163,7 @@ struct Validation_level
 
 private:
   template <class Surface>
-  void spread_sides(const Surface& surface, std::vector<char>& is_decided)
+  void spread_sides(const Surface& surface, double doubt, std::vector<char>& is_decided)
   {
     struct Neighbor
     {
@@ -173,26 +178,46 @@ private:
         if (surface.twin(h) < h) continue;
         const Index u = surface.origin(h), v = surface.target(h);
         if (is_decided[u] && is_decided[v]) continue;
+        if (is_near[u] == either_side || is_near[v] == either_side) continue;
         const int sum = sum_of_steps(h);
         if (!is_decided[u]) around[u].push_back({v, -sum});
         if (!is_decided[v]) around[v].push_back({u, sum});
         for (Index w : {u, v})
           if (!is_decided[w] && is_decided[w == u ? v : u]) next.push_back(w);
       }
-    while (!next.empty())
+    const auto spread = [&] {
+      while (!next.empty())
+      {
+        const Index v = next.back();
+        next.pop_back();
+        if (is_decided[v]) continue;
+        for (const Neighbor& n : around[v])
+          if (is_decided[n.vertex])
+          {
+            is_near[v] = char(is_near[n.vertex] + n.step == 1);
+            is_decided[v] = 1;
+            break;
+          }
+        for (const Neighbor& n : around[v])
+          if (!is_decided[n.vertex]) next.push_back(n.vertex);
+      }
+    };
+    spread();
+    // Where no vertex is decided, the middle of an edge that is not crossed tells.
+    for (Index h = 0; h < 3 * surface.number_of_faces(); ++h)
     {
-      const Index v = next.back();
-      next.pop_back();
-      if (is_decided[v]) continue;
-      for (const Neighbor& n : around[v])
-        if (is_decided[n.vertex])
-        {
-          is_near[v] = char(is_near[n.vertex] + n.step == 1);
-          is_decided[v] = 1;
-          break;
-        }
-      for (const Neighbor& n : around[v])
-        if (!is_decided[n.vertex]) next.push_back(n.vertex);
+      if (!surface.is_used(h / 3) || is_decided[surface.origin(h)] || is_near[surface.origin(h)] == either_side) continue;
+      const auto range = crossings_of(surface.twin(h) < h ? surface.twin(h) : h);
+      if (range.first != range.second) continue;
+      typename Surface::Weights middle{{0, 0, 0}};
+      middle[h % 3] = middle[(h + 1) % 3] = 0.5;
+      const double d = surface.distance_at(h / 3, middle);
+      if (!(std::abs(d - cut) > doubt)) continue;
+      const Index v = surface.origin(h);
+      is_near[v] = d < cut;
+      is_decided[v] = 1;
+      for (const Neighbor& n : around[v]) next.push_back(n.vertex);
+      spread();
     }
   }
 };

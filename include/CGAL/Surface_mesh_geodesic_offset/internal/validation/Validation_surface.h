@@ -122,6 +122,9 @@ public:
       m_point[i] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
       box += p.bbox();
     }
+    // from a corner of the box: far from the origin of space, points on edges would lose digits
+    for (Point_in_space& p : m_point)
+      for (int i = 0; i < 3; ++i) p[i] -= (box.min)(i);
     m_diagonal = std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
     for (auto f : faces(tm))
     {
@@ -148,6 +151,7 @@ public:
         m_twin[3 * i + k] = 3 * index_of(face(o, tm)) + j;
       }
     }
+    find_shared_vertices();
   }
 
   std::size_t number_of_faces() const { return m_faces.size(); } // indices that may be unused included
@@ -160,9 +164,12 @@ public:
   // Halfedge 3f + k starts at corner k of face f. no_index: none, on the border.
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
-  Index target(Index halfedge) const { return m_origin[halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1]; }
+  Index target(Index halfedge) const { return m_origin[after(halfedge)]; }
 
   double vertex_distance(Index v) const { return m_distance[v]; }
+
+  // Whether several fans of faces meet at a vertex, without a common edge there.
+  bool is_shared(Index v) const { return m_is_shared[v]; }
 
   Point_in_space point(Index face, const Weights& w) const
   {
@@ -179,15 +186,19 @@ public:
 
   double edge_length(Index halfedge) const { return distance(m_point[origin(halfedge)], m_point[target(halfedge)]); }
 
+  // Twice the area from the two shorter sides: from long ones that differ little it would lose digits.
   Face face_at(Index f) const
   {
     const Point_in_space &a = m_point[m_origin[3 * f]], &b = m_point[m_origin[3 * f + 1]],
                          &c = m_point[m_origin[3 * f + 2]];
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double base = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    const double twice_area = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    return Face{f, {{0, 0}, {base, 0}, {(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base, twice_area / base}}};
+    const Point_in_space u[3] = {difference(b, a), difference(c, b), difference(a, c)};
+    int longest = 0;
+    for (int k : {1, 2})
+      if (dot(u[k], u[k]) > dot(u[longest], u[longest])) longest = k;
+    const Point_in_space &v = u[(longest + 1) % 3], &w = u[(longest + 2) % 3];
+    const Point_in_space n = {{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]}};
+    const double base = std::sqrt(dot(u[0], u[0]));
+    return Face{f, {{0, 0}, {base, 0}, {-dot(u[0], u[2]) / base, std::sqrt(dot(n, n)) / base}}};
   }
 
   // The distance of a point of the face that may be outside by rounding.
@@ -215,11 +226,36 @@ public:
   }
 
 private:
+  // A second walk round a vertex begins in another fan.
+  void find_shared_vertices()
+  {
+    m_is_shared.assign(number_of_vertices(), false);
+    std::vector<bool> has_fan(number_of_vertices(), false), is_seen(m_origin.size(), false);
+    for (Index h = 0; h < m_origin.size(); ++h)
+    {
+      if (m_origin[h] == no_index || is_seen[h]) continue;
+      const Index v = m_origin[h];
+      m_is_shared[v] = m_is_shared[v] || has_fan[v];
+      has_fan[v] = true;
+      for (Index g = h; g != no_index && !is_seen[g]; g = m_twin[before(g)]) is_seen[g] = true;
+      for (Index g = m_twin[h]; g != no_index && !is_seen[after(g)]; g = m_twin[after(g)]) is_seen[after(g)] = true;
+    }
+  }
+  static Point_in_space difference(const Point_in_space& p, const Point_in_space& q)
+  {
+    return {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}};
+  }
+  static double dot(const Point_in_space& u, const Point_in_space& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+  static Index after(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index before(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
   const Geodesic& m_geodesic;
   typename GetInitializedFaceIndexMap<Triangle_mesh>::const_type m_face_index;
   std::vector<face_descriptor> m_faces;
   std::vector<Index> m_origin, m_twin;
   std::vector<double> m_distance;
+  std::vector<bool> m_is_shared;
   std::vector<Point_in_space> m_point;
   double m_diagonal = 0;
 };

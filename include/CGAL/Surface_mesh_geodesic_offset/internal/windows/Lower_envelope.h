@@ -96,9 +96,9 @@ private:
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
     const FT rounding = Number_policy<FT>::rounding(256);
-    const FT allowance = rounding * (a.d0 + b.d1 + CGAL::abs(a.x) + CGAL::abs(a.y));
-    // The image of parallel rays is a unit vector. The sigma of other rays is the distance of a vertex, which is not computed anew:
-    // what differs from it by more than its rounding are margins of sectors.
+    // The image of parallel rays is a unit vector. The sigma of other rays is the distance of a vertex, the same in all of its
+    // windows; in margins of its sectors it is larger.
+    const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
     const FT& of_image = a.is_parallel() ? rounding : allowance;
     const FT of_sigma = a.is_parallel() ? allowance : FT(Number_policy<FT>::rounding(16) * (a.sigma + b.sigma));
     return CGAL::abs(a.x - b.x) <= of_image && CGAL::abs(a.y - b.y) <= of_image &&

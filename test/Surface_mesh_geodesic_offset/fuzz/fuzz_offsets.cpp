@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Offsets on small meshes under libFuzzer, from points and polylines, at levels at and beside distances of vertices: each face
+// against the exact arrangement of ../offset_oracle.h, and no joint is forced. Faces flatter than 2^-30 are left out.
+
+#include "../enclosure_search.h"
+#include "../locations.h"
+#include "../offset_oracle.h"
+#include "../offset_tools.h"
+#include "fuzz_case.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+using test::Geodesic;
+
+[[noreturn]] void fail(const std::string& text)
+{
+  std::cerr << text << std::endl;
+  std::abort();
+}
+
+class Offsets
+{
+public:
+  Offsets(test::Fuzz_bytes& bytes, const test::Enclosure_case& c) : bytes_(bytes), data_(soup_of(c)), geodesic_(data_.mesh)
+  {
+    for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
+    for (const auto& s : c.sources) geodesic_.add_source_point(test::Enclosure_search::location(data_, c, s));
+    // a polyline along edges
+    if (bytes_.flag())
+    {
+      auto h = data_.mesh.halfedge(data_.faces[bytes_.index(data_.faces.size())]);
+      const test::Locations<test::Surface_mesh> locations(data_.mesh);
+      std::vector<Geodesic::Face_location> path = {locations.at_vertex(data_.mesh.source(h))};
+      for (std::size_t n = 1 + bytes_.index(3); n > 0; --n, h = data_.mesh.next(h))
+        path.push_back(locations.at_vertex(data_.mesh.target(h)));
+      geodesic_.add_source_polyline(path, false);
+    }
+    geodesic_.build(CGAL::parameters::keep_windows(true));
+  }
+
+  void compare()
+  {
+    test::Offset_oracle oracle;
+    oracle.most_windows = 40;
+    test::Face_tracing tracing(geodesic_.mesh(), geodesic_.initial(), geodesic_.field());
+    for (int i = 0; i < 2; ++i)
+    {
+      const double level = draw_level();
+      if (!(level > 1e-9)) continue;
+      for (const auto f : data_.mesh.faces())
+        oracle.compare(tracing, geodesic_.field_index(f), level, [](const std::string& text) { std::cerr << text << std::endl; });
+      if (oracle.counts.differences() > 0) fail("the oracle has other curves");
+      test::Offset_curves curves;
+      Geodesic again(geodesic_);
+      again.build_with_offset_curves(level, std::back_inserter(curves));
+      if (again.statistics().forced_joints > 0) fail("forced joints at the level " + std::to_string(level));
+    }
+  }
+
+private:
+  static test::Soup soup_of(const test::Enclosure_case& c)
+  {
+    test::Soup soup;
+    for (const auto& p : c.points) soup.points.push_back(test::Point_3(p[0], p[1], p[2]));
+    for (const auto& t : c.triangles) soup.add_triangle(t);
+    return soup;
+  }
+
+  double draw_level()
+  {
+    const double d = geodesic_.distance_to_sources(data_.vertices[bytes_.index(data_.vertices.size())]);
+    if (!std::isfinite(d)) return 0;
+    switch (bytes_.index(4))
+    {
+    case 0: return d;
+    case 1: return test::level_cut_at(d);
+    case 2: return d * (1 + (bytes_.flag() ? 1 : -1) * std::pow(10, -double(bytes_.index(16))));
+    default: return bytes_.weight() * 2;
+    }
+  }
+
+  test::Fuzz_bytes& bytes_;
+  const test::Generated_mesh<test::Surface_mesh> data_;
+  test::Cut_geodesic geodesic_;
+};
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  test::Fuzz_bytes bytes(data, size);
+  const test::Fuzz_case fuzz_case(bytes);
+  if (!(fuzz_case.flatness() > 0x1p-30)) return 0;
+  try
+  {
+    Offsets(bytes, fuzz_case.enclosure_case()).compare();
+  }
+  catch (const std::exception& error)
+  {
+    fail(error.what());
+  }
+  return 0;
+}
