@@ -142,11 +142,12 @@ public:
   }
 
   // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
-  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner.
+  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
+  // wider by a small angle at both ends if `back` is known up to that angle only.
   template <class Function>
-  void for_each_sector_behind(const Ray& back, const Function& f) const
+  void for_each_sector_behind(const Ray& back, const Function& f, const FT& angle = FT(0)) const
   {
-    const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
+    const Ray from = half_turn_ccw(back, angle), to = half_turn_cw(back, angle);
     const Index first = m_mesh->first_on_border(back.corner);
     if (first != no_index)
     {
@@ -168,10 +169,7 @@ public:
     const FT angle = margin_angle(back);
     if (!CGAL::is_positive(angle)) return;
     const Index first = m_mesh->first_on_border(back.corner);
-    // turned half way, where no border is near: `back` may be along one
-    Ray before = turn_ccw(back, 1), behind = turn_cw(back, 1);
-    if (before.corner != no_index) before = turn_ccw(turned(before, FT(-angle)), 1);
-    if (behind.corner != no_index) behind = turn_cw(turned(behind, angle), 1);
+    const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
     if (before.corner != no_index) f(before, turn_ccw(back, 2), first);
     if (behind.corner != no_index) f(turn_cw(back, 2), behind, first);
   }
@@ -239,6 +237,21 @@ private:
       result = ++number_of_corners == 1 && cross(a.x, a.y, b.x, b.y) <= angle * (a.x * b.x + a.y * b.y);
     });
     return result;
+  }
+
+  // Half a turn less an angle. The angle is subtracted half way, where no border is near: `back` may be along one.
+  Ray half_turn_ccw(const Ray& back, const FT& angle) const
+  {
+    if (CGAL::is_zero(angle)) return turn_ccw(back, 2);
+    const Ray quarter = turn_ccw(back, 1);
+    return quarter.corner == no_index ? quarter : turn_ccw(turned(quarter, FT(-angle)), 1);
+  }
+
+  Ray half_turn_cw(const Ray& back, const FT& angle) const
+  {
+    if (CGAL::is_zero(angle)) return turn_cw(back, 2);
+    const Ray quarter = turn_cw(back, 1);
+    return quarter.corner == no_index ? quarter : turn_cw(turned(quarter, angle), 1);
   }
 
   // The ray, turned counterclockwise by a small angle; at most up to the border.
