@@ -122,9 +122,14 @@ public:
       m_point[i] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
       box += p.bbox();
     }
-    // from a corner of the box: far from the origin of space, points on edges would lose digits
-    for (Point_in_space& p : m_point)
-      for (int i = 0; i < 3; ++i) p[i] -= (box.min)(i);
+    // Far from the origin of space, points on edges would lose digits. A difference of two numbers of which neither is more than
+    // twice the other one is exact.
+    for (int i = 0; i < 3; ++i)
+    {
+      const double least = (box.min)(i), largest = (box.max)(i);
+      if (!(least > 0 ? largest <= 2 * least : least >= 2 * largest)) continue;
+      for (Point_in_space& p : m_point) p[i] -= least;
+    }
     m_diagonal = std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
     for (auto f : faces(tm))
     {
