@@ -154,16 +154,20 @@ public:
   {
     if (from && to)
     {
-      if (const FT angle = lost_angle(p); CGAL::is_positive(angle)) return add_wider_sector(p, *from, *to, angle, root);
+      const FT angle = lost_angle(p);
+      if (CGAL::is_positive(angle)) add_wider_sector(p, *from, *to, angle, root);
+      // a narrow one takes the place of rays of the wider one, and is lost itself
+      if (!is_wider(*from, *to, FT(8) * angle)) return;
     }
-    add_exact_sector(p, from, to, root);
+    add_sector(p, from, to, root, FT(0));
   }
 
-  void add_exact_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
+  // `sigma`: the distance at p.
+  void add_sector(const Surface_point_& p, const Point* from, const Point* to, Root root, const FT& sigma)
   {
     if (p.kind == Surface_point_::FACE)
     {
-      add_sector_in_face(p.element, {p.x, p.y}, from, to, root);
+      add_sector_in_face(p.element, {p.x, p.y}, from, to, root, sigma);
       return;
     }
     for (const Index h : {p.element, m_mesh.twin(p.element)})
@@ -176,11 +180,12 @@ public:
       Point f, t;
       if (from) f = frame.vector_from_halfedge(k, turned ? FT(-1) * *from : *from);
       if (to) t = frame.vector_from_halfedge(k, turned ? FT(-1) * *to : *to);
-      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, root, k);
+      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, root, sigma, k);
     }
   }
 
-  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, int on_edge = -1)
+  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, const FT& sigma,
+                          int on_edge = -1)
   {
     const Face_frame<FT> frame(m_mesh, face);
     for (int k = 0; k < 3; ++k)
@@ -192,7 +197,7 @@ public:
       if (to && !clip(p, *to, FT(-1), right, left)) continue;
       // where a polyline goes straight on up to rounding, its strips meet and nothing is between them
       if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) continue;
-      local.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root,
+      local.push_back({face, Face_window<FT>{p.x, p.y, sigma, left, right, root,
                                              Window<FT>::make_bits(false, no_index), STARTS_IN_FACE,
                                              (unsigned char)(k)}});
     }
@@ -240,20 +245,31 @@ private:
           result = (std::max)(result, height > lost ? FT(lost / height) : FT(1));
         }
       }
-      return result > Number_policy<FT>::rounding(128 / least_clear_distance) ? result : FT(0);
+      return result > FT(1. / (1 << 30)) ? result : FT(0);
     }
   }
 
+  // Whether the sector from one direction counterclockwise to another is wider than an angle, or the angle is zero.
+  static bool is_wider(const Point& from, const Point& to, const FT& angle)
+  {
+    const FT c = dot(from, to);
+    return CGAL::is_zero(angle) || !CGAL::is_positive(c) || cross(from, to) > angle * c;
+  }
+
   // The sector, wider by an angle at both ends: rays behind the strips beside it are as long as those of the strips, or
-  // longer. In two parts, since it may be more than a half turn.
+  // longer. Its distances are larger by a rounding, so that it loses against the strips and only closes gaps. In two parts,
+  // since it may be more than a half turn.
   void add_wider_sector(const Surface_point_& p, const Point& from, const Point& to, const FT& angle, Root root)
   {
+    FT longest(0);
+    for (const Index f : faces_of(m_mesh, p)) longest = (std::max)(longest, Face_frame<FT>(m_mesh, f).longest_edge());
+    const FT surcharge = FT(4) * Vertex_sector<FT>::margin_surcharge(longest);
     const Point first = (FT(1) / length(from)) * from, last = (FT(1) / length(to)) * to, difference = last - first;
     const Point middle = {first.x + last.x + difference.y, first.y + last.y - difference.x};
     const Point before = {first.x + angle * first.y, first.y - angle * first.x};
     const Point behind = {last.x - angle * last.y, last.y + angle * last.x};
-    add_exact_sector(p, &before, &middle, root);
-    add_exact_sector(p, &middle, &behind, root);
+    add_sector(p, &before, &middle, root, surcharge);
+    add_sector(p, &middle, &behind, root, surcharge);
   }
 
   // What a fan sends into one face, at its corner at the source of h; the rays are counterclockwise from `lower` to `upper`.
