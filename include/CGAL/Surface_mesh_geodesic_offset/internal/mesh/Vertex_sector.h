@@ -175,8 +175,8 @@ public:
   }
 
   // The width of margins: 2^-20 radians, eight times the square root of 2^-46, up to which distances tie; at most 1 / 16 of each
-  // corner, for needles. Zero where the sectors are narrower than 2^-40 radians, the error of the sum of the angles on a mesh a
-  // thousand edges wide with rounded coordinates: the surface is flat there up to rounding, and windows leave no gap.
+  // corner, for needles. Zero where the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by
+  // 2^-75 of its length, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
   FT margin_angle(const Ray& back) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
@@ -184,7 +184,7 @@ public:
     {
       bool is_flat = true;
       for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
-        is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 40)));
+        is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
       });
       if (is_flat) return FT(0);
       FT angle(1. / (1 << 20));

@@ -49,6 +49,7 @@ public:
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     m_least_overlap = -m_max_gap;
     m_rounding = Number_policy<FT>::rounding(1);
+    m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
     const Window* const* const end = m_order.end();
@@ -170,6 +171,12 @@ private:
     // rays that two windows share, as those along the border of a pseudo-source's sector, are found twice
     if (overlap <= m_min_width && a_ends_first)
     {
+      // rays in the margin of a sector are longer, and lose
+      if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_margin * a.d1))
+      {
+        if (w.b1 - a.b1 > m_min_width) push_rest(w, a.b1, w.distance_at(a.b1), next, end);
+        return true;
+      }
       if (!cut_end(a, w.b0, overlap)) return false;
       m_envelope.push_back(w);
       return true;
@@ -375,7 +382,7 @@ private:
   const Traits& m_traits;
   std::vector<Window> m_envelope;
   Window_order<FT, Window> m_order;
-  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_rounding;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_rounding, m_margin;
 };
 
 } // namespace internal
