@@ -70,10 +70,12 @@ public:
     const Root root = m_state.field.root[v];
     if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
-    m_sector.for_each_sector_behind(
-      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
+    if (m_mesh.can_be_pseudo_source(v))
+      m_sector.for_each_sector_behind(
+        back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
     m_sector.for_each_margin_behind(
-      back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front, true); });
+      back, m_state.hidden_angle(v),
+      [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front, true); });
     if (m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);

@@ -151,7 +151,7 @@ public:
     Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
     if (a.back.corner == no_index || d > maximum) return; // a source spreads by itself
-    if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source)) return;
+    if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, FT(least_hiding_distance))) return;
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
@@ -159,20 +159,36 @@ public:
   // Whether a vertex is so near to the image of the window that gives it its distance that rounding loses directions behind
   // it (see least_clear_distance). Paths by way of the vertex, in all directions, take the place of what is lost: they are too
   // long by 8 u L at most.
-  bool is_beside_image(Index v, Index pseudo_source) const
+  bool is_beside_image(Index v, Index pseudo_source, const FT& least = FT(least_clear_distance)) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     else
     {
-      const bool is_source = pseudo_source == no_index || Merged_origin::is_merged(pseudo_source);
-      const FT sigma = is_source ? FT(0) : field.distance[pseudo_source];
-      const FT far = (field.distance[v] - sigma) / FT(least_clear_distance);
+      const FT far = distance_of_image(v, pseudo_source) / least;
       if (far >= mesh.longest_edge()) return false;
       bool result = false;
       const auto is_long = [&](Index h) { return far < mesh[h].length || far < mesh[mesh.next(h)].length; };
       mesh.for_each_fan(v, [&](Index first) { result = result || mesh.any_corner(first, is_long); });
       return result;
     }
+  }
+
+  // The angle of the gap that a vertex beside the image leaves behind it, twice over; zero if it is not beside the image.
+  FT hidden_angle(Index v) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else
+    {
+      const Index pseudo_source = field.back[v].pseudo_source;
+      if (!is_beside_image(v, pseudo_source, FT(least_hiding_distance))) return FT(0);
+      return Number_policy<FT>::rounding(16) * mesh.longest_edge() / distance_of_image(v, pseudo_source);
+    }
+  }
+
+  FT distance_of_image(Index v, Index pseudo_source) const
+  {
+    const bool is_source = pseudo_source == no_index || Merged_origin::is_merged(pseudo_source);
+    return is_source ? field.distance[v] : FT(field.distance[v] - field.distance[pseudo_source]);
   }
 
   // The same of the apex of a batch.

@@ -212,6 +212,17 @@ Point_in_face<FT> vector_at_point(const Unfolded_mesh<FT>& mesh, const Surface_p
   return FT(-1) * frame.vector_to_halfedge(int(mesh.twin(p.element) % 3), v);
 }
 
+// Inverse of vector_at_point().
+template <class FT>
+Point_in_face<FT> vector_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face,
+                                 const Point_in_face<FT>& v)
+{
+  if (p.kind == Surface_point<FT>::FACE) return v;
+  const Face_frame<FT> frame(mesh, face);
+  if (mesh.face(p.element) == face) return frame.vector_from_halfedge(int(p.element % 3), v);
+  return FT(-1) * frame.vector_from_halfedge(int(mesh.twin(p.element) % 3), v);
+}
+
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL

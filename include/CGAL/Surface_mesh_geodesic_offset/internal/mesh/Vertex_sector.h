@@ -32,15 +32,15 @@ public:
 
   explicit Vertex_sector(const Unfolded_mesh<FT>& mesh) : m_mesh(&mesh) {}
 
-  // The direction reached from `ray` by one or two quarter turns counterclockwise; no corner if the border is met
-  // before.
-  Ray turn_ccw(const Ray& ray, int quarter_turns) const
+  // The direction reached from `ray` by one or two quarter turns counterclockwise, less an angle whose tangent is `less`; no
+  // corner if the border is met before.
+  Ray turn_ccw(const Ray& ray, int quarter_turns, const FT& less = FT(0)) const
   {
     Ray r = ray;
-    r.x = quarter_turns == 1 ? FT(-ray.y) : FT(-ray.x);
-    r.y = quarter_turns == 1 ? ray.x : FT(-ray.y);
+    r.x = quarter_turns == 1 ? FT(less * ray.x - ray.y) : FT(-ray.x - less * ray.y);
+    r.y = quarter_turns == 1 ? FT(ray.x + less * ray.y) : FT(less * ray.x - ray.y);
     // The corner is less than a half turn wide, so a half turn always leaves the first corner.
-    bool may_be_inside = quarter_turns == 1;
+    bool may_be_inside = quarter_turns == 1 || !CGAL::is_zero(less);
     const Index limit = Index(m_mesh->number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
@@ -58,12 +58,12 @@ public:
     return Ray();
   }
 
-  Ray turn_cw(const Ray& ray, int quarter_turns) const
+  Ray turn_cw(const Ray& ray, int quarter_turns, const FT& less = FT(0)) const
   {
     Ray r = ray;
-    r.x = quarter_turns == 1 ? ray.y : FT(-ray.x);
-    r.y = quarter_turns == 1 ? FT(-ray.x) : FT(-ray.y);
-    bool may_be_inside = quarter_turns == 1;
+    r.x = quarter_turns == 1 ? FT(ray.y + less * ray.x) : FT(less * ray.y - ray.x);
+    r.y = quarter_turns == 1 ? FT(less * ray.y - ray.x) : FT(-ray.y - less * ray.x);
+    bool may_be_inside = quarter_turns == 1 || !CGAL::is_zero(less);
     const Index limit = Index(m_mesh->number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
@@ -92,12 +92,12 @@ public:
     return true;
   }
 
-  // Whether the angle from a counterclockwise to b (a full turn if they are equal) is at least pi. The border must not
-  // lie between.
-  bool is_reflex(const Ray& a, const Ray& b) const
+  // Whether the angle from a counterclockwise to b (a full turn if they are equal) is at least pi, less an angle whose tangent is
+  // `less`. The border must not lie between.
+  bool is_reflex(const Ray& a, const Ray& b, const FT& less = FT(0)) const
   {
     if (same_corner_in_order(a, b)) return false;
-    const Ray half = turn_ccw(a, 2);
+    const Ray half = turn_ccw(a, 2, less);
     if (half.corner == no_index) return false;
     for (Index c = m_mesh->corner_ccw(a.corner); c != no_index; c = m_mesh->corner_ccw(c))
     {
@@ -163,10 +163,12 @@ public:
   // Paths from several images may tie at the vertex. One image gives `back`; rounding may have dropped rays of the others
   // up to the square root of the rounding of distances. Rays in a margin close the gap. They are paths of the surface, and as
   // long as others up to rounding; margin_surcharge() makes them lose.
+  //
+  // `hidden`: the angle of a gap behind the vertex, for which the margins make up, too.
   template <class Function>
-  void for_each_margin_behind(const Ray& back, const Function& f) const
+  void for_each_margin_behind(const Ray& back, const FT& hidden, const Function& f) const
   {
-    const FT angle = margin_angle(back);
+    const FT angle = margin_angle(back, hidden);
     if (!CGAL::is_positive(angle)) return;
     const Index first = m_mesh->first_on_border(back.corner);
     const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
@@ -177,7 +179,7 @@ public:
   // The width of margins: 2^-20 radians, eight times the square root of 2^-46, up to which distances tie; at most 1 / 16 of each
   // corner, for needles. Zero where the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by
   // 2^-75 of its length, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
-  FT margin_angle(const Ray& back) const
+  FT margin_angle(const Ray& back, const FT& hidden) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else
@@ -186,8 +188,8 @@ public:
       for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
         is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
       });
-      if (is_flat) return FT(0);
-      FT angle(1. / (1 << 20));
+      FT angle = is_flat ? hidden : FT((std::max)(hidden, FT(1. / (1 << 20))));
+      if (CGAL::is_zero(angle)) return FT(0);
       const Index border = m_mesh->first_on_border(back.corner);
       m_mesh->any_corner(border != no_index ? border : back.corner, [&](Index h) {
         angle = (std::min)(angle, FT((*m_mesh)[h].apex_y / (*m_mesh)[m_mesh->previous(h)].length / 16));

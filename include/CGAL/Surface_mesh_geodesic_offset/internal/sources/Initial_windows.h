@@ -149,27 +149,62 @@ public:
   }
 
   // The rays from a point inside a face or an edge. The sector reaches counterclockwise from `from` to `to` (at most
-  // a half turn), in the frame of the point's face or halfedge; without them, all directions.
-  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
+  // a half turn), in the frame of the point's face or halfedge; without them, all directions. `lost`: the angle up to which
+  // `from` and `to` are known.
+  //
+  // Rounding may turn rays from a point beside an edge, too. Then a wider sector closes the gaps beside its bounding rays. The
+  // sector itself is narrower, so that what is left of the wider one on an edge is longer than windows that are left out.
+  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root, const FT& lost = FT(0))
   {
-    if (from && to)
+    const FT angle = from && to ? (std::max)(lost, lost_angle(p)) : FT(0);
+    if (!CGAL::is_positive(angle)) return add_sector(p, from, to, root, FT(0));
+    if (p.kind == Surface_point_::FACE) add_sector_beyond_edges(p, *from, *to, root);
+    add_wider_sector(p, *from, *to, angle, root);
+    const FT cut = FT(8) * angle;
+    if (!(cut < FT(0.5)) || !is_wider(*from, *to, FT(2) * cut)) return;
+    const Point first = *from + cut * quarter_turn(*from), last = *to - cut * quarter_turn(*to);
+    add_sector(p, &first, &last, root, FT(0));
+  }
+
+  // The angle up to which the direction of a segment of the given length is known, from the coordinates of its ends in a face;
+  // zero if that is not significant().
+  FT lost_angle(Index face, const FT& segment) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
+  }
+
+  // The rays of a sector from a point inside a face that cross an edge beside the point. They start in the face beyond, where
+  // windows on its other edges are as wide as their rays; on the edge itself rounding would turn them.
+  void add_sector_beyond_edges(const Surface_point_& p, const Point& from, const Point& to, Root root)
+  {
+    const Face_frame<FT> frame(m_mesh, p.element);
+    const Point position{p.x, p.y};
+    for (int k = 0; k < 3; ++k)
     {
-      const FT angle = lost_angle(p);
-      if (CGAL::is_positive(angle)) add_wider_sector(p, *from, *to, angle, root);
-      // a narrow one takes the place of rays of the wider one, and is lost itself
-      if (!is_wider(*from, *to, FT(8) * angle)) return;
+      const Index g = m_mesh.twin(3 * p.element + Index(k));
+      if (g == no_index || CGAL::is_zero(lost_angle(p.element, frame.height(k, position)))) continue;
+      Point right = frame.corner(k), left = frame.corner((k + 1) % 3); // of the edge
+      if (!clip(position, from, FT(1), right, left) || !clip(position, to, FT(-1), right, left)) continue;
+      const int k_beyond = int(g % 3);
+      const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
+      const auto direction = [&](const Point& u, int corner, bool is_bounding) {
+        const Point v = is_bounding ? u : frame.corner(corner) - position;
+        return beyond.vector_from_halfedge(k_beyond, FT(-1) * frame.vector_to_halfedge(k, v));
+      };
+      // a sector within a half turn is bounded by the edge's ends where these are inside it
+      const bool from_is_inside = CGAL::is_positive(cross(frame.corner(k) - position, from));
+      const bool to_is_inside = CGAL::is_positive(cross(to, frame.corner((k + 1) % 3) - position));
+      const Point first = direction(from, k, from_is_inside), last = direction(to, (k + 1) % 3, to_is_inside);
+      const Point image = beyond.from_halfedge(k_beyond, frame.to_twin(k, position));
+      add_sector_in_face(m_mesh.face(g), image, &first, &last, root, FT(0), k_beyond);
     }
-    add_sector(p, from, to, root, FT(0));
   }
 
   // `sigma`: the distance at p.
   void add_sector(const Surface_point_& p, const Point* from, const Point* to, Root root, const FT& sigma)
   {
-    if (p.kind == Surface_point_::FACE)
-    {
-      add_sector_in_face(p.element, {p.x, p.y}, from, to, root, sigma);
-      return;
-    }
+    if (p.kind == Surface_point_::FACE) return add_sector_in_face(p.element, {p.x, p.y}, from, to, root, sigma);
     for (const Index h : {p.element, m_mesh.twin(p.element)})
     {
       if (h == no_index) continue;
@@ -241,19 +276,27 @@ private:
         for (int k = 0; k < 3; ++k)
         {
           if (edges_of_p & 1u << k) continue;
-          const FT height = frame.height(k, position), lost = Number_policy<FT>::rounding(128) * frame.longest_edge();
-          result = (std::max)(result, height > lost ? FT(lost / height) : FT(1));
+          const FT lost = Number_policy<FT>::rounding(128) * frame.longest_edge();
+          result = (std::max)(result, significant(lost, frame.height(k, position)));
         }
       }
-      return result > FT(1. / (1 << 30)) ? result : FT(0);
+      return result;
     }
   }
 
-  // Whether the sector from one direction counterclockwise to another is wider than an angle, or the angle is zero.
+  // The angle of an arc of the given length at a distance, at most 1; zero up to 2^-30: a path that bends by it is longer by
+  // 2^-63 of its length.
+  static FT significant(const FT& arc, const FT& distance)
+  {
+    const FT angle = distance > arc ? FT(arc / distance) : FT(1);
+    return angle > FT(1. / (1 << 30)) ? angle : FT(0);
+  }
+
+  // Whether the sector from one direction counterclockwise to another is wider than an angle below a quarter turn, by its tangent.
   static bool is_wider(const Point& from, const Point& to, const FT& angle)
   {
     const FT c = dot(from, to);
-    return CGAL::is_zero(angle) || !CGAL::is_positive(c) || cross(from, to) > angle * c;
+    return !CGAL::is_positive(c) || cross(from, to) > angle * c;
   }
 
   // The sector, wider by an angle at both ends: rays behind the strips beside it are as long as those of the strips, or

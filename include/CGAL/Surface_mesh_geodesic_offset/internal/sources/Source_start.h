@@ -51,6 +51,7 @@ public:
       m_out.add_point(source, points.front());
       return;
     }
+    straighten(segments, closed);
     for (const Segment& s : segments) add_segment(source, s);
     const std::size_t m = segments.size();
     if (!closed)
@@ -100,6 +101,8 @@ private:
     Point a, b;
     unsigned edge; // bit of the halfedge that both ends lie on, or 0
     Index part;
+    Point direction; // unit vector from a to b
+    FT lost;         // angle up to which the direction is known
   };
 
   // From the point with the given number. Returns false if the two points coincide; throws if they have no face in common.
@@ -128,7 +131,38 @@ private:
       throw std::invalid_argument("Surface_mesh_geodesic_offset: point " + std::to_string(number) +
                                   " of a polyline and the next one have no face in common");
     if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;
-    return CGAL::is_positive(length(s.b - s.a));
+    const FT size = length(s.b - s.a);
+    if (!CGAL::is_positive(size)) return false;
+    s.direction = (FT(1) / size) * (s.b - s.a);
+    s.lost = s.edge ? FT(0) : m_out.lost_angle(s.face, size);
+    return true;
+  }
+
+  // A short segment whose direction is that of a neighbour up to rounding takes the neighbour's direction. Else the strips of the
+  // two segments leave a gap that grows with the distance, or overlap.
+  void straighten(std::vector<Segment>& segments, bool closed) const
+  {
+    const std::size_t m = segments.size(), steps = closed ? 2 * m : m;
+    for (std::size_t j = 1; j < steps; ++j)
+    {
+      Segment& s = segments[j % m];
+      follow(segments[(j - 1) % m], s.first, s);
+    }
+    for (std::size_t j = steps - 1; j > 0; --j)
+    {
+      Segment& s = segments[(j - 1) % m];
+      follow(segments[j % m], s.second, s);
+    }
+  }
+
+  // p: the point that both have in common.
+  void follow(const Segment& known, const Surface_point_& p, Segment& s) const
+  {
+    if (!(known.lost < s.lost) || p.kind == Surface_point_::VERTEX) return;
+    const Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
+    if (!CGAL::is_positive(dot(t, s.direction)) || CGAL::abs(cross(t, s.direction)) > s.lost) return;
+    s.direction = t;
+    s.lost = known.lost;
   }
 
   void add_segment(Index source, const Segment& s)
@@ -148,8 +182,7 @@ private:
     }
     const FT size = length(s.b - s.a);
     const FT extent = frame.longest_edge();
-    const Point t = (FT(1) / size) * (s.b - s.a);
-    const Point n = {-t.y, t.x};
+    const Point &t = s.direction, n = {-t.y, t.x};
     m_out.add_strip(s.face, s.a, s.b, n, left);
     m_out.add_strip(s.face, s.b, s.a, FT(-1) * n, right);
     for (int k = 0; k < 3; ++k)
@@ -177,8 +210,6 @@ private:
   // Direction of the segment at its second end (back along it) or its first end, as a ray at a mesh vertex.
   Ray ray_of(const Segment& s, bool at_second) const
   {
-    const Point& here = at_second ? s.b : s.a;
-    const Point& there = at_second ? s.a : s.b;
     const Index v = (at_second ? s.second : s.first).element;
     const Face_frame<FT> frame(m_mesh, s.face);
     int k = 0;
@@ -190,7 +221,7 @@ private:
       if (m_mesh.twin(before) != no_index) return {m_mesh.twin(before), FT(1), FT(0)};
       return {h, m_mesh[h].apex_x, m_mesh[h].apex_y};
     }
-    const Point u = frame.vector_to_halfedge(k, there - here);
+    const Point u = frame.vector_to_halfedge(k, at_second ? FT(-1) * s.direction : s.direction);
     return {h, u.x, u.y};
   }
 
@@ -198,7 +229,7 @@ private:
   // may have another name in the segment, that of the edge's other halfedge.
   Point vector_of(const Segment& s, bool at_second, const Surface_point_& p) const
   {
-    return vector_at_point(m_mesh, p, s.face, at_second ? s.a - s.b : s.b - s.a);
+    return vector_at_point(m_mesh, p, s.face, at_second ? FT(-1) * s.direction : s.direction);
   }
 
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
@@ -208,14 +239,14 @@ private:
     {
       const Ray r = ray_of(s, at_second);
       m_out.seeds.push_back({p.element, FT(0), Ray(), root});
-      add_gap(p.element, r, r, root);
+      add_gap(p.element, r, r, root, m_out.lost_angle(s.face, length(s.b - s.a)));
       add_other_fans(p.element, r.corner, no_index, root);
       return;
     }
     const Point u = vector_of(s, at_second, p);
     const Point from = quarter_turn(u), to = FT(-1) * from;
     m_out.add_seeds_of_point(p, [root](const Point&) { return root; });
-    m_out.add_flat_sector(p, &from, &to, root);
+    m_out.add_flat_sector(p, &from, &to, root, s.lost);
   }
 
   void add_joint(Index source, const Segment& in, const Segment& out)
@@ -225,17 +256,18 @@ private:
     const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {
+      const FT lost = (std::max)(m_out.lost_angle(in.face, length(in.b - in.a)), m_out.lost_angle(out.face, length(out.b - out.a)));
       const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);
       m_out.seeds.push_back({p.element, FT(0), Ray(), left});
       if (same_fan(r_in.corner, r_out.corner))
       {
-        add_gap(p.element, r_out, r_in, left);
-        add_gap(p.element, r_in, r_out, right);
+        add_gap(p.element, r_out, r_in, left, lost);
+        add_gap(p.element, r_in, r_out, right, lost);
       }
       else
       {
-        add_gap(p.element, r_out, r_out, left);
-        add_gap(p.element, r_in, r_in, left);
+        add_gap(p.element, r_out, r_out, left, lost);
+        add_gap(p.element, r_in, r_in, left, lost);
       }
       add_other_fans(p.element, r_in.corner, r_out.corner, left);
       return;
@@ -250,10 +282,14 @@ private:
       return is_between == reflex_left ? right : left;
     });
     // u_in points back along the incoming segment: going straight on, both are opposite
-    if (CGAL::is_zero(turn) && CGAL::is_negative(dot(u_in, u_out))) return;
-    const Point from = quarter_turn(reflex_left ? u_out : u_in);
-    const Point to = FT(-1) * quarter_turn(reflex_left ? u_in : u_out);
-    m_out.add_flat_sector(p, &from, &to, reflex_left ? left : right);
+    const FT straight = -dot(u_in, u_out), lost = (std::max)(in.lost, out.lost);
+    const auto add_side = [&](bool is_left) {
+      const Point from = quarter_turn(is_left ? u_out : u_in), to = FT(-1) * quarter_turn(is_left ? u_in : u_out);
+      m_out.add_flat_sector(p, &from, &to, is_left ? left : right, lost);
+    };
+    if (!CGAL::is_zero(turn) || !CGAL::is_positive(straight)) add_side(reflex_left);
+    // which side is reflex is open
+    if (CGAL::is_positive(lost) && CGAL::abs(turn) <= FT(2) * lost * straight) add_side(!reflex_left);
   }
 
   bool same_fan(Index c, Index d) const
@@ -276,18 +312,39 @@ private:
     });
   }
 
+  // Of a segment 2^-28 edges long. On edges at its vertex rounding turns rays from its other end by 2^-25 then, and a path that
+  // bends by this is longer by 2^-53 of its length.
+  static FT largest_lost_angle() { return FT(1. / (1 << 18)); }
+
   // The rays that can be shortest between two neighbouring source directions a and b (counterclockwise) at a vertex:
-  // a right angle away from each.
-  void add_gap(Index v, const Ray& a, const Ray& b, Root root)
+  // a right angle away from each, less `lost`, the angle up to which the two directions are known. If this is large, a segment is
+  // so short that on the edges at v rounding loses the rays from its other end: rays from v take their place.
+  void add_gap(Index v, const Ray& a, const Ray& b, Root root, const FT& lost)
   {
-    const Ray from = m_sector.turn_ccw(a, 1), to = m_sector.turn_cw(b, 1);
+    if (lost > largest_lost_angle())
+    {
+      const Index first = m_mesh.first_on_border(a.corner);
+      if (a.corner == b.corner)
+      { // all round, but for a wedge in one corner, if the gap is not this wedge
+        if (!CGAL::is_positive(cross(a.x, a.y, b.x, b.y)))
+          m_out.fans.push_back({v, Ray(), Ray(), first != no_index ? first : a.corner, root});
+      }
+      else if (!m_sector.passes_border(a, b)) m_out.fans.push_back({v, a, b, a.corner, root});
+      else
+      {
+        m_out.fans.push_back({v, a, Ray(), first, root});
+        m_out.fans.push_back({v, Ray(), b, first, root});
+      }
+      return;
+    }
+    const Ray from = m_sector.turn_ccw(a, 1, lost), to = m_sector.turn_cw(b, 1, lost);
     if (m_sector.passes_border(a, b))
     {
       const Index first = m_mesh.first_on_border(a.corner);
       if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, root});
       if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, root});
     }
-    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b) &&
+    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b, lost) &&
              m_sector.come_in_order(a, from, to))
       m_out.fans.push_back({v, from, to, from.corner, root});
   }
@@ -305,7 +362,7 @@ private:
       c = n;
     } while (c != no_index && c != first);
     if (rays.empty()) m_out.fans.push_back({v, Ray(), Ray(), first, root});
-    for (std::size_t i = 0; i < rays.size(); ++i) add_gap(v, rays[i], rays[(i + 1) % rays.size()], root);
+    for (std::size_t i = 0; i < rays.size(); ++i) add_gap(v, rays[i], rays[(i + 1) % rays.size()], root, FT(0));
   }
 
   const Unfolded_mesh<FT>& m_mesh;

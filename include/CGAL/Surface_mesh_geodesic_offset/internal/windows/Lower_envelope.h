@@ -174,7 +174,8 @@ private:
       // rays in the margin of a sector are longer, and lose
       if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_margin * a.d1))
       {
-        if (w.b1 - a.b1 > m_min_width) push_rest(w, a.b1, w.distance_at(a.b1), next, end);
+        const FT t = a.b1; // a moves when the envelope grows
+        if (w.b1 - t > m_min_width) push_rest(w, t, w.distance_at(t), next, end);
         return true;
       }
       if (!cut_end(a, w.b0, overlap)) return false;

@@ -25,6 +25,10 @@ namespace internal {
 // of up to 8 u L / r. At r = 2^-30 L it is 2^33 u, 2e-6, and a path that bends by it is too long by 5e-13 of its length.
 constexpr double least_clear_distance = 1. / (1 << 30);
 
+// Up to this part of L, a vertex beside the image hides the rays behind it: a gap of the angle 8 u L / r is there, and points of
+// other vertices within the gap are reached by ways round its ends. At r = 2^-13 L the gap is 2^16 u wide, 7e-12.
+constexpr double least_hiding_distance = 1. / (1 << 13);
+
 // Where a shortest path ends: a primitive of the source set and the side of it.
 struct Root
 {
