@@ -182,7 +182,7 @@ private:
     sector.for_each_sector_behind(
       back, [&](const auto& from, const auto& to, Index first) { add_part(from, to, first, left, right); });
     add_cone(k, d, right, left);
-    sector.for_each_margin_behind(back, FT(0), [&](const auto& from, const auto& to, Index first) {
+    sector.for_each_margin_behind(back, m_field.has_margins[v], FT(0), [&](const auto& from, const auto& to, Index first) {
       margin_left = margin_right = FT(0);
       add_part(from, to, first, margin_left, margin_right);
       if (margin_right < margin_left)

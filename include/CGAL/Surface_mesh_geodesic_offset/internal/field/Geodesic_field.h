@@ -46,6 +46,7 @@ public:
   std::vector<FT> distance;       // per vertex
   std::vector<Way_back<FT>> back; // per vertex
   std::vector<Root> root;         // per vertex
+  std::vector<char> has_margins;  // per vertex: whether it sends rays into the margins of its sectors
   std::vector<double> error;      // per vertex, if windows were merged within a tolerance: how much too small it may be
   Window_lists<FT> lists;         // of the halfedges where the front is
   Kept_windows<FT> kept;          // of the faces that it has passed, if they are kept
@@ -56,6 +57,7 @@ public:
     distance = other.distance;
     back = other.back;
     root = other.root;
+    has_margins = other.has_margins;
     kept = other.kept;
     m_before = &other;
   }
@@ -66,6 +68,7 @@ public:
     distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
     back.assign(mesh.number_of_vertices(), Way_back<FT>());
     root.assign(mesh.number_of_vertices(), Root());
+    has_margins.assign(mesh.number_of_vertices(), 0);
     kept = Kept_windows<FT>();
   }
 

@@ -206,7 +206,7 @@ private:
       const Window& w = *nearest;
       m_entry = face.entry_of_apex(w);
       const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
-      update_apex(h, face, m_best, bx, by, w);
+      update_apex(h, face, m_best, bx, by, w, false, face.is_beside_end(w));
     }
     if (is_exact) return;
     if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
@@ -269,10 +269,10 @@ private:
 
   // (bx, by): from the apex back towards the source, in the frame of h.
   void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by,
-                   const Window& w, bool is_bent = false)
+                   const Window& w, bool is_bent = false, bool is_beside_end = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_arrivals.push_back({d, back, w.root, w.pseudo_source(), is_bent});
+    m_arrivals.push_back({d, back, w.root, w.pseudo_source(), is_bent, is_beside_end});
     if (d < m_known) m_known = d;
   }
 

@@ -62,21 +62,26 @@ public:
   template <class Front>
   void spread_from_pseudo_source(Index v, Front& front) const
   {
-    if (!(m_state.vertex_state[v] & Wavefront_state<FT>::WAITS)) return;
-    const bool all_round = (m_state.vertex_state[v] & Wavefront_state<FT>::WAS_HIDDEN) ||
-                           m_state.is_beside_image(v, m_state.field.back[v].pseudo_source);
-    m_state.vertex_state[v] = Wavefront_state<FT>::HAS_SPREAD;
+    typedef Wavefront_state<FT> State;
+    char& state = m_state.vertex_state[v];
+    const bool waits = state & State::WAITS;
+    if (!waits && !m_state.lacks_margins(v)) return;
+    const bool all_round = waits && ((state & State::WAS_HIDDEN) ||
+                                     m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
+    const bool ties = state & State::TIES;
+    state = char(State::HAS_SPREAD | (ties ? State::TIES | State::HAS_MARGINS : 0));
+    m_state.field.has_margins[v] = ties;
     const Ray back = m_state.field.back[v].ray();
     const Root root = m_state.field.root[v];
     if (all_round)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
-    if (m_mesh.can_be_pseudo_source(v))
+    if (waits && m_mesh.can_be_pseudo_source(v))
       m_sector.for_each_sector_behind(
         back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
     m_sector.for_each_margin_behind(
-      back, m_state.hidden_angle(v),
+      back, ties, m_state.hidden_angle(v),
       [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front, true); });
-    if (m_mesh.has_several_fans(v))
+    if (waits && m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
       });

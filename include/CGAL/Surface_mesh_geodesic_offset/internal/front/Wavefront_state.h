@@ -40,6 +40,7 @@ struct Vertex_arrival
   Root root;
   Index pseudo_source;
   bool is_bent = false;
+  bool is_beside_end = false; // of the window; see Vertex_sector::for_each_margin_behind()
 };
 
 template <class FT>
@@ -50,7 +51,7 @@ public:
   typedef Vertex_arrival<FT> Arrival;
   typedef Window_output<FT, Window> Output;
 
-  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8 };
+  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8, TIES = 16, HAS_MARGINS = 32 };
   enum Face_state : char { SCHEDULED = 1, BOUNDED = 2 };
 
   // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
@@ -129,6 +130,7 @@ public:
     CGAL_precondition(CGAL::possibly(estimate(d) >= 0));
     CGAL_precondition(a.back.corner == no_index || mesh.source(a.back.corner) == v);
     FT& known = field.distance[v];
+    if (BOOST_LIKELY(!may_change(v, a))) return;
     FT rounding = known * Number_policy<FT>::rounding(64);
     if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // not often
       rounding += Number_policy<FT>::rounding(64) * (mesh[a.back.corner].length + mesh[mesh.previous(a.back.corner)].length);
@@ -138,6 +140,10 @@ public:
       field.root[v] = a.root;
       vertex_state[v] &= char(~IS_BENT);
     }
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      if (BOOST_UNLIKELY(d <= known + rounding && (a.is_beside_end || d >= known - rounding))) add_tie(v);
+    }
     if (!(d < known)) return;
     // what rounding improves comes from no other root, and is no reason to spread again
     const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
@@ -146,14 +152,25 @@ public:
     if (ties) return;
     field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
     field.root[v] = a.root;
-    vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN));
+    vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN | TIES | HAS_MARGINS));
     if (a.is_bent) vertex_state[v] |= IS_BENT;
+    if (a.is_beside_end) vertex_state[v] |= TIES;
     Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
     if (a.back.corner == no_index || d > maximum) return; // a source spreads by itself
     if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, FT(least_hiding_distance))) return;
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
+  }
+
+  // Paths of several images may tie at v.
+  BOOST_NOINLINE void add_tie(Index v)
+  {
+    if (vertex_state[v] & TIES) return;
+    vertex_state[v] |= TIES;
+    if (!lacks_margins(v) || field.back[v].corner == no_index || !mesh.can_be_pseudo_source(v)) return;
+    Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
+    queue.push_vertex((std::max)(queue.bucket_of(field.distance[v]), queue.current()), v);
   }
 
   // Whether a vertex is so near to the image of the window that gives it its distance that rounding loses directions behind
@@ -195,10 +212,15 @@ public:
   void update_apex(Index v, const Arrival& a) { update_vertex(v, a); }
 
   // Whether update_vertex() may do anything.
-  bool may_change(Index v, const Arrival& a) const
+  BOOST_FORCEINLINE bool may_change(Index v, const Arrival& a) const
   {
-    return a.distance < field.distance[v] || (!a.is_bent && (vertex_state[v] & IS_BENT));
+    const FT& known = field.distance[v];
+    if constexpr (!Number_policy<FT>::is_inexact) return a.distance < known;
+    return a.distance <= known + known * Number_policy<FT>::rounding(64) || (!a.is_bent && (vertex_state[v] & IS_BENT));
   }
+
+  // Whether a vertex that has spread has to spread margins, too.
+  bool lacks_margins(Index v) const { return (vertex_state[v] & (HAS_SPREAD | TIES | HAS_MARGINS)) == (HAS_SPREAD | TIES); }
 
   // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given root.
   Arrival along_edge(Index h, Root root) const

@@ -164,11 +164,12 @@ public:
   // up to the square root of the rounding of distances. Rays in a margin close the gap. They are paths of the surface, and as
   // long as others up to rounding; margin_surcharge() makes them lose.
   //
-  // `hidden`: the angle of a gap behind the vertex, for which the margins make up, too.
+  // `ties`: whether there may be other paths. `hidden`: the angle of a gap behind the vertex, for which the margins make up, too.
   template <class Function>
-  void for_each_margin_behind(const Ray& back, const FT& hidden, const Function& f) const
+  void for_each_margin_behind(const Ray& back, bool ties, const FT& hidden, const Function& f) const
   {
-    const FT angle = margin_angle(back, hidden);
+    if (!ties && CGAL::is_zero(hidden)) return;
+    const FT angle = margin_angle(back, ties, hidden);
     if (!CGAL::is_positive(angle)) return;
     const Index first = m_mesh->first_on_border(back.corner);
     const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
@@ -179,13 +180,13 @@ public:
   // The width of margins: 2^-20 radians, eight times the square root of 2^-46, up to which distances tie; at most 1 / 16 of each
   // corner, for needles. Zero where the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by
   // 2^-75 of its length, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
-  FT margin_angle(const Ray& back, const FT& hidden) const
+  FT margin_angle(const Ray& back, bool ties, const FT& hidden) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else
     {
       bool is_flat = true;
-      for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
+      if (ties) for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
         is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
       });
       FT angle = is_flat ? hidden : FT((std::max)(hidden, FT(1. / (1 << 20))));

@@ -174,8 +174,7 @@ private:
       // rays in the margin of a sector are longer, and lose
       if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_margin * a.d1))
       {
-        const FT t = a.b1; // a moves when the envelope grows
-        if (w.b1 - t > m_min_width) push_rest(w, t, w.distance_at(t), next, end);
+        begin_behind(w, a.b1, next, end);
         return true;
       }
       if (!cut_end(a, w.b0, overlap)) return false;
@@ -254,6 +253,12 @@ private:
     }
     else
       m_order.push_later(part(w, t, d, w.b1, w.d1));
+  }
+
+  // What is left of a window behind the end t of the last one of the envelope, which moves when the envelope grows.
+  BOOST_NOINLINE void begin_behind(const Window& w, FT t, const Window* const* next, const Window* const* end)
+  {
+    if (w.b1 - t > m_min_width) push_rest(w, t, w.distance_at(t), next, end);
   }
 
   // Cuts off the overlap with a window that begins at t, which is not more than rounding, if any; false, and nothing, if too

@@ -15,6 +15,8 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -80,6 +82,15 @@ public:
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
     return CGAL::abs(FT(b * slope - (r0 - r1))) <=
            closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+  }
+
+  // Whether a bounding ray of a window that covers the apex passes the apex by less than eight times the square root of 2^-46, up
+  // to which distances tie: then a path of another image may tie at the apex.
+  bool is_beside_end(const Window& w) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return false;
+    const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r = w.x * apex_y - w.y * apex_x;
+    return (std::min)(FT(r - w.b0 * slope), FT(w.b1 * slope - r)) <= FT(1. / (1 << 20)) * length * slope;
   }
 
   // The child on p -> r of the rays that enter from b0 to `end`; up to the apex, where the distance is apex_distance,
