@@ -117,10 +117,13 @@ public:
   // Whether two finite distances in the face are the same up to rounding.
   bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
 
-  int preference(std::size_t i, const Point& p) const
-  {
-    return 2 * int(m_windows[i].contains(p, rounding_of(FT(0)))) + int(!is_cap(i));
-  }
+  // Whether d is a distance e up to rounding, or that of a ray in a margin or in the wider sector of a corner of a polyline,
+  // whose distances are larger by 256 u of their length or of an edge.
+  bool tie_in_margin(const FT& d, const FT& e) const { return d - e <= FT(8) * rounding_of(e); }
+
+  bool contains(std::size_t i, const Point& p) const { return m_windows[i].contains(p, rounding_of(FT(0))); }
+
+  int preference(std::size_t i, const Point& p) const { return 2 * int(contains(i, p)) + int(!is_cap(i)); }
 
 private:
   void start(Index face)

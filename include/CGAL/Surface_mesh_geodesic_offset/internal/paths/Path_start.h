@@ -246,7 +246,11 @@ private:
       const FT d = w.path_length(q);
       // a path that leaves the face there is one of the other face, which may be much smaller, and its rounding with it
       const bool stays = edge == -1 || int(w.edge) != edge || w.origin > ENTERS_HALFEDGE_2;
-      const int preference = field.tie(d, start.distance) ? 2 * field.preference(i, q) + int(stays) : -1;
+      const bool ties = field.tie(d, start.distance), is_straight = field.contains(i, q);
+      // a straight path is better than one round the end of a window that is shorter by rounding
+      const bool may_start = ties || (is_straight && field.tie_in_margin(d, start.distance));
+      const int preference = may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) +
+                                         2 * int(field.preference(i, q) & 1) + int(stays) : -1;
       if (preference < best.preference || (preference == best.preference && !(d < best.length))) continue;
       best = {preference, d};
       set(start, field.face(), q, w);

@@ -96,7 +96,7 @@ private:
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
-    const FT rounding = Number_policy<FT>::rounding(256);
+    const FT rounding = Number_policy<FT>::rounding(64); // well below pruning_allowance()
     // The image of parallel rays is a unit vector. The sigma of other rays is the distance of a vertex, the same in all of its
     // windows; in margins of its sectors it is larger.
     const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
