@@ -233,8 +233,9 @@ public:
   Let \f$D = s (X - bW) - c Y\f$. The ray meets the edge if \f$D > 0\f$, at the distance \f$-bY / D\f$ from the origin. Its
   length grows by the fraction \f$sb / D\f$ (of its length up to \f$(b, 0)\f$ if \f$W = 1\f$, of the unit if \f$W = 0\f$).
   Exact if `FT` is. Otherwise the caller computes the distance anew, from the image, if rounding has moved the exit beyond the
-  end of the edge, or if the length has more than trebled, since growth preserves the relative error of a point very near to
-  the source.
+  end of the edge; for \f$W = 1\f$ if the length has more than trebled, since growth preserves the relative error of a point very
+  near to the source; for \f$W = 0\f$ if the ray meets the edge at a grazing angle, \f$16 D < s\f$. Else the length keeps the
+  relative accuracy of a small one, which an image far away has not.
   */
   class Construct_exit_2
   {
@@ -256,14 +257,14 @@ public:
       }
       const FT growth = s * b * inverse;
       distance = is_parallel ? FT(d + growth) : FT(d + (d - sigma) * growth);
-      is_rough = growth > (is_parallel ? FT(2) * d : FT(2)) || t > length;
+      is_rough = (is_parallel ? s * inverse > FT(16) : growth > FT(2)) || t > length;
       if (t > length) t = length;
       return true;
     }
 
 #ifndef DOXYGEN_RUNNING
     // The same for two rays at once, with floating point numbers and b not negative. False if one of them does not meet the
-    // edge, or if its length is more than doubled: t and distance are meaningless then.
+    // edge, if its length is more than doubled, or if it meets the edge at a grazing angle: t and distance are meaningless then.
     BOOST_FORCEINLINE bool operator()(const Pair& x, const Pair& y, const Pair& sigma, bool is_parallel, const Pair& b,
                                       const Pair& d, const Pair& c, const Pair& s, const Pair& length, Pair& t,
                                       Pair& distance) const
@@ -273,7 +274,7 @@ public:
       const Pair growth = sb * inverse;
       t = b * y * inverse;
       distance = is_parallel ? d - growth : d + (sigma - d) * growth;
-      return ((sb < (is_parallel ? den * d : den)) & (t <= length)).bits() == 3;
+      return ((is_parallel ? s < Pair(FT(16)) * den : sb < den) & (t <= length)).bits() == 3;
     }
 #endif
   };

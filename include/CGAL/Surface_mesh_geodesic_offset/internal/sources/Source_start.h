@@ -160,7 +160,11 @@ private:
   {
     if (!(known.lost < s.lost) || p.kind == Surface_point_::VERTEX) return;
     const Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
-    if (!CGAL::is_positive(dot(t, s.direction)) || CGAL::abs(cross(t, s.direction)) > s.lost) return;
+    // beside a tiny face, rounding of a large one is no rounding
+    const FT size =
+      (std::min)(Face_frame<FT>(m_mesh, s.face).longest_edge(), Face_frame<FT>(m_mesh, known.face).longest_edge());
+    const FT off = CGAL::abs(cross(t, s.b - s.a)); // of the end of the segment
+    if (!CGAL::is_positive(dot(t, s.direction)) || off > Number_policy<FT>::rounding(8) * size) return;
     s.direction = t;
     s.lost = known.lost;
   }
