@@ -247,6 +247,9 @@ public:
       step(from, g_from, previous, c, a_c - b_c, m_tie.compare(a_c, b_c));
     }
     step(from, g_from, previous, m_high, m_a_high - m_b_high, m_tie.compare(m_a_high, m_b_high));
+    // Parallel rays tie with those from the end of their segment. Where these would take some of them, a gap opens behind, since
+    // the rays on the two sides of a place where the distances tie are not the same.
+    if (m_first_sign == 0 && a.is_parallel() != b.is_parallel()) m_first_sign = a.is_parallel() ? -1 : 1;
   }
 
   const FT& low() const { return m_low; }
@@ -254,7 +257,7 @@ public:
   const FT& distance_at_low(bool of_a) const { return of_a ? m_a_low : m_b_low; }
   const FT& distance_at_high(bool of_a) const { return of_a ? m_a_high : m_b_high; }
 
-  bool first_is_nearer() const { return m_first_sign <= 0; } // ties go to the first
+  bool first_is_nearer() const { return m_first_sign <= 0; } // other ties go to the first
   int number() const { return m_number; }
   const FT& operator[](int i) const
   {
