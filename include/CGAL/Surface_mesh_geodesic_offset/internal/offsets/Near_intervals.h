@@ -68,6 +68,9 @@ public:
   {
     // from a point of the face, all straight paths are valid, and the rounding of a ray along the segment does not matter
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed);
+    // from the ends of a segment of the source, too: rounding may leave an edge that is at right angles to it beside its strips
+    if (w.origin >= STARTS_IN_FACE)
+      for (const Point& end : {w.left, w.right}) add_disk(end, m_level, o, u, reversed);
     add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
