@@ -48,7 +48,9 @@ public:
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = Number_policy<FT>::rounding(4096) * length;
     m_least_overlap = -m_max_gap;
+    m_widest_gap = FT(widest_closed_gap) * length;
     m_rounding = Number_policy<FT>::rounding(1);
+    m_gap_rounding = Number_policy<FT>::rounding(16);
     m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
@@ -92,6 +94,9 @@ public:
   }
 
 private:
+  // Gaps up to this part of the length of the halfedge are closed.
+  static constexpr double widest_closed_gap = 1. / (1 << 8);
+
   bool same_image(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
@@ -146,12 +151,47 @@ private:
         a.d1 = w.d1;
       }
       else
-        m_envelope.push_back(w);
+        push_behind(a, w);
     }
     else if (same_image(a, w))
       unite(a, w);
     else
       resolve(a, w);
+  }
+
+  // Appends w, which begins behind the last window a of the envelope. Closes the gap between them where it can.
+  BOOST_FORCEINLINE void push_behind(Window& a, const Window& w)
+  {
+    const FT gap = w.b0 - a.b1;
+    if (CGAL::is_positive(gap) && gap < m_widest_gap && close_gap(a, w)) return;
+    m_envelope.push_back(w);
+  }
+
+  // Closes the gap between two neighbours whose distances agree up to rounding at both ends of the gap. Rounding has turned a
+  // bounding ray then, or has dropped a narrow window: behind an image that is near to the edge, the gap would grow with the
+  // distance. One of the two windows takes over the gap. The path of a point in it bends by less than the square root of the
+  // rounding of its length.
+  BOOST_NOINLINE bool close_gap(Window& a, const Window& w)
+  {
+    const FT allowance = m_gap_rounding * (a.d1 + w.d0 + m_length);
+    if (!a.is_propagated() || w.is_propagated())
+    {
+      const FT d = a.distance_at(w.b0);
+      if (CGAL::abs(FT(d - w.d0)) <= allowance)
+      {
+        a.b1 = w.b0;
+        a.d1 = d;
+        return false;
+      }
+    }
+    if (w.is_propagated()) return false;
+    const FT d = w.distance_at(a.b1);
+    if (!(CGAL::abs(FT(d - a.d1)) <= allowance)) return false;
+    const FT b = a.b1;
+    m_envelope.push_back(w);
+    m_envelope.back().b0 = b;
+    m_envelope.back().d0 = d;
+    return true;
   }
 
   // The usual cases of two windows that follow each other, without all that may happen else. False if it is another one.
@@ -163,7 +203,7 @@ private:
     const FT overlap = a.b1 - w.b0;
     if (overlap < m_least_overlap)
     {
-      m_envelope.push_back(w);
+      push_behind(a, w);
       return true;
     }
     if (same_image(a, w)) return false;
@@ -388,7 +428,7 @@ private:
   const Traits& m_traits;
   std::vector<Window> m_envelope;
   Window_order<FT, Window> m_order;
-  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_rounding, m_margin;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_rounding, m_gap_rounding, m_margin;
 };
 
 } // namespace internal
