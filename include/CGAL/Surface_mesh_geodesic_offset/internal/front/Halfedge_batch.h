@@ -37,7 +37,7 @@ public:
 
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
-    : m_mesh(state.mesh), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
+    : m_mesh(state.mesh), m_distance(state.field.distance), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
       m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes || m_merging.is_on())
   {
   }
@@ -59,7 +59,8 @@ public:
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =
-      m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end()));
+      m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
+                           m_distance[m_mesh.source(h)], m_distance[m_mesh.target(h)]));
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay ? nullptr : &envelope;
   }
@@ -72,6 +73,7 @@ private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
   const Unfolded_mesh<FT>& m_mesh;
+  const std::vector<FT>& m_distance; // of the vertices
   Lower_envelope<Traits> m_envelope;
   Window_merging<FT> m_merging;
   Batch_propagation<Traits> m_propagate;

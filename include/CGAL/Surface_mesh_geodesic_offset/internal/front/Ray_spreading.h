@@ -55,6 +55,8 @@ public:
       for (int k = 0; k < 3; ++k)
         if (l.window.edge == 3 || l.window.edge == k) leave_face(l.face, frame, k, l.window);
     }
+    for (const auto& l : m_initial.beyond_edges)
+      if (starts(l.window)) leave_face(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window);
   }
 
   // Behind a vertex reached along a direction, shortest paths go on only at angles of at least pi to it on either side. What

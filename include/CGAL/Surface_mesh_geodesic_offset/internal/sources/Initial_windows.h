@@ -114,6 +114,7 @@ public:
   std::vector<Source_place<FT>> places; // per primitive
   std::vector<Index> source_of;         // per primitive, its source
   std::vector<Local_window> local;
+  std::vector<Local_window> beyond_edges; // rays that start in a face beyond an edge beside their image; for the front alone
   std::vector<Edge_window> edges;
   std::vector<Vertex_fan> fans;
   std::vector<Vertex_seed> seeds;
@@ -148,63 +149,11 @@ public:
     seeds.push_back({m_mesh.source(3 * face + Index(k)), distance, Ray{3 * face + Index(k), u.x, u.y}, root});
   }
 
-  // The rays from a point inside a face or an edge. The sector reaches counterclockwise from `from` to `to` (at most
-  // a half turn), in the frame of the point's face or halfedge; without them, all directions. `lost`: the angle up to which
-  // `from` and `to` are known.
-  //
-  // Rounding may turn rays from a point beside an edge, too. Then a wider sector closes the gaps beside its bounding rays. The
-  // sector itself is narrower, so that what is left of the wider one on an edge is longer than windows that are left out.
-  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root, const FT& lost = FT(0))
+  // The rays from a point inside a face or an edge. The sector reaches counterclockwise from `from` to `to` (at most a half
+  // turn), in the frame of the point's face or halfedge; without them, all directions.
+  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
   {
-    const FT angle = from && to ? (std::max)(lost, lost_angle(p)) : FT(0);
-    if (!CGAL::is_positive(angle)) return add_sector(p, from, to, root, FT(0));
-    if (p.kind == Surface_point_::FACE) add_sector_beyond_edges(p, *from, *to, root);
-    add_wider_sector(p, *from, *to, angle, root);
-    const FT cut = FT(8) * angle;
-    if (!(cut < FT(0.5)) || !is_wider(*from, *to, FT(2) * cut)) return;
-    const Point first = *from + cut * quarter_turn(*from), last = *to - cut * quarter_turn(*to);
-    add_sector(p, &first, &last, root, FT(0));
-  }
-
-  // The angle up to which the direction of a segment of the given length is known, from the coordinates of its ends in a face;
-  // zero if that is not significant().
-  FT lost_angle(Index face, const FT& segment) const
-  {
-    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
-  }
-
-  // The rays of a sector from a point inside a face that cross an edge beside the point. They start in the face beyond, where
-  // windows on its other edges are as wide as their rays; on the edge itself rounding would turn them.
-  void add_sector_beyond_edges(const Surface_point_& p, const Point& from, const Point& to, Root root)
-  {
-    const Face_frame<FT> frame(m_mesh, p.element);
-    const Point position{p.x, p.y};
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index g = m_mesh.twin(3 * p.element + Index(k));
-      if (g == no_index || CGAL::is_zero(lost_angle(p.element, frame.height(k, position)))) continue;
-      Point right = frame.corner(k), left = frame.corner((k + 1) % 3); // of the edge
-      if (!clip(position, from, FT(1), right, left) || !clip(position, to, FT(-1), right, left)) continue;
-      const int k_beyond = int(g % 3);
-      const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
-      const auto direction = [&](const Point& u, int corner, bool is_bounding) {
-        const Point v = is_bounding ? u : frame.corner(corner) - position;
-        return beyond.vector_from_halfedge(k_beyond, FT(-1) * frame.vector_to_halfedge(k, v));
-      };
-      // a sector within a half turn is bounded by the edge's ends where these are inside it
-      const bool from_is_inside = CGAL::is_positive(cross(frame.corner(k) - position, from));
-      const bool to_is_inside = CGAL::is_positive(cross(to, frame.corner((k + 1) % 3) - position));
-      const Point first = direction(from, k, from_is_inside), last = direction(to, (k + 1) % 3, to_is_inside);
-      const Point image = beyond.from_halfedge(k_beyond, frame.to_twin(k, position));
-      add_sector_in_face(m_mesh.face(g), image, &first, &last, root, FT(0), k_beyond);
-    }
-  }
-
-  // `sigma`: the distance at p.
-  void add_sector(const Surface_point_& p, const Point* from, const Point* to, Root root, const FT& sigma)
-  {
-    if (p.kind == Surface_point_::FACE) return add_sector_in_face(p.element, {p.x, p.y}, from, to, root, sigma);
+    if (p.kind == Surface_point_::FACE) return add_sector_in_face(p.element, {p.x, p.y}, from, to, root, -1, local);
     for (const Index h : {p.element, m_mesh.twin(p.element)})
     {
       if (h == no_index) continue;
@@ -215,27 +164,16 @@ public:
       Point f, t;
       if (from) f = frame.vector_from_halfedge(k, turned ? FT(-1) * *from : *from);
       if (to) t = frame.vector_from_halfedge(k, turned ? FT(-1) * *to : *to);
-      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, root, sigma, k);
+      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, root, k, local);
     }
   }
 
-  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, const FT& sigma,
-                          int on_edge = -1)
+  // The angle up to which the direction of a segment of the given length is known, from the coordinates of its ends in a face;
+  // zero if that is not significant().
+  FT lost_angle(Index face, const FT& segment) const
   {
-    const Face_frame<FT> frame(m_mesh, face);
-    for (int k = 0; k < 3; ++k)
-    {
-      if (k == on_edge || !CGAL::is_positive(frame.height(k, p))) continue;
-      // seen from p, the right end of the edge is its source
-      Point right = frame.corner(k), left = frame.corner((k + 1) % 3);
-      if (from && !clip(p, *from, FT(1), right, left)) continue;
-      if (to && !clip(p, *to, FT(-1), right, left)) continue;
-      // where a polyline goes straight on up to rounding, its strips meet and nothing is between them
-      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) continue;
-      local.push_back({face, Face_window<FT>{p.x, p.y, sigma, left, right, root,
-                                             Window<FT>::make_bits(false, no_index), STARTS_IN_FACE,
-                                             (unsigned char)(k)}});
-    }
+    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
+    else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
   }
 
   // What a point inside a face or an edge tells the corners of its faces. root_of(v): the root for a corner at v, seen from
@@ -258,30 +196,56 @@ public:
   }
 
 private:
-  // The angle by which rounding may turn rays from p where they leave the faces of p. Chords shorter than 64 u L are left out,
-  // an angle of 64 u L / r seen from p at distance r. Twice that, since two rays may be turned. Zero above
-  // r = least_clear_distance * L.
-  FT lost_angle(const Surface_point_& p) const
+  // Appends the rays of a sector in a face to `out`. The point p is inside the face (entry -1), on its halfedge `entry`, or behind
+  // this halfedge.
+  //
+  // Beside the image, the ends of a window on an edge are too coarse for the directions of its bounding rays. So the rays that
+  // cross an edge beside the image start a second time, in the face beyond the edge.
+  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, int entry,
+                          std::vector<Local_window>& out)
   {
-    if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else
+    const Face_frame<FT> frame(m_mesh, face);
+    for (int k = 0; k < 3; ++k)
     {
-      FT result(0);
-      for (const Index f : faces_of(m_mesh, p))
+      if (k == entry || !CGAL::is_positive(frame.height(k, p))) continue;
+      // seen from p, the right end of the edge is its source
+      const Point source = frame.corner(k), target = frame.corner((k + 1) % 3);
+      Point right = source, left = target;
+      if (from && !clip(p, *from, FT(1), right, left)) continue;
+      if (to && !clip(p, *to, FT(-1), right, left)) continue;
+      if (!CGAL::is_zero(lost_angle(face, distance_to_chord(frame, k, p, right, left))))
       {
-        Point position;
-        unsigned edges_of_p;
-        position_in_face(m_mesh, p, f, position, edges_of_p);
-        const Face_frame<FT> frame(m_mesh, f);
-        for (int k = 0; k < 3; ++k)
-        {
-          if (edges_of_p & 1u << k) continue;
-          const FT lost = Number_policy<FT>::rounding(128) * frame.longest_edge();
-          result = (std::max)(result, significant(lost, frame.height(k, position)));
-        }
+        // a sector within a half turn is bounded by the ends of the edge where these are inside it
+        const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
+        const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
+        add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, root);
       }
-      return result;
+      // where a polyline goes straight on up to rounding, its strips meet and nothing is between them
+      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) continue;
+      out.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root, Window<FT>::make_bits(false, no_index),
+                                           STARTS_IN_FACE, (unsigned char)(k)}});
     }
+  }
+
+  // The rays from p, in the frame of a face, that cross its halfedge k in the directions from `from` to `to`.
+  void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Root root)
+  {
+    const Index g = m_mesh.twin(3 * face + Index(k));
+    if (g == no_index || !CGAL::is_positive(cross(from, to))) return;
+    const int entry = int(g % 3);
+    const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
+    const auto turned = [&](const Point& u) {
+      return beyond.vector_from_halfedge(entry, FT(-1) * frame.vector_to_halfedge(k, u));
+    };
+    const Point first = turned(from), last = turned(to);
+    add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, root, entry, beyond_edges);
+  }
+
+  static FT distance_to_chord(const Face_frame<FT>& frame, int k, const Point& p, const Point& right, const Point& left)
+  {
+    const FT along = frame.along(k, p), height = frame.height(k, p);
+    const FT beyond = (std::max)({FT(frame.along(k, right) - along), FT(along - frame.along(k, left)), FT(0)});
+    return square_root<FT>(height * height + beyond * beyond);
   }
 
   // The angle of an arc of the given length at a distance, at most 1; zero up to 2^-30: a path that bends by it is longer by
@@ -290,29 +254,6 @@ private:
   {
     const FT angle = distance > arc ? FT(arc / distance) : FT(1);
     return angle > FT(1. / (1 << 30)) ? angle : FT(0);
-  }
-
-  // Whether the sector from one direction counterclockwise to another is wider than an angle below a quarter turn, by its tangent.
-  static bool is_wider(const Point& from, const Point& to, const FT& angle)
-  {
-    const FT c = dot(from, to);
-    return !CGAL::is_positive(c) || cross(from, to) > angle * c;
-  }
-
-  // The sector, wider by an angle at both ends: rays behind the strips beside it are as long as those of the strips, or
-  // longer. Its distances are larger by a rounding, so that it loses against the strips and only closes gaps. In two parts,
-  // since it may be more than a half turn.
-  void add_wider_sector(const Surface_point_& p, const Point& from, const Point& to, const FT& angle, Root root)
-  {
-    FT longest(0);
-    for (const Index f : faces_of(m_mesh, p)) longest = (std::max)(longest, Face_frame<FT>(m_mesh, f).longest_edge());
-    const FT surcharge = FT(4) * Vertex_sector<FT>::margin_surcharge(longest);
-    const Point first = (FT(1) / length(from)) * from, last = (FT(1) / length(to)) * to, difference = last - first;
-    const Point middle = {first.x + last.x + difference.y, first.y + last.y - difference.x};
-    const Point before = {first.x + angle * first.y, first.y - angle * first.x};
-    const Point behind = {last.x - angle * last.y, last.y + angle * last.x};
-    add_sector(p, &before, &middle, root, surcharge);
-    add_sector(p, &middle, &behind, root, surcharge);
   }
 
   // What a fan sends into one face, at its corner at the source of h; the rays are counterclockwise from `lower` to `upper`.

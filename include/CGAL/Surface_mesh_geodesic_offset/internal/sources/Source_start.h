@@ -250,7 +250,7 @@ private:
     const Point u = vector_of(s, at_second, p);
     const Point from = quarter_turn(u), to = FT(-1) * from;
     m_out.add_seeds_of_point(p, [root](const Point&) { return root; });
-    m_out.add_flat_sector(p, &from, &to, root, s.lost);
+    m_out.add_flat_sector(p, &from, &to, root);
   }
 
   void add_joint(Index source, const Segment& in, const Segment& out)
@@ -289,7 +289,7 @@ private:
     const FT straight = -dot(u_in, u_out), lost = (std::max)(in.lost, out.lost);
     const auto add_side = [&](bool is_left) {
       const Point from = quarter_turn(is_left ? u_out : u_in), to = FT(-1) * quarter_turn(is_left ? u_in : u_out);
-      m_out.add_flat_sector(p, &from, &to, is_left ? left : right, lost);
+      m_out.add_flat_sector(p, &from, &to, is_left ? left : right);
     };
     if (!CGAL::is_zero(turn) || !CGAL::is_positive(straight)) add_side(reflex_left);
     // which side is reflex is open

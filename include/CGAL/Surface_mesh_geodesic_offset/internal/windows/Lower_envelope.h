@@ -40,8 +40,11 @@ public:
   // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
   // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where
   // both may be the nearer one.
+  //
+  // `d_source`, `d_target`: the distances of the ends of the halfedge, negative if they are not known.
   const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
-                                        const Window* more = nullptr, const Window* more_last = nullptr)
+                                        const Window* more = nullptr, const Window* more_last = nullptr,
+                                        const FT& d_source = FT(-1), const FT& d_target = FT(-1))
   {
     m_envelope.clear();
     m_length = length;
@@ -68,6 +71,7 @@ public:
       }
       add(*w);
     }
+    if constexpr (Number_policy<FT>::is_inexact) close_gaps_at_ends(d_source, d_target);
     CGAL_postcondition(are_in_order(m_envelope.data(), m_envelope.data() + m_envelope.size(), length));
     CGAL_expensive_postcondition(
       have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
@@ -165,6 +169,31 @@ private:
     const FT gap = w.b0 - a.b1;
     if (CGAL::is_positive(gap) && gap < m_widest_gap && close_gap(a, w)) return;
     m_envelope.push_back(w);
+  }
+
+  // Closes the gaps between the first and last windows and the ends of the halfedge, in the same way.
+  void close_gaps_at_ends(const FT& d_source, const FT& d_target)
+  {
+    if (m_envelope.empty()) return;
+    Window &a = m_envelope.front(), &w = m_envelope.back();
+    if (CGAL::is_positive(a.b0) && a.b0 < m_widest_gap && !a.is_propagated())
+    {
+      const FT d = a.distance_at(FT(0));
+      if (CGAL::abs(FT(d - d_source)) <= m_gap_rounding * (d + m_length))
+      {
+        a.b0 = FT(0);
+        a.d0 = d;
+      }
+    }
+    if (w.b1 < m_length && m_length - w.b1 < m_widest_gap && !w.is_propagated())
+    {
+      const FT d = w.distance_at(m_length);
+      if (CGAL::abs(FT(d - d_target)) <= m_gap_rounding * (d + m_length))
+      {
+        w.b1 = m_length;
+        w.d1 = d;
+      }
+    }
   }
 
   // Closes the gap between two neighbours whose distances agree up to rounding at both ends of the gap. Rounding has turned a
