@@ -44,9 +44,16 @@ struct Rays_through_chord
   {
     const bool off_left = CGAL::is_positive(left_side(p)), off_right = CGAL::is_negative(right_side(p));
     is_straight = !off_left && !off_right;
-    if (is_straight) return distance_at(p);
+    if (is_straight)
+    {
+      const FT d = distance_at(p);
+      if (!is_parallel || !(d < distance_at(left)) || !(d < distance_at(right))) return d;
+      // Parallel rays that run along the chord, up to rounding, reach points behind it, too. The distance grows along rays, so
+      // such a point is nearer than both ends.
+      is_straight = false;
+    }
     const auto round = [&](const Point& end) { return FT(distance_at(end) + length(p - end)); };
-    if (off_left && off_right) return (std::min)(round(left), round(right));
+    if (off_left == off_right) return (std::min)(round(left), round(right));
     return off_left ? round(left) : round(right);
   }
 };
