@@ -38,8 +38,8 @@ public:
     const FT length = m_mesh[h].length;
     m_near.start(length, m_reach.of_edge(h), level);
     const FT d0 = m_field.distance[m_mesh.source(h)], d1 = m_field.distance[m_mesh.target(h)];
-    if (d0 < level) m_near.add(FT(0), level - d0);
-    if (d1 < level) m_near.add(length - (level - d1), length);
+    if (d0 < level) m_near.add_end(true, level - d0);
+    if (d1 < level) m_near.add_end(false, level - d1);
     add_side(h, false);
     if (g != no_index)
       add_side(g, true);

@@ -41,18 +41,22 @@ public:
   const FT& length() const { return m_length; }
   const FT& level() const { return m_level; }
 
-  // [lo, hi], as it is.
-  void add(const FT& lo, const FT& hi) { m_intervals.emplace_back(lo, hi); }
+  // Points up to the distance r from an end of the segment.
+  void add_end(bool is_source, const FT& r)
+  {
+    if (is_source) add(FT(0), r, r);
+    else add(m_length - r, m_length, r);
+  }
 
-  // The distance is less than the level from lo to hi. As it is 1-Lipschitz, it is less beyond each end by as far as it
-  // falls short of the level there (d_lo, d_hi). This closes the gaps that rounding leaves between neighbouring windows.
-  // `reversed`: lo and hi count from the other end of the segment.
-  void add(FT lo, FT hi, const FT& d_lo, const FT& d_hi, bool reversed)
+  // The distance is less than the level from lo to hi, by `depth` at most. As it is 1-Lipschitz, it is less beyond each end by
+  // as far as it falls short of the level there (d_lo, d_hi). This closes the gaps that rounding leaves between neighbouring
+  // windows. `reversed`: lo and hi count from the other end of the segment.
+  void add(FT lo, FT hi, const FT& d_lo, const FT& d_hi, const FT& depth, bool reversed)
   {
     if (!(lo < hi)) return;
     if (d_lo < m_level) lo -= m_level - d_lo;
     if (d_hi < m_level) hi += m_level - d_hi;
-    add_whole(lo, hi, reversed);
+    add_whole(lo, hi, depth, reversed);
   }
 
   // A window of a list, on its own halfedge.
@@ -60,58 +64,65 @@ public:
   {
     FT lo = w.b0, hi = w.b1;
     if (cut_near_part(w.is_parallel(), w.x, w.y, FT(m_level - w.sigma), lo, hi))
-      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, reversed);
+      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, FT(m_level - minimum(w)), reversed);
   }
 
   // A window in a face, on the segment from o in the unit direction u.
   void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
   {
     // from a point of the face, all straight paths are valid, and the rounding of a ray along the segment does not matter
-    if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed);
+    if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed, FT(0), m_length);
     // from the ends of a segment of the source, too: rounding may leave an edge that is at right angles to it beside its strips
     if (w.origin >= STARTS_IN_FACE)
-      for (const Point& end : {w.left, w.right}) add_disk(end, m_level, o, u, reversed);
+      for (const Point& end : {w.left, w.right}) add_disk(end, m_level, o, u, reversed, FT(0), m_length);
     add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
-        add(lo, hi, w.path_length(o + lo * u), w.path_length(o + hi * u), reversed);
+      {
+        const FT d_lo = w.path_length(o + lo * u), d_hi = w.path_length(o + hi * u);
+        const FT foot = w.is_parallel() ? lo : dot(w.image() - o, u);
+        const FT lowest = lo < foot && foot < hi ? w.path_length(o + foot * u) : (std::min)(d_lo, d_hi);
+        add(lo, hi, d_lo, d_hi, FT(m_level - lowest), reversed);
+      }
     });
     // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord: the straight one is
     // none, and in a narrow corner it is shorter by much more than the slack.
     add_cone(w, o, u, Offset_tolerances<FT>::ray_slack(m_length), [&](const FT& from, const FT& to) {
-      for (const Point& bend : {w.left, w.right})
-      {
-        FT lo = from, hi = to;
-        if (cut_near_part(bend, FT(m_level - w.distance_at(bend)), o, u, lo, hi)) add_whole(lo, hi, reversed);
-      }
+      for (const Point& bend : {w.left, w.right}) add_disk(bend, FT(m_level - w.distance_at(bend)), o, u, reversed, from, to);
     });
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
-  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out. The ends of the segment
-  // are near exactly if the caller says so, whatever the intervals are; so the number of calls is odd exactly if both ends
+  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out, and so are intervals where
+  // the distance is less than the level by no more than half of this: at a small angle to a front they may be long. The ends of
+  // the segment are near exactly if the caller says so, whatever the intervals are; so the number of calls is odd exactly if both ends
   // differ.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
   {
-    if (source_is_near) add(FT(0), FT(0));
-    if (target_is_near) add(m_length, m_length);
+    if (source_is_near) add_end(true, FT(0));
+    if (target_is_near) add_end(false, FT(0));
     std::sort(m_intervals.begin(), m_intervals.end());
     std::size_t n = 0;
     for (const Interval& i : m_intervals)
     {
-      if (n > 0 && i.first <= m_intervals[n - 1].second + m_gap)
-        m_intervals[n - 1].second = (std::max)(m_intervals[n - 1].second, i.second);
+      if (n > 0 && i.first <= m_intervals[n - 1].last + m_gap)
+      {
+        Interval& united = m_intervals[n - 1];
+        united.last = (std::max)(united.last, i.last);
+        united.depth = (std::max)(united.depth, i.depth);
+      }
       else
         m_intervals[n++] = i;
     }
     CGAL_assertion_code(std::size_t ends = 0);
     for (std::size_t i = 0; i < n; ++i)
     {
-      CGAL_assertion(i == 0 || m_intervals[i - 1].second < m_intervals[i].first);
+      CGAL_assertion(i == 0 || m_intervals[i - 1].last < m_intervals[i].first);
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
-      const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].second, m_length);
-      if (!at_source && !at_target && !(last - first > m_gap)) continue; // the level just touches the segment
+      const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].last, m_length);
+      const bool is_touched = !(last - first > m_gap) || !(FT(2) * m_intervals[i].depth > m_gap); // by the level, or crossed
+      if (!at_source && !at_target && is_touched) continue;
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
       CGAL_assertion_code(ends += std::size_t(!at_source) + std::size_t(!at_target));
@@ -120,19 +131,30 @@ public:
   }
 
 private:
-  typedef std::pair<FT, FT> Interval;
-
-  void add_whole(const FT& lo, const FT& hi, bool reversed)
+  struct Interval
   {
-    if (reversed) add(m_length - hi, m_length - lo);
-    else add(lo, hi);
+    FT first, last;
+    FT depth; // the largest level less distance in it
+    friend bool operator<(const Interval& a, const Interval& b)
+    {
+      return a.first < b.first || (!(b.first < a.first) && a.last < b.last);
+    }
+  };
+
+  void add(const FT& first, const FT& last, const FT& depth) { m_intervals.push_back({first, last, depth}); }
+
+  void add_whole(const FT& lo, const FT& hi, const FT& depth, bool reversed)
+  {
+    if (reversed) add(m_length - hi, m_length - lo, depth);
+    else add(lo, hi, depth);
   }
 
-  // The disk of radius r about c.
-  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u, bool reversed)
+  // The part of [lo, hi] in the disk of radius r about c.
+  void add_disk(const Point& c, const FT& r, const Point& o, const Point& u, bool reversed, FT lo, FT hi)
   {
-    FT lo(0), hi = m_length;
-    if (cut_near_part(c, r, o, u, lo, hi)) add_whole(lo, hi, reversed);
+    if (!cut_near_part(c, r, o, u, lo, hi)) return;
+    const FT foot = (std::max)(lo, (std::min)(dot(c - o, u), hi));
+    add_whole(lo, hi, r - internal::length(c - (o + foot * u)), reversed);
   }
 
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
