@@ -201,8 +201,10 @@ private:
                  right = beyond * CGAL::Geodesic_offset::internal::length(w.ray_direction(w.right));
     clip(left - w.left_side(a), left - w.left_side(b), length, span);
     clip(right + w.right_side(a), right + w.right_side(b), length, span);
-    if (starts_in_face)
-      clip(beyond + w.distance_at(a), beyond + w.distance_at(b), length, span);
+    // in front of the source, or of the chord: rays along the chord pass points behind it, too
+    const double nearest = starts_in_face ? 0 : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
+    if (starts_in_face || w.is_parallel())
+      clip(beyond + w.distance_at(a) - nearest, beyond + w.distance_at(b) - nearest, length, span);
     return span.from <= span.to;
   }
 

@@ -110,6 +110,8 @@ public:
     return out;
   }
 
+  bool starts_at_point_of_face() const { return !is_straight() && m_window->origin >= STARTS_IN_FACE; }
+
   bool is_in_cone(const Point& p) const
   {
     return CGAL::is_negative(left().value(p)) && CGAL::is_negative(right().value(p)) &&

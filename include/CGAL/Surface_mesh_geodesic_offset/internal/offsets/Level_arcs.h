@@ -203,8 +203,12 @@ private:
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
-  // Is p covered by the window of b?
-  bool covers(const Arc& b, const Point& p) const { return b.is_in_cone(p) && b.excess(p) < -m_tolerances.cover; }
+  // Is p covered by the window of b? From a point of the face, the straight path to any other is valid: there the cone does not
+  // count, since an arc may run along its bounding ray.
+  bool covers(const Arc& b, const Point& p) const
+  {
+    return (b.starts_at_point_of_face() || b.is_in_cone(p)) && b.excess(p) < -m_tolerances.cover;
+  }
 
   // The same for one other arc. The ends of the parts in the disk and in the cone divide the arc into parts that are covered
   // wholly or not at all; their middle points tell which.
@@ -231,8 +235,11 @@ private:
       add(enter);
       add(leave);
     };
-    add_side(b.left());
-    add_side(b.right());
+    if (!b.starts_at_point_of_face())
+    {
+      add_side(b.left());
+      add_side(b.right());
+    }
     if (b.window().is_parallel() && b.window().origin == STARTS_IN_FACE)
       add_side({b.forward(), b.radius() - m_level}); // the line of the source
     Point p = from;

@@ -40,6 +40,14 @@ struct Level_piece
     return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
   }
 
+  // The point half way between the ends.
+  Point_in_face<FT> middle() const
+  {
+    const Point_in_face<FT> m = FT(0.5) * (start + end), v = m - center;
+    const FT l = is_straight ? FT(0) : length(v);
+    return CGAL::is_positive(l) ? center + (radius / l) * v : m;
+  }
+
   // Twice the area of the triangle of the center and the ends of an arc, and the product that goes with it: the tangent of
   // the turn is the first one divided by the second one.
   FT turn_sine() const { return (std::max)(FT(0), FT(cross(start - center, end - center))); }

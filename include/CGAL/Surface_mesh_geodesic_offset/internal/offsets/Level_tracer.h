@@ -402,6 +402,11 @@ private:
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
         m_pieces[first].start = run.start;
+        if (encloses_nothing(first))
+        {
+          m_pieces.resize(first);
+          return true;
+        }
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
       }
@@ -411,6 +416,16 @@ private:
       if (!run.is_valid() || run.gate != none) return is_outside();
     }
     return is_outside();
+  }
+
+  // Does the loop whose pieces begin at `first` run to and fro along one arc, up to a tie?
+  bool encloses_nothing(std::size_t first) const
+  {
+    const auto is_shorter = [](const Piece& p, const Piece& q) { return length(p.end - p.start) < length(q.end - q.start); };
+    const Piece& longest = *std::max_element(m_pieces.begin() + std::ptrdiff_t(first), m_pieces.end(), is_shorter);
+    return std::all_of(m_pieces.begin() + std::ptrdiff_t(first), m_pieces.end(), [&](const Piece& p) {
+      return longest.off(p.start) <= m_arcs.tolerances().tie && longest.off(p.middle()) <= m_arcs.tolerances().tie;
+    });
   }
 
   // Parts of arcs that chains of the cell follow.

@@ -192,9 +192,11 @@ private:
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
     if (!clip(-cross(l, o - w.left), -cross(l, u), slack * internal::length(l), lo, hi)) return;
     if (!clip(cross(r, o - w.right), cross(r, u), slack * internal::length(r), lo, hi)) return;
-    if (w.is_parallel() && w.origin == STARTS_IN_FACE && // in front of the source
-        !clip(w.distance_at(o), -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi))
-      return;
+    if (w.is_parallel())
+    { // in front of the source, or of the chord: rays along the chord pass points behind it, too
+      const FT nearest = w.origin == STARTS_IN_FACE ? FT(0) : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
+      if (!clip(w.distance_at(o) - nearest, -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi)) return;
+    }
     f(lo, hi);
   }
 
