@@ -36,6 +36,7 @@ public:
     m_length = length;
     m_level = level;
     m_gap = Offset_tolerances<FT>::interval_gap(reach + level);
+    m_longest_shallow = Offset_tolerances<FT>::longest_shallow_interval(reach + level);
   }
 
   const FT& length() const { return m_length; }
@@ -93,9 +94,9 @@ public:
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
-  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out, and so are intervals where
-  // the distance is less than the level by no more than half of this: at a small angle to a front they may be long. The ends of
-  // the segment are near exactly if the caller says so, whatever the intervals are; so the number of calls is odd exactly if both ends
+  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out, and so are intervals up to
+  // longest_shallow_interval() where the distance is less than the level by no more than half of interval_gap(). The ends of the
+  // segment are near exactly if the caller says so, whatever the intervals are; so the number of calls is odd exactly if both ends
   // differ.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
@@ -121,8 +122,8 @@ public:
       CGAL_assertion(i == 0 || m_intervals[i - 1].last < m_intervals[i].first);
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
       const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].last, m_length);
-      const bool is_touched = !(last - first > m_gap) || !(FT(2) * m_intervals[i].depth > m_gap); // by the level, or crossed
-      if (!at_source && !at_target && is_touched) continue;
+      const bool is_shallow = !(last - first > m_gap) || (!(last - first > m_longest_shallow) && !(FT(2) * m_intervals[i].depth > m_gap));
+      if (!at_source && !at_target && is_shallow) continue; // the level just touches the segment
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
       CGAL_assertion_code(ends += std::size_t(!at_source) + std::size_t(!at_target));
@@ -212,7 +213,7 @@ private:
   }
 
   std::vector<Interval> m_intervals;
-  FT m_length = FT(0), m_level = FT(0), m_gap = FT(0);
+  FT m_length = FT(0), m_level = FT(0), m_gap = FT(0), m_longest_shallow = FT(0);
 };
 
 } // namespace internal

@@ -34,6 +34,11 @@ struct Offset_tolerances
   // most w / 2, since it is 1-Lipschitz: by no more than its error.
   static FT interval_gap(const FT& magnitude) { return unit(6) * magnitude; }
 
+  // At a small angle to a front, a near interval is longer than its distances are below the level. Up to this length, one whose
+  // distances are the level up to their error is left out: 2^26 u times the magnitude, the square root of u. A longer one may be
+  // an edge along a front.
+  static FT longest_shallow_interval(const FT& magnitude) { return unit(26) * magnitude; }
+
   // A source may lie on an edge; the bounding rays of its windows are then within 2^8 u times the edge's length of it.
   static FT ray_slack(const FT& edge_length) { return unit(8) * edge_length; }
 
