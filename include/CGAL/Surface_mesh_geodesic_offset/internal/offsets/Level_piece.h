@@ -40,6 +40,13 @@ struct Level_piece
     return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
   }
 
+  // How far the end is ahead of the start: up to the length of the chord, and negative where rounding has moved it behind.
+  FT advance() const
+  {
+    if (is_straight) return dot(quarter_turn(center), end - start);
+    return cross(start - center, end - start) / radius;
+  }
+
   // The point half way between the ends.
   Point_in_face<FT> middle() const
   {

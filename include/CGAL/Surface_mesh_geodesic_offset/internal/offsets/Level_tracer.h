@@ -418,14 +418,16 @@ private:
     return is_outside();
   }
 
-  // Does the loop whose pieces begin at `first` run to and fro along one arc, up to a tie?
+  // Does the loop whose pieces begin at `first` run to and fro along one arc, up to a tie? Then a piece runs backwards.
   bool encloses_nothing(std::size_t first) const
   {
+    const auto begin = m_pieces.begin() + std::ptrdiff_t(first);
     const auto is_shorter = [](const Piece& p, const Piece& q) { return length(p.end - p.start) < length(q.end - q.start); };
-    const Piece& longest = *std::max_element(m_pieces.begin() + std::ptrdiff_t(first), m_pieces.end(), is_shorter);
-    return std::all_of(m_pieces.begin() + std::ptrdiff_t(first), m_pieces.end(), [&](const Piece& p) {
-      return longest.off(p.start) <= m_arcs.tolerances().tie && longest.off(p.middle()) <= m_arcs.tolerances().tie;
-    });
+    const Piece& longest = *std::max_element(begin, m_pieces.end(), is_shorter);
+    const FT& tie = m_arcs.tolerances().tie;
+    return std::any_of(begin, m_pieces.end(), [&](const Piece& p) { return p.advance() < -tie; }) &&
+           std::all_of(begin, m_pieces.end(),
+                       [&](const Piece& p) { return longest.off(p.start) <= tie && longest.off(p.middle()) <= tie; });
   }
 
   // Parts of arcs that chains of the cell follow.
