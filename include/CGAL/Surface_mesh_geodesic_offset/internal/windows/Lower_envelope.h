@@ -53,7 +53,7 @@ public:
     m_least_overlap = -m_max_gap;
     m_widest_gap = FT(widest_closed_gap) * length;
     m_rounding = Number_policy<FT>::rounding(1);
-    m_gap_rounding = Number_policy<FT>::rounding(16);
+    m_gap_rounding = Number_policy<FT>::rounding(256); // that of pruning_allowance(), by which windows are dropped at ties
     m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
