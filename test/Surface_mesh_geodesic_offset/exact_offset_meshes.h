@@ -9,7 +9,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ inline Soup random_hull(std::size_t faces, unsigned seed)
 /// The signs so far that neither intervals of up to 256 bits nor identities of parts have decided.
 inline std::size_t signs_by_exact_arithmetic()
 {
-  const auto& c = CGAL::Geodesic_offset::internal::Exact_root_number::counts();
+  const auto& c = CGAL::Geodesic_offset::internal::Radical_number::counts();
   return std::size_t(c.exactly_zero.value() + c.exactly_not_zero.value() + c.by_high_precision.value() +
                      c.by_root_bound.value() + c.by_core.value());
 }

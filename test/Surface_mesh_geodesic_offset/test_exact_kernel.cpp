@@ -11,7 +11,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -581,7 +581,7 @@ void test_derived_traits()
   std::map<std::pair<int, int>, std::size_t> id;
   const Shape s = squares("derived traits", 6, 6, id, [](int, int) { return true; }); // CORE takes a minute
   CGAL::Surface_mesh_geodesic_offset<Derived_traits> geodesic(s.mesh);
-  auto& counts = CGAL::Geodesic_offset::internal::Exact_root_number::counts();
+  auto& counts = CGAL::Geodesic_offset::internal::Radical_number::counts();
   counts.reset();
   geodesic.add_source_point(s.vertices[0]);
   geodesic.build();

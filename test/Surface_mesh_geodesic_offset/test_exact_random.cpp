@@ -12,7 +12,7 @@
 #include "test_check.h"
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
 #include <algorithm>
@@ -27,9 +27,9 @@ namespace test_exact_random {
 using namespace test;
 
 // The numbers that computations run on with Exact_predicates_exact_constructions_kernel_with_sqrt.
-typedef CGAL::Geodesic_offset::internal::Exact_root_number Exact_root_number;
+typedef CGAL::Geodesic_offset::internal::Radical_number Radical_number;
 typedef CGAL::Surface_mesh_geodesic_distance<
-  CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Exact_root_number>, test::Surface_mesh>>
+  CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Radical_number>, test::Surface_mesh>>
   Exact_geodesic;
 typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
   Enclosure;
@@ -71,9 +71,9 @@ struct Sequence
   double nearest = 1; // parameter
 };
 
-std::array<Exact_root_number, 3> exact(const std::array<double, 3>& w)
+std::array<Radical_number, 3> exact(const std::array<double, 3>& w)
 {
-  return {{Exact_root_number(w[0]), Exact_root_number(w[1]), Exact_root_number(w[2])}};
+  return {{Radical_number(w[0]), Radical_number(w[1]), Radical_number(w[2])}};
 }
 
 class Comparison
@@ -153,9 +153,9 @@ private:
     for (Vertex_index v : data_.vertices)
     {
       const auto bounds = enclosure.distance_bounds(v);
-      const Exact_root_number d = exact_level.distance_to_sources(v);
-      CHECK(!(d < Exact_root_number(bounds.first)));
-      CHECK(!(Exact_root_number(bounds.second) < d));
+      const Radical_number d = exact_level.distance_to_sources(v);
+      CHECK(!(d < Radical_number(bounds.first)));
+      CHECK(!(Radical_number(bounds.second) < d));
       if (bounds.second > 0) totals_.widths.push_back((bounds.second - bounds.first) / bounds.second);
     }
   }
@@ -284,7 +284,7 @@ GEODESIC_OFFSET_TEST(test_exact_random)
 {
   const bool is_verbose = argc > 1;
   Totals totals;
-  Exact_root_number::counts().reset();
+  Radical_number::counts().reset();
   const auto compare = [&](const std::string& name, const Soup& soup, unsigned seed) {
     for (bool is_rotated : {false, true})
     {
@@ -336,7 +336,7 @@ GEODESIC_OFFSET_TEST(test_exact_random)
   }
   CHECK(totals.meshes >= 300);
   CHECK(2 * totals.unique_paths > totals.paths);
-  const auto& counts = Exact_root_number::counts();
+  const auto& counts = Radical_number::counts();
   std::cout << totals.meshes << " meshes, " << totals.distances << " distances, worst relative difference " << totals.worst
             << "; " << totals.paths << " paths, " << totals.unique_paths << " unique; windows " << totals.exact_windows
             << " exactly, " << totals.windows << " in doubles\nsigns in builds " << totals.signs << ", exactly decided "

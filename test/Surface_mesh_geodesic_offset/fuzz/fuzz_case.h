@@ -7,7 +7,7 @@
 #ifndef GEODESIC_OFFSET_TEST_FUZZ_CASE_H
 #define GEODESIC_OFFSET_TEST_FUZZ_CASE_H
 
-#include "../enclosure_cases.h"
+#include "../certified_cases.h"
 #include "../geodesic_types.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ private:
 class Fuzz_case
 {
 public:
-  typedef Enclosure_case::Location Location;
+  typedef Certified_case::Location Location;
 
   explicit Fuzz_case(Fuzz_bytes& bytes) : bytes_(bytes)
   {
@@ -69,7 +69,7 @@ public:
     for (int i = 0; i < 3; ++i) case_.queries.push_back(location());
   }
 
-  const Enclosure_case& enclosure_case() const { return case_; }
+  const Certified_case& certified_case() const { return case_; }
 
   /// The smallest height of a face, as a part of its longest side
   double flatness() const
@@ -143,7 +143,7 @@ private:
   }
 
   Fuzz_bytes& bytes_;
-  Enclosure_case case_;
+  Certified_case case_;
 };
 
 } // namespace test

@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Element_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
@@ -197,7 +197,7 @@ struct Geodesic_surface
 
   const Triangle_mesh& tm;
   VertexPointMap vpm;
-  Element_numbers<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
+  Index_renumbering<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
   std::vector<face_descriptor> face_of;     // by number
   std::vector<vertex_descriptor> vertex_of; // by number

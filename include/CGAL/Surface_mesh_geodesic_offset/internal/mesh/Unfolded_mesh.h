@@ -62,7 +62,7 @@ public:
 
   Unfolded_mesh() = default;
 
-  // numbers: Element_numbers; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
+  // numbers: Index_renumbering; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
   // there is none; points: of the vertices, by number.
   template <class Numbers, class Traits, class Team>
   Unfolded_mesh(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,

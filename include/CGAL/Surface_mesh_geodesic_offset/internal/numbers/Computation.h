@@ -26,13 +26,13 @@ class Surface_mesh_geodesic_offset_traits;
 namespace Geodesic_offset {
 namespace internal {
 
-// Exact_square_roots.h says what stands for CORE::Expr.
+// Radical_numbers.h says what stands for CORE::Expr.
 template <class FT>
 struct Computation_number
 {
   static_assert(!std::is_same<FT, CORE::Expr>::value,
                 "Surface_mesh_geodesic_offset: for a kernel with exact square roots, include "
-                "<CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>");
+                "<CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>");
   typedef FT type;
 };
 

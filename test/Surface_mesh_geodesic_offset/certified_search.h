@@ -3,10 +3,10 @@
 
 // Certified bounds of distances against the reference of reference_distances.h: violations, and widths by kind.
 
-#ifndef GEODESIC_OFFSET_TEST_ENCLOSURE_SEARCH_H
-#define GEODESIC_OFFSET_TEST_ENCLOSURE_SEARCH_H
+#ifndef GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H
+#define GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H
 
-#include "enclosure_cases.h"
+#include "certified_cases.h"
 #include "geodesic_types.h"
 #include "reference_distances.h"
 
@@ -27,7 +27,7 @@
 namespace test {
 
 /// What became of the cases of one kind.
-struct Enclosure_counts
+struct Certified_counts
 {
   std::size_t meshes = 0;
   std::size_t bounds = 0;            // pairs of bounds compared
@@ -46,7 +46,7 @@ struct Enclosure_counts
     return widths[i];
   }
 
-  void add(const Enclosure_counts& o)
+  void add(const Certified_counts& o)
   {
     meshes += o.meshes;
     bounds += o.bounds;
@@ -58,19 +58,19 @@ struct Enclosure_counts
   }
 };
 
-class Enclosure_search
+class Certified_search
 {
 public:
   typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh>> Enclosure;
   typedef Reference_distances::Number Number;
 
   /// Writes up to `printed` violations to `log`.
-  Enclosure_search(std::ostream& log, std::size_t printed) : log_(log), printed_(printed) {}
+  Certified_search(std::ostream& log, std::size_t printed) : log_(log), printed_(printed) {}
 
   /// Compares the bounds of all vertices and queries of a case, with and without kept windows.
-  void run(const Enclosure_case& c, const std::string& name)
+  void run(const Certified_case& c, const std::string& name)
   {
-    Enclosure_counts& counts = counts_[c.kind];
+    Certified_counts& counts = counts_[c.kind];
     ++counts.meshes;
     const std::size_t before = counts.violations;
     Soup soup;
@@ -115,11 +115,11 @@ public:
     counts.violated_meshes += counts.violations > before;
   }
 
-  std::map<std::string, Enclosure_counts>& counts() { return counts_; }
+  std::map<std::string, Certified_counts>& counts() { return counts_; }
 
-  Enclosure_counts total() const
+  Certified_counts total() const
   {
-    Enclosure_counts sum;
+    Certified_counts sum;
     for (const auto& c : counts_) sum.add(c.second);
     return sum;
   }
@@ -129,7 +129,7 @@ public:
   {
     std::fprintf(out, "| kind | meshes | without area | refused | bounds | violations | in meshes | median width | 99 %% | "
                       "largest |\n|---|---|---|---|---|---|---|---|---|---|\n");
-    const auto print = [&](const std::string& kind, Enclosure_counts c) {
+    const auto print = [&](const std::string& kind, Certified_counts c) {
       std::fprintf(out, "| %s | %zu | %zu | %zu | %zu | %zu | %zu | %.1e | %.1e | %.1e |\n", kind.c_str(), c.meshes, c.invalid,
                    c.refused, c.bounds, c.violations, c.violated_meshes, c.width(0.5), c.width(0.99), c.width(1));
     };
@@ -138,8 +138,8 @@ public:
   }
 
   /// A location of the reference: the weights in the order of the face's halfedges.
-  static Enclosure::Face_location location(const Generated_mesh<Surface_mesh>& data, const Enclosure_case& c,
-                                           const Enclosure_case::Location& l)
+  static Enclosure::Face_location location(const Generated_mesh<Surface_mesh>& data, const Certified_case& c,
+                                           const Certified_case::Location& l)
   {
     const auto& t = c.triangles[l.triangle];
     const auto f = data.faces[l.triangle];
@@ -150,7 +150,7 @@ public:
 
 private:
   template <class Name>
-  void compare(const std::pair<double, double>& bounds, const Number& distance, Enclosure_counts& counts, const Name& name)
+  void compare(const std::pair<double, double>& bounds, const Number& distance, Certified_counts& counts, const Name& name)
   {
     ++counts.bounds;
     const bool is_reached = distance < Reference_distances::infinity();
@@ -174,9 +174,9 @@ private:
 
   std::ostream& log_;
   std::size_t printed_;
-  std::map<std::string, Enclosure_counts> counts_;
+  std::map<std::string, Certified_counts> counts_;
 };
 
 } // namespace test
 
-#endif // GEODESIC_OFFSET_TEST_ENCLOSURE_SEARCH_H
+#endif // GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H

@@ -3,12 +3,12 @@
 //
 // Intervals that enclose a real number: with bounds of type double, for the filter, and with bounds of any precision.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_ENCLOSURE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_ENCLOSURE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_INTERVALS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_INTERVALS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <mpfr.h>
 
@@ -27,11 +27,11 @@ namespace internal {
 
 // The operations widen each rounded result by one unit of the last place. In every rounding mode the rounded result is
 // one of the two neighbours of the exact one, so the mode neither matters nor is it changed.
-struct Double_enclosure
+struct Double_interval
 {
   double low = 0, high = 0;
 
-  static Double_enclosure everything()
+  static Double_interval everything()
   {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
@@ -53,7 +53,7 @@ struct Double_enclosure
     const double half = low / 2 + high / 2; // no overflow, but it may leave the interval among the subnormal numbers
     return (std::min)((std::max)(half, low), high);
   }
-  void intersect(const Double_enclosure& o)
+  void intersect(const Double_interval& o)
   {
     low = (std::max)(low, o.low);
     high = (std::min)(high, o.high);
@@ -71,28 +71,28 @@ struct Double_enclosure
   }
   static double below(double x) { return -above(-x); }
 
-  friend Double_enclosure operator-(const Double_enclosure& a) { return {-a.high, -a.low}; }
-  friend Double_enclosure operator+(const Double_enclosure& a, const Double_enclosure& b)
+  friend Double_interval operator-(const Double_interval& a) { return {-a.high, -a.low}; }
+  friend Double_interval operator+(const Double_interval& a, const Double_interval& b)
   {
     return {below(a.low + b.low), above(a.high + b.high)};
   }
-  friend Double_enclosure operator-(const Double_enclosure& a, const Double_enclosure& b)
+  friend Double_interval operator-(const Double_interval& a, const Double_interval& b)
   {
     return {below(a.low - b.high), above(a.high - b.low)};
   }
-  friend Double_enclosure operator*(const Double_enclosure& a, const Double_enclosure& b)
+  friend Double_interval operator*(const Double_interval& a, const Double_interval& b)
   {
     const double p[] = {product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)};
     return around(p);
   }
-  friend Double_enclosure operator/(const Double_enclosure& a, const Double_enclosure& b)
+  friend Double_interval operator/(const Double_interval& a, const Double_interval& b)
   {
     const bool finite = std::isfinite(a.low) && std::isfinite(a.high) && std::isfinite(b.low) && std::isfinite(b.high);
     if (!finite || (b.low <= 0 && b.high >= 0)) return everything();
     const double q[] = {a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high};
     return around(q);
   }
-  friend Double_enclosure sqrt(const Double_enclosure& a)
+  friend Double_interval sqrt(const Double_interval& a)
   {
     return {(std::max)(0., below(std::sqrt((std::max)(0., a.low)))), above(std::sqrt((std::max)(0., a.high)))};
   }
@@ -101,7 +101,7 @@ private:
   // A bound that is 0 belongs to a number that is bounded, even if the other bound is infinite.
   static double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 
-  static Double_enclosure around(const double (&x)[4])
+  static Double_interval around(const double (&x)[4])
   {
     return {below((std::min)((std::min)(x[0], x[1]), (std::min)(x[2], x[3]))),
             above((std::max)((std::max)(x[0], x[1]), (std::max)(x[2], x[3])))};
@@ -110,31 +110,31 @@ private:
 
 // Bounds of a chosen precision, rounded outwards by MPFR. A result is written into the object whose method is called,
 // which must not be an operand.
-class Multiprecision_enclosure
+class Multiprecision_interval
 {
 public:
-  explicit Multiprecision_enclosure(mpfr_prec_t precision)
+  explicit Multiprecision_interval(mpfr_prec_t precision)
   {
     mpfr_init2(m_low, precision);
     mpfr_init2(m_high, precision);
     mpfr_set_zero(m_low, 1);
     mpfr_set_zero(m_high, 1);
   }
-  Multiprecision_enclosure(Multiprecision_enclosure&& o) : Multiprecision_enclosure(mpfr_prec_t(MPFR_PREC_MIN))
+  Multiprecision_interval(Multiprecision_interval&& o) : Multiprecision_interval(mpfr_prec_t(MPFR_PREC_MIN))
   {
     swap(o);
   }
-  Multiprecision_enclosure& operator=(Multiprecision_enclosure&& o)
+  Multiprecision_interval& operator=(Multiprecision_interval&& o)
   {
     swap(o);
     return *this;
   }
-  ~Multiprecision_enclosure()
+  ~Multiprecision_interval()
   {
     mpfr_clear(m_low);
     mpfr_clear(m_high);
   }
-  void swap(Multiprecision_enclosure& o)
+  void swap(Multiprecision_interval& o)
   {
     mpfr_swap(m_low, o.m_low);
     mpfr_swap(m_high, o.m_high);
@@ -153,7 +153,7 @@ public:
     return true;
   }
 
-  Double_enclosure rounded() const { return {mpfr_get_d(m_low, MPFR_RNDD), mpfr_get_d(m_high, MPFR_RNDU)}; }
+  Double_interval rounded() const { return {mpfr_get_d(m_low, MPFR_RNDD), mpfr_get_d(m_high, MPFR_RNDU)}; }
 
   void set(const Big_rational& q)
   {
@@ -167,34 +167,34 @@ public:
   }
   void set_root_of(const Big_integer& n)
   {
-    Multiprecision_enclosure x(precision());
+    Multiprecision_interval x(precision());
     mpfr_set_z(x.m_low, n.backend().data(), MPFR_RNDD);
     mpfr_set_z(x.m_high, n.backend().data(), MPFR_RNDU);
     set_root(x);
   }
-  void set_negative(const Multiprecision_enclosure& a)
+  void set_negative(const Multiprecision_interval& a)
   {
     mpfr_neg(m_low, a.m_high, MPFR_RNDD);
     mpfr_neg(m_high, a.m_low, MPFR_RNDU);
   }
-  void set_sum(const Multiprecision_enclosure& a, const Multiprecision_enclosure& b)
+  void set_sum(const Multiprecision_interval& a, const Multiprecision_interval& b)
   {
     mpfr_add(m_low, a.m_low, b.m_low, MPFR_RNDD);
     mpfr_add(m_high, a.m_high, b.m_high, MPFR_RNDU);
     repair();
   }
-  void set_difference(const Multiprecision_enclosure& a, const Multiprecision_enclosure& b)
+  void set_difference(const Multiprecision_interval& a, const Multiprecision_interval& b)
   {
     mpfr_sub(m_low, a.m_low, b.m_high, MPFR_RNDD);
     mpfr_sub(m_high, a.m_high, b.m_low, MPFR_RNDU);
     repair();
   }
-  void set_product(const Multiprecision_enclosure& a, const Multiprecision_enclosure& b)
+  void set_product(const Multiprecision_interval& a, const Multiprecision_interval& b)
   {
     if (b.is_mixed() && !a.is_mixed()) return set_product(b, a);
     if (b.is_mixed())
     {
-      Multiprecision_enclosure other(precision());
+      Multiprecision_interval other(precision());
       mpfr_mul(m_low, a.m_low, b.m_high, MPFR_RNDD);
       mpfr_mul(other.m_low, a.m_high, b.m_low, MPFR_RNDD);
       mpfr_mul(m_high, a.m_low, b.m_low, MPFR_RNDU);
@@ -212,7 +212,7 @@ public:
     }
     repair();
   }
-  void set_quotient(const Multiprecision_enclosure& a, const Multiprecision_enclosure& b)
+  void set_quotient(const Multiprecision_interval& a, const Multiprecision_interval& b)
   {
     const bool up = mpfr_sgn(b.m_low) > 0;
     if (!up && mpfr_sgn(b.m_high) >= 0) return set_everything();
@@ -221,7 +221,7 @@ public:
     mpfr_div(m_high, largest, mpfr_sgn(largest) >= 0 ? b.m_low : b.m_high, MPFR_RNDU);
     repair();
   }
-  void set_root(const Multiprecision_enclosure& a)
+  void set_root(const Multiprecision_interval& a)
   {
     if (mpfr_sgn(a.m_high) < 0) throw std::domain_error("square root of a negative number");
     if (mpfr_sgn(a.m_low) < 0) mpfr_set_zero(m_low, 1);
@@ -248,10 +248,10 @@ private:
 };
 
 // Encloses a sum of roots; `symbol(i)` encloses symbol i.
-template <class Symbol_enclosure>
-Multiprecision_enclosure enclosure_of(const Radical_sum& a, mpfr_prec_t bits, const Symbol_enclosure& symbol)
+template <class Symbol_interval>
+Multiprecision_interval interval_of(const Radical_sum& a, mpfr_prec_t bits, const Symbol_interval& symbol)
 {
-  Multiprecision_enclosure sum(bits), term(bits), root(bits), next(bits);
+  Multiprecision_interval sum(bits), term(bits), root(bits), next(bits);
   for (const Radical_term& t : a.terms())
   {
     term.set(t.factor);

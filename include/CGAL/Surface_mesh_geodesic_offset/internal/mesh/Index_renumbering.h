@@ -4,8 +4,8 @@
 // The numbers of vertices and faces in the flat arrays: the indices of the mesh, or, where these scatter neighbours over
 // the memory, numbers along a space-filling curve.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_ELEMENT_NUMBERS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_ELEMENT_NUMBERS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_INDEX_RENUMBERING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_INDEX_RENUMBERING_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -27,7 +27,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <class TriangleMesh, class VertexIndexMap, class FaceIndexMap>
-class Element_numbers
+class Index_renumbering
 {
 public:
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -36,7 +36,7 @@ public:
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
   // vertices, faces: those of the mesh.
-  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+  Index_renumbering(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                   const std::vector<vertex_descriptor>& vertices, const std::vector<face_descriptor>& faces)
     : m_tm(tm), m_vim(vim), m_fim(fim)
   {

@@ -7,8 +7,8 @@
 // over the rationals. So a sum whose radicands are such products is zero only if it has no terms. Such integers are found
 // by greatest common divisors alone; nothing is factored into primes.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SUM_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SUM_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SUM_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SUM_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

@@ -5,17 +5,17 @@
 // of the parts of the expression, exact arithmetic with roots, which decides whether the number is zero, and bounds on roots,
 // first our own, then those of CORE.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SIGN_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SIGN_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_bound.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_core.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_identity.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_bound.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_identity.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <atomic>
 #include <cstddef>
@@ -30,7 +30,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // How many signs and comparisons were decided by what. Counts of several threads at once may miss some.
-struct Exact_root_number_counts
+struct Radical_number_counts
 {
   class Counter
   {
@@ -143,9 +143,9 @@ class Radical_sign
 public:
   typedef Radical_node::Reference Reference;
 
-  static Exact_root_number_counts& counts()
+  static Radical_number_counts& counts()
   {
-    static Exact_root_number_counts c;
+    static Radical_number_counts c;
     return c;
   }
 
@@ -226,7 +226,7 @@ public:
       ++counts().by_identity;
       return 0;
     }
-    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    const Double_interval &x = a->interval(), &y = b->interval();
     if (x.high < y.low || y.high < x.low || (x.is_point() && y.is_point()))
     {
       ++counts().by_doubles;
@@ -246,7 +246,7 @@ public:
   {
     if (a == b) return 0;
     if (!a || !b) return of_difference(a, b);
-    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    const Double_interval &x = a->interval(), &y = b->interval();
     if (x.low > y.high) return 1;
     if (x.high < y.low) return -1;
     const Reference d = Radical_expression::difference(a, b);
@@ -263,7 +263,7 @@ public:
   static bool approximate(const Reference& a)
   {
     if (!a) return false;
-    for (std::size_t bits = Radical_node::first_precision; !a->enclosure().is_tight(); bits *= 2)
+    for (std::size_t bits = Radical_node::first_precision; !a->interval().is_tight(); bits *= 2)
     {
       if (bits > exact_from && !a->has_sign() && of(a) == 0) return false;
       a->refine(bits);

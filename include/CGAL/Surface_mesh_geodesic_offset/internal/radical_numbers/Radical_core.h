@@ -3,14 +3,14 @@
 //
 // Expressions from and to CORE::Expr, exactly and with shared subexpressions shared.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_CORE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_CORE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_CORE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_CORE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Core_numbers.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <CGAL/CORE_Expr.h>
 
@@ -65,11 +65,11 @@ private:
   // enclosure for these doubles it need not ask, but for zero.
   static void tell_what_is_known(const Radical_node& n, const CORE::Expr& x)
   {
-    const Double_enclosure& e = n.enclosure();
+    const Double_interval& e = n.interval();
     if (!e.has_sign() || !e.is_tight() || !(std::abs(e.middle()) > 1e-300) || !(std::abs(e.middle()) < 1e300)) return;
-    x.Rep()->ffVal = CORE::filteredFp(e.middle(), std::abs(e.middle()), units_of_enclosure);
+    x.Rep()->ffVal = CORE::filteredFp(e.middle(), std::abs(e.middle()), units_of_interval);
   }
-  static constexpr int units_of_enclosure = 16; // at most, of 2^-53
+  static constexpr int units_of_interval = 16; // at most, of 2^-53
 
   static CORE::Expr converted(const Big_rational& q) { return core_expression<CORE::BigRat>(q); }
 

@@ -7,15 +7,15 @@
 // forget its operands once its value is known in a closed form. Neither is guarded against other threads. Nothing here
 // is recursive: an expression may be as deep as memory allows.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_NODE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_NODE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NODE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NODE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Core_numbers.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <CGAL/CORE_Expr.h>
 
@@ -83,16 +83,16 @@ public:
   {
     if (q.is_zero()) return Reference();
     Reference r(new Radical_node(Radical_operation::RATIONAL));
-    Multiprecision_enclosure e(bits_of_double);
+    Multiprecision_interval e(bits_of_double);
     e.set(q);
-    r->m_enclosure = e.rounded();
+    r->m_interval = e.rounded();
     r->m_rational.reset(new Big_rational(std::move(q)));
     return r;
   }
   static Reference make(const CORE::Expr& x)
   {
     Reference r(new Radical_node(Radical_operation::CORE_NUMBER));
-    r->m_enclosure = Double_enclosure::everything();
+    r->m_interval = Double_interval::everything();
     r->m_core.reset(new CORE::Expr(x));
     r->refine(first_precision);
     return r;
@@ -103,7 +103,7 @@ public:
     r->m_operands[0] = a;
     r->m_operands[1] = b;
     r->m_depth = 1 + (std::max)(a->m_depth, b ? b->m_depth : std::uint32_t(0));
-    r->m_enclosure = r->evaluate();
+    r->m_interval = r->evaluate();
     return r;
   }
 
@@ -112,12 +112,12 @@ public:
   std::size_t depth() const { return m_depth; }
   const Big_rational* rational() const { return m_rational.get(); } // of a rational constant, else null
   const CORE::Expr& core_number() const { return *m_core; }
-  const Double_enclosure& enclosure() const { return m_enclosure; }
+  const Double_interval& interval() const { return m_interval; }
   // The bits beyond the range of doubles count.
-  bool has_sign() const { return m_enclosure.has_sign() || (m_bounds && m_bounds->has_sign()); }
-  int sign() const { return m_enclosure.has_sign() || !m_bounds ? m_enclosure.sign() : m_bounds->sign(); }
+  bool has_sign() const { return m_interval.has_sign() || (m_bounds && m_bounds->has_sign()); }
+  int sign() const { return m_interval.has_sign() || !m_bounds ? m_interval.sign() : m_bounds->sign(); }
   // A double near the number, once the enclosure is tight.
-  double approximation() const { return m_bounds ? m_bounds->low_to_nearest() : m_enclosure.middle(); }
+  double approximation() const { return m_bounds ? m_bounds->low_to_nearest() : m_interval.middle(); }
   bool is_below(std::size_t bits) const { return m_bounds && m_bounds->is_below(bits); }
   std::size_t precision() const { return m_bounds ? std::size_t(m_bounds->precision()) : 0; }
 
@@ -136,9 +136,9 @@ public:
       m_rational.reset(new Big_rational(s.rational()));
       m_operation = Radical_operation::RATIONAL;
       // also where the number is zero, so that no interval is needed to see it
-      m_bounds.reset(new Multiprecision_enclosure(bits_of_double));
+      m_bounds.reset(new Multiprecision_interval(bits_of_double));
       m_bounds->set(*m_rational);
-      m_enclosure.intersect(m_bounds->rounded());
+      m_interval.intersect(m_bounds->rounded());
     }
     else m_operation = Radical_operation::CLOSED_FORM;
     m_depth = 0;
@@ -204,28 +204,28 @@ private:
     }
   }
 
-  Double_enclosure evaluate() const
+  Double_interval evaluate() const
   {
-    const Double_enclosure& a = m_operands[0]->m_enclosure;
+    const Double_interval& a = m_operands[0]->m_interval;
     switch (m_operation)
     {
     case Radical_operation::NEGATE: return -a;
-    case Radical_operation::ADD: return a + m_operands[1]->m_enclosure;
-    case Radical_operation::SUBTRACT: return a - m_operands[1]->m_enclosure;
-    case Radical_operation::MULTIPLY: return a * m_operands[1]->m_enclosure;
-    case Radical_operation::DIVIDE: return a / m_operands[1]->m_enclosure;
+    case Radical_operation::ADD: return a + m_operands[1]->m_interval;
+    case Radical_operation::SUBTRACT: return a - m_operands[1]->m_interval;
+    case Radical_operation::MULTIPLY: return a * m_operands[1]->m_interval;
+    case Radical_operation::DIVIDE: return a / m_operands[1]->m_interval;
     default: return sqrt(a);
     }
   }
 
   void evaluate_with(std::size_t bits)
   {
-    std::unique_ptr<Multiprecision_enclosure> e(new Multiprecision_enclosure(mpfr_prec_t(bits)));
-    const auto bounds = [this](int i) -> const Multiprecision_enclosure& { return *m_operands[i]->m_bounds; };
+    std::unique_ptr<Multiprecision_interval> e(new Multiprecision_interval(mpfr_prec_t(bits)));
+    const auto bounds = [this](int i) -> const Multiprecision_interval& { return *m_operands[i]->m_bounds; };
     switch (m_operation)
     {
     case Radical_operation::RATIONAL: e->set(*m_rational); break;
-    case Radical_operation::CLOSED_FORM: *e = enclosure_of_closed_form(bits); break;
+    case Radical_operation::CLOSED_FORM: *e = interval_of_closed_form(bits); break;
     case Radical_operation::CORE_NUMBER: set_by_core(*e); break;
     case Radical_operation::NEGATE: e->set_negative(bounds(0)); break;
     case Radical_operation::ADD: e->set_sum(bounds(0), bounds(1)); break;
@@ -235,17 +235,17 @@ private:
     case Radical_operation::SQUARE_ROOT: e->set_root(bounds(0)); break;
     }
     m_bounds = std::move(e);
-    m_enclosure.intersect(m_bounds->rounded());
+    m_interval.intersect(m_bounds->rounded());
   }
 
-  Multiprecision_enclosure enclosure_of_closed_form(std::size_t bits) const
+  Multiprecision_interval interval_of_closed_form(std::size_t bits) const
   {
-    const auto no_symbol = [](std::size_t) -> Multiprecision_enclosure { throw std::logic_error("not a closed form"); };
-    return enclosure_of(m_closed_form->numerator, mpfr_prec_t(bits), no_symbol);
+    const auto no_symbol = [](std::size_t) -> Multiprecision_interval { throw std::logic_error("not a closed form"); };
+    return interval_of(m_closed_form->numerator, mpfr_prec_t(bits), no_symbol);
   }
 
   // CORE approximates with an absolute or a relative error of at most 2^-bits.
-  void set_by_core(Multiprecision_enclosure& e) const
+  void set_by_core(Multiprecision_interval& e) const
   {
     const long bits = long(e.precision());
     const Big_rational middle = rational_of_core(m_core->approx(bits + 8, bits + 8).BigRatValue());
@@ -260,10 +260,10 @@ private:
   std::uint32_t m_depth = 0;
   Radical_operation m_operation;
   Reference m_operands[2];
-  Double_enclosure m_enclosure;
+  Double_interval m_interval;
   std::unique_ptr<Big_rational> m_rational;
   std::unique_ptr<CORE::Expr> m_core;
-  std::unique_ptr<Multiprecision_enclosure> m_bounds;
+  std::unique_ptr<Multiprecision_interval> m_bounds;
   std::unique_ptr<Radical_quotient> m_closed_form;
 };
 

@@ -3,12 +3,12 @@
 //
 // Makes expressions, simplified where that takes no evaluation: what is made of small rationals stays a rational.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_EXPRESSION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_EXPRESSION_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_EXPRESSION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_EXPRESSION_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -85,7 +85,7 @@ public:
   static Reference square_root(const Reference& a)
   {
     if (!a) return a;
-    if (a->enclosure().high < 0) throw std::domain_error("square root of a negative number");
+    if (a->interval().high < 0) throw std::domain_error("square root of a negative number");
     if (a->rational())
     {
       const Big_integer over(numerator_of(*a->rational())), under(denominator_of(*a->rational()));
@@ -94,7 +94,7 @@ public:
     }
     if (a->operation() == Radical_operation::MULTIPLY && a->operand(0) == a->operand(1))
     {
-      const int sign = a->operand(0)->enclosure().sign();
+      const int sign = a->operand(0)->interval().sign();
       if (sign != 0) return sign > 0 ? a->operand(0) : negative(a->operand(0));
     }
     return Radical_node::make(Radical_operation::SQUARE_ROOT, a);

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_EXACT_SQUARE_ROOTS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_EXACT_SQUARE_ROOTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_RADICAL_NUMBERS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_RADICAL_NUMBERS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Exact_root_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_number.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
 
 #include <CGAL/CORE_Expr.h>
@@ -22,13 +22,13 @@ namespace internal {
 template <>
 struct Computation_number<CORE::Expr>
 {
-  typedef Exact_root_number type;
+  typedef Radical_number type;
 };
 
 template <>
-struct Number_conversion<CORE::Expr, Exact_root_number>
+struct Number_conversion<CORE::Expr, Radical_number>
 {
-  static CORE::Expr convert(const Exact_root_number& x) { return x.core_expression(); }
+  static CORE::Expr convert(const Radical_number& x) { return x.core_expression(); }
 };
 
 } // namespace internal

@@ -4,8 +4,8 @@
 // Small meshes on which bounds of distances are put to the test: adversarial ones, made for the places where a margin may be
 // forgotten, and general ones. A seed determines a case.
 
-#ifndef GEODESIC_OFFSET_TEST_ENCLOSURE_CASES_H
-#define GEODESIC_OFFSET_TEST_ENCLOSURE_CASES_H
+#ifndef GEODESIC_OFFSET_TEST_CERTIFIED_CASES_H
+#define GEODESIC_OFFSET_TEST_CERTIFIED_CASES_H
 
 #include "generated_curved_meshes.h"
 #include "generated_flat_meshes.h"
@@ -21,7 +21,7 @@
 
 namespace test {
 
-struct Enclosure_case
+struct Certified_case
 {
   typedef Reference_distances::Point Point;
   typedef Reference_distances::Triangle Triangle;
@@ -34,16 +34,16 @@ struct Enclosure_case
   std::vector<Location> sources, queries;
 };
 
-class Enclosure_cases
+class Certified_cases
 {
 public:
-  typedef Enclosure_case::Point Point;
-  typedef Enclosure_case::Triangle Triangle;
-  typedef Enclosure_case::Location Location;
+  typedef Certified_case::Point Point;
+  typedef Certified_case::Triangle Triangle;
+  typedef Certified_case::Location Location;
 
-  static Enclosure_case adversarial(unsigned seed)
+  static Certified_case adversarial(unsigned seed)
   {
-    Enclosure_cases c(seed);
+    Certified_cases c(seed);
     switch (seed % 8)
     {
     case 0: c.flat_cap(); break;
@@ -58,9 +58,9 @@ public:
     return c.finished();
   }
 
-  static Enclosure_case general(unsigned seed)
+  static Certified_case general(unsigned seed)
   {
-    Enclosure_cases c(seed);
+    Certified_cases c(seed);
     const std::size_t n = c.index(4);
     switch (seed % 8)
     {
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  explicit Enclosure_cases(unsigned seed) : random_(seed * 2654435761u + 1) {}
+  explicit Certified_cases(unsigned seed) : random_(seed * 2654435761u + 1) {}
 
   double number(double low, double high) { return uniform(random_, low, high); }
   std::size_t index(std::size_t n) { return uniform_index(random_, n); }
@@ -404,7 +404,7 @@ private:
   }
 
   // Points that no triangle uses are left out.
-  Enclosure_case finished()
+  Certified_case finished()
   {
     std::vector<std::size_t> number(case_.points.size(), std::size_t(-1));
     std::vector<Point> used;
@@ -429,9 +429,9 @@ private:
   }
 
   Random random_;
-  Enclosure_case case_;
+  Certified_case case_;
 };
 
 } // namespace test
 
-#endif // GEODESIC_OFFSET_TEST_ENCLOSURE_CASES_H
+#endif // GEODESIC_OFFSET_TEST_CERTIFIED_CASES_H

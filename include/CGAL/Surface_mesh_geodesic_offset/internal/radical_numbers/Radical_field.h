@@ -7,14 +7,14 @@
 // of symbols is a sum of roots of rationals, a sum is zero only if all its coefficients are; symbols of which that
 // is not known still serve to prove that a sum is zero, but not that it is not.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_FIELD_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_FIELD_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_FIELD_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_tower.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_tower.h>
 
 #include <array>
 #include <cstddef>
@@ -329,19 +329,19 @@ private:
   {
     for (mpfr_prec_t bits = 128; bits <= most_bits; bits *= 2)
     {
-      const Multiprecision_enclosure e = enclosure(a, bits);
+      const Multiprecision_interval e = interval(a, bits);
       if (e.sign() != 0) return e.sign();
     }
     throw Radical_limit_exceeded();
   }
 
-  Multiprecision_enclosure enclosure(const Radical_sum& a, mpfr_prec_t bits)
+  Multiprecision_interval interval(const Radical_sum& a, mpfr_prec_t bits)
   {
     m_work.spend(a.size());
-    return enclosure_of(a, bits, [&](std::size_t i) {
+    return interval_of(a, bits, [&](std::size_t i) {
       if (m_symbols[i].identity) throw Radical_limit_exceeded();
-      Multiprecision_enclosure root(bits);
-      root.set_root(enclosure(m_symbols[i].square, bits));
+      Multiprecision_interval root(bits);
+      root.set_root(interval(m_symbols[i].square, bits));
       return root;
     });
   }

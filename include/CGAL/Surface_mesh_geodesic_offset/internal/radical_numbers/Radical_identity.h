@@ -10,13 +10,13 @@
 // An expression is zero if its numerator is the zero polynomial. The depth grows until a proof is found or the polynomials
 // get too large.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_IDENTITY_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_IDENTITY_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_IDENTITY_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_IDENTITY_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ private:
   bool are_alike(const Radical_node& a, const Radical_node& b, std::size_t level)
   {
     if (&a == &b) return true;
-    const Double_enclosure &x = a.enclosure(), &y = b.enclosure();
+    const Double_interval &x = a.interval(), &y = b.interval();
     if (x.high < y.low || y.high < x.low || a.operation() != b.operation()) return false;
     if (a.rational()) return *a.rational() == *b.rational();
     if (!a.operand(0) || level == most_levels || m_known.size() == most_pairs) return false;

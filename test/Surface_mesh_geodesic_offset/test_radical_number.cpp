@@ -6,7 +6,7 @@
 
 #include "test_check.h"
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Exact_root_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_number.h>
 
 #include <CGAL/Cartesian.h>
 #include <CGAL/squared_distance_2.h>
@@ -22,10 +22,10 @@
 #include <string>
 #include <vector>
 
-namespace test_exact_root_number {
+namespace test_radical_number {
 
 using CGAL::Exact_rational;
-typedef CGAL::Geodesic_offset::internal::Exact_root_number Number;
+typedef CGAL::Geodesic_offset::internal::Radical_number Number;
 
 Number root(const Number& x) { return CGAL::sqrt(x); }
 
@@ -616,9 +616,9 @@ void test_counts()
   CHECK(counts.by_identity.value() == 0 && counts.exactly_zero.value() == 0);
 }
 
-} // namespace test_exact_root_number
+} // namespace test_radical_number
 
-GEODESIC_OFFSET_TEST(test_exact_root_number)
+GEODESIC_OFFSET_TEST(test_radical_number)
 {
   test_constants();
   test_traits();
@@ -637,5 +637,5 @@ GEODESIC_OFFSET_TEST(test_exact_root_number)
   test_to_double();
   test_rounding_modes();
   test_counts();
-  return test::Report::instance().finish("test_exact_root_number");
+  return test::Report::instance().finish("test_radical_number");
 }

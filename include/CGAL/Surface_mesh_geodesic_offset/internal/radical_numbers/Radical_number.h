@@ -12,15 +12,15 @@
 // A number is a reference to an expression that it may share with other numbers. What is found out about an expression
 // is kept in it, unguarded: different threads must not use numbers of which one was made of the other.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_EXACT_ROOT_NUMBER_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_EXACT_ROOT_NUMBER_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NUMBER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NUMBER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_core.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sign.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sign.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <CGAL/CORE_Expr.h>
@@ -69,33 +69,33 @@ struct Gmp_rational_access<mpq_class>
 };
 #endif
 
-class Exact_root_number
+class Radical_number
 {
   typedef Radical_node::Reference Reference;
   typedef Radical_expression Make;
 
 public:
-  Exact_root_number() = default;
+  Radical_number() = default;
 
   template <class T, std::enable_if_t<std::is_integral<T>::value>* = nullptr>
-  Exact_root_number(T i)
+  Radical_number(T i)
   {
     if (i != 0) m_node = Radical_node::make(Big_rational(i));
   }
   // The value of the double itself, which must be finite.
-  Exact_root_number(double d)
+  Radical_number(double d)
   {
     if (!std::isfinite(d)) throw std::domain_error("not a finite number");
     if (d != 0) m_node = Radical_node::make(Big_rational(d));
   }
   template <class Q, std::enable_if_t<Gmp_rational_access<Q>::is_rational>* = nullptr>
-  Exact_root_number(const Q& q)
+  Radical_number(const Q& q)
   {
     Big_rational r;
     mpq_set(r.backend().data(), Gmp_rational_access<Q>::data(q));
     m_node = Radical_node::make(std::move(r));
   }
-  Exact_root_number(const CORE::Expr& x) : m_node(Radical_from_core::convert(x)) {}
+  Radical_number(const CORE::Expr& x) : m_node(Radical_from_core::convert(x)) {}
 
   // The same number, in a short form if that is found soon. CORE is recursive, so this throws std::length_error for
   // expressions that are thousands deep.
@@ -106,7 +106,7 @@ public:
   }
 
   // What decided the comparisons so far.
-  static Exact_root_number_counts& counts() { return Radical_sign::counts(); }
+  static Radical_number_counts& counts() { return Radical_sign::counts(); }
 
   CGAL::Sign sign() const
   {
@@ -115,7 +115,7 @@ public:
     return CGAL::Sign(s);
   }
 
-  Comparison_result compare(const Exact_root_number& o) const
+  Comparison_result compare(const Radical_number& o) const
   {
     const int s = Radical_sign::of_difference(m_node, o.m_node);
     if (s == 0)
@@ -132,7 +132,7 @@ public:
   std::pair<double, double> to_interval() const
   {
     if (!Radical_sign::approximate(m_node)) return {0, 0};
-    return {m_node->enclosure().low, m_node->enclosure().high};
+    return {m_node->interval().low, m_node->interval().high};
   }
 
   // Bounds that are almost always a few units of the last place apart, and wide where many digits cancel; nothing is
@@ -140,80 +140,80 @@ public:
   std::pair<double, double> bounds() const
   {
     if (!m_node) return {0, 0};
-    if (!m_node->enclosure().is_tight()) m_node->refine(Radical_node::first_precision);
-    return {m_node->enclosure().low, m_node->enclosure().high};
+    if (!m_node->interval().is_tight()) m_node->refine(Radical_node::first_precision);
+    return {m_node->interval().low, m_node->interval().high};
   }
 
-  Exact_root_number square_root() const { return Exact_root_number(Make::square_root(m_node)); }
+  Radical_number square_root() const { return Radical_number(Make::square_root(m_node)); }
 
-  Exact_root_number operator+() const { return *this; }
-  Exact_root_number operator-() const { return Exact_root_number(Make::negative(m_node)); }
+  Radical_number operator+() const { return *this; }
+  Radical_number operator-() const { return Radical_number(Make::negative(m_node)); }
 
-  Exact_root_number& operator+=(const Exact_root_number& o)
+  Radical_number& operator+=(const Radical_number& o)
   {
     m_node = Make::sum(m_node, o.m_node);
     return *this;
   }
-  Exact_root_number& operator-=(const Exact_root_number& o)
+  Radical_number& operator-=(const Radical_number& o)
   {
     m_node = Make::difference(m_node, o.m_node);
     return *this;
   }
-  Exact_root_number& operator*=(const Exact_root_number& o)
+  Radical_number& operator*=(const Radical_number& o)
   {
     m_node = Make::product(m_node, o.m_node);
     return *this;
   }
   // Throws std::domain_error if the divisor is seen to be zero, which may be only when the sign of a result is needed.
-  Exact_root_number& operator/=(const Exact_root_number& o)
+  Radical_number& operator/=(const Radical_number& o)
   {
     m_node = Make::quotient(m_node, o.m_node);
     return *this;
   }
 
-  friend Exact_root_number operator+(const Exact_root_number& a, const Exact_root_number& b)
+  friend Radical_number operator+(const Radical_number& a, const Radical_number& b)
   {
-    return Exact_root_number(Make::sum(a.m_node, b.m_node));
+    return Radical_number(Make::sum(a.m_node, b.m_node));
   }
-  friend Exact_root_number operator-(const Exact_root_number& a, const Exact_root_number& b)
+  friend Radical_number operator-(const Radical_number& a, const Radical_number& b)
   {
-    return Exact_root_number(Make::difference(a.m_node, b.m_node));
+    return Radical_number(Make::difference(a.m_node, b.m_node));
   }
-  friend Exact_root_number operator*(const Exact_root_number& a, const Exact_root_number& b)
+  friend Radical_number operator*(const Radical_number& a, const Radical_number& b)
   {
-    return Exact_root_number(Make::product(a.m_node, b.m_node));
+    return Radical_number(Make::product(a.m_node, b.m_node));
   }
-  friend Exact_root_number operator/(const Exact_root_number& a, const Exact_root_number& b)
+  friend Radical_number operator/(const Radical_number& a, const Radical_number& b)
   {
-    return Exact_root_number(Make::quotient(a.m_node, b.m_node));
+    return Radical_number(Make::quotient(a.m_node, b.m_node));
   }
 
-  friend bool operator==(const Exact_root_number& a, const Exact_root_number& b) { return a.compare(b) == EQUAL; }
-  friend bool operator!=(const Exact_root_number& a, const Exact_root_number& b) { return a.compare(b) != EQUAL; }
-  friend bool operator<(const Exact_root_number& a, const Exact_root_number& b) { return a.compare(b) == SMALLER; }
-  friend bool operator>(const Exact_root_number& a, const Exact_root_number& b) { return a.compare(b) == LARGER; }
-  friend bool operator<=(const Exact_root_number& a, const Exact_root_number& b) { return a.compare(b) != LARGER; }
-  friend bool operator>=(const Exact_root_number& a, const Exact_root_number& b) { return a.compare(b) != SMALLER; }
+  friend bool operator==(const Radical_number& a, const Radical_number& b) { return a.compare(b) == EQUAL; }
+  friend bool operator!=(const Radical_number& a, const Radical_number& b) { return a.compare(b) != EQUAL; }
+  friend bool operator<(const Radical_number& a, const Radical_number& b) { return a.compare(b) == SMALLER; }
+  friend bool operator>(const Radical_number& a, const Radical_number& b) { return a.compare(b) == LARGER; }
+  friend bool operator<=(const Radical_number& a, const Radical_number& b) { return a.compare(b) != LARGER; }
+  friend bool operator>=(const Radical_number& a, const Radical_number& b) { return a.compare(b) != SMALLER; }
 
   // As a double.
-  friend std::ostream& operator<<(std::ostream& out, const Exact_root_number& a) { return out << a.to_double(); }
-  friend std::istream& operator>>(std::istream& in, Exact_root_number& a)
+  friend std::ostream& operator<<(std::ostream& out, const Radical_number& a) { return out << a.to_double(); }
+  friend std::istream& operator>>(std::istream& in, Radical_number& a)
   {
     double d;
-    if (in >> d) a = Exact_root_number(d);
+    if (in >> d) a = Radical_number(d);
     return in;
   }
 
 private:
-  friend Uncertain<Comparison_result> compare_bounds(const Exact_root_number& a, const Exact_root_number& b)
+  friend Uncertain<Comparison_result> compare_bounds(const Radical_number& a, const Radical_number& b)
   {
     if (a.m_node == b.m_node) return EQUAL;
     const int s = Radical_sign::of_difference_by_intervals(a.m_node, b.m_node);
     return s == 0 ? Uncertain<Comparison_result>::indeterminate() : make_uncertain(Comparison_result(s));
   }
-  friend std::pair<double, double> bounds_of(const Exact_root_number& a) { return a.bounds(); }
+  friend std::pair<double, double> bounds_of(const Radical_number& a) { return a.bounds(); }
 
-  explicit Exact_root_number(Reference node) : m_node(std::move(node)) {}
+  explicit Radical_number(Reference node) : m_node(std::move(node)) {}
 
   mutable Reference m_node; // a comparison may replace it by a simpler expression of the same number
 };
@@ -222,11 +222,11 @@ private:
 } // namespace Geodesic_offset
 
 template <>
-class Algebraic_structure_traits<Geodesic_offset::internal::Exact_root_number>
-  : public Algebraic_structure_traits_base<Geodesic_offset::internal::Exact_root_number, Field_with_sqrt_tag>
+class Algebraic_structure_traits<Geodesic_offset::internal::Radical_number>
+  : public Algebraic_structure_traits_base<Geodesic_offset::internal::Radical_number, Field_with_sqrt_tag>
 {
 public:
-  typedef Geodesic_offset::internal::Exact_root_number Type;
+  typedef Geodesic_offset::internal::Radical_number Type;
   typedef Tag_true Is_exact;
   typedef Tag_true Is_numerical_sensitive;
 
@@ -241,11 +241,11 @@ public:
 };
 
 template <>
-class Real_embeddable_traits<Geodesic_offset::internal::Exact_root_number>
-  : public INTERN_RET::Real_embeddable_traits_base<Geodesic_offset::internal::Exact_root_number, Tag_true>
+class Real_embeddable_traits<Geodesic_offset::internal::Radical_number>
+  : public INTERN_RET::Real_embeddable_traits_base<Geodesic_offset::internal::Radical_number, Tag_true>
 {
 public:
-  typedef Geodesic_offset::internal::Exact_root_number Type;
+  typedef Geodesic_offset::internal::Radical_number Type;
 
   struct Sgn : public CGAL::cpp98::unary_function<Type, ::CGAL::Sign>
   {
@@ -282,17 +282,17 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <>
-struct Sign_decisions<Exact_root_number>
+struct Sign_decisions<Radical_number>
 {
   static std::size_t exact()
   {
-    const Exact_root_number_counts& c = Exact_root_number::counts();
+    const Radical_number_counts& c = Radical_number::counts();
     return std::size_t(c.zero_by_identity.value() + c.exactly_zero.value() + c.exactly_not_zero.value() +
                        c.by_high_precision.value() + c.by_root_bound.value() + c.by_core.value());
   }
   static std::size_t all()
   {
-    const Exact_root_number_counts& c = Exact_root_number::counts();
+    const Radical_number_counts& c = Radical_number::counts();
     return std::size_t(c.by_identity.value() + c.by_doubles.value() + c.by_precision.value()) + exact();
   }
 };
@@ -300,13 +300,13 @@ struct Sign_decisions<Exact_root_number>
 } // namespace internal
 } // namespace Geodesic_offset
 
-CGAL_DEFINE_COERCION_TRAITS_FOR_SELF(Geodesic_offset::internal::Exact_root_number)
-CGAL_DEFINE_COERCION_TRAITS_FROM_TO(short, Geodesic_offset::internal::Exact_root_number)
-CGAL_DEFINE_COERCION_TRAITS_FROM_TO(int, Geodesic_offset::internal::Exact_root_number)
-CGAL_DEFINE_COERCION_TRAITS_FROM_TO(long, Geodesic_offset::internal::Exact_root_number)
-CGAL_DEFINE_COERCION_TRAITS_FROM_TO(float, Geodesic_offset::internal::Exact_root_number)
-CGAL_DEFINE_COERCION_TRAITS_FROM_TO(double, Geodesic_offset::internal::Exact_root_number)
-CGAL_DEFINE_COERCION_TRAITS_FROM_TO(Exact_rational, Geodesic_offset::internal::Exact_root_number)
+CGAL_DEFINE_COERCION_TRAITS_FOR_SELF(Geodesic_offset::internal::Radical_number)
+CGAL_DEFINE_COERCION_TRAITS_FROM_TO(short, Geodesic_offset::internal::Radical_number)
+CGAL_DEFINE_COERCION_TRAITS_FROM_TO(int, Geodesic_offset::internal::Radical_number)
+CGAL_DEFINE_COERCION_TRAITS_FROM_TO(long, Geodesic_offset::internal::Radical_number)
+CGAL_DEFINE_COERCION_TRAITS_FROM_TO(float, Geodesic_offset::internal::Radical_number)
+CGAL_DEFINE_COERCION_TRAITS_FROM_TO(double, Geodesic_offset::internal::Radical_number)
+CGAL_DEFINE_COERCION_TRAITS_FROM_TO(Exact_rational, Geodesic_offset::internal::Radical_number)
 
 } // namespace CGAL
 
