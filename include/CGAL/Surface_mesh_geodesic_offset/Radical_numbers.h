@@ -11,9 +11,9 @@
 
 #include <CGAL/CORE_Expr.h>
 
-// To be included where distances are computed with a kernel that has exact square roots, as
-// Exact_predicates_exact_constructions_kernel_with_sqrt. Inside, computations run on numbers of the package's own, the
-// comparisons of which are quick also for equal numbers; results are numbers of the kernel.
+// Include this header to compute with a kernel that has exact square roots, such as
+// Exact_predicates_exact_constructions_kernel_with_sqrt. Internal computations use Radical_number, whose comparisons
+// are fast also for equal numbers; results are numbers of the kernel.
 
 namespace CGAL {
 namespace Geodesic_offset {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes expressions, simplified where that takes no evaluation: what is made of small rationals stays a rational.
+// Construction of expressions, with simplifications that need no evaluation: results of operations on small rationals
+// are rationals.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_EXPRESSION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_EXPRESSION_H
@@ -101,7 +102,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_bits = 2000; // of a rational that is worth computing
+  static constexpr std::size_t most_bits = 2000; // larger rationals are not computed
 
   static bool is_small(const Big_rational& q) { return bits_of(q) < most_bits; }
   static bool are_small(const Reference& a, const Reference& b)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Intervals that enclose a real number: with bounds of type double, for the filter, and with bounds of any precision.
+// Interval arithmetic, with double bounds for the filter and with multiprecision bounds.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_INTERVALS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_INTERVALS_H
@@ -25,8 +25,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The operations widen each rounded result by one unit of the last place. In every rounding mode the rounded result is
-// one of the two neighbours of the exact one, so the mode neither matters nor is it changed.
+// Interval with double bounds. Each rounded result is widened by one unit in the last place. In every rounding mode,
+// the rounded result is one of the two neighbours of the exact one, so the arithmetic neither depends on the mode nor
+// changes it.
 struct Double_interval
 {
   double low = 0, high = 0;
@@ -40,17 +41,17 @@ struct Double_interval
   bool has_sign() const { return low > 0 || high < 0 || (low == 0 && high == 0); }
   int sign() const { return low > 0 ? 1 : high < 0 ? -1 : 0; }
 
-  // Whether both bounds, and so all doubles between, are within a few units of the last place of the number.
+  // Whether all doubles in the interval are within a few units in the last place of the number.
   bool is_tight() const
   {
-    if (above(low) >= high) return true; // also what is too large or too small for a double
+    if (above(low) >= high) return true; // also numbers beyond the range of doubles
     return std::isfinite(low) && std::isfinite(high) &&
            high - low <= 4 * std::numeric_limits<double>::epsilon() * (std::min)(std::abs(low), std::abs(high));
   }
   double middle() const
   {
     if (!std::isfinite(low) || !std::isfinite(high)) return std::isfinite(low) ? high : low;
-    const double half = low / 2 + high / 2; // no overflow, but it may leave the interval among the subnormal numbers
+    const double half = low / 2 + high / 2; // cannot overflow, but may leave the interval among subnormal numbers
     return (std::min)((std::max)(half, low), high);
   }
   void intersect(const Double_interval& o)
@@ -98,7 +99,7 @@ struct Double_interval
   }
 
 private:
-  // A bound that is 0 belongs to a number that is bounded, even if the other bound is infinite.
+  // A zero bound belongs to a finite number, so its product is 0 even if the other bound is infinite.
   static double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 
   static Double_interval around(const double (&x)[4])
@@ -108,7 +109,7 @@ private:
   }
 };
 
-// Bounds of a chosen precision, rounded outwards by MPFR. A result is written into the object whose method is called,
+// Interval with bounds of a chosen precision, rounded outwards by MPFR. Each operation writes its result into *this,
 // which must not be an operand.
 class Multiprecision_interval
 {
@@ -145,7 +146,7 @@ public:
   int sign() const { return mpfr_sgn(m_low) > 0 ? 1 : mpfr_sgn(m_high) < 0 ? -1 : 0; }
 
   double low_to_nearest() const { return mpfr_get_d(m_low, MPFR_RNDN); }
-  // Whether all numbers enclosed are less than 2^-bits in absolute value.
+  // Whether all numbers in the interval are less than 2^-bits in absolute value.
   bool is_below(std::size_t bits) const
   {
     for (mpfr_srcptr x : {&m_low[0], &m_high[0]})
@@ -204,7 +205,7 @@ public:
     }
     else
     {
-      // b has a sign, so it decides which bound of a makes the product smallest, and that bound decides which of b
+      // b has one sign. It determines which bound of a gives the smallest product, and that bound determines which of b
       const bool up = mpfr_sgn(b.m_low) >= 0;
       const mpfr_srcptr smallest = up ? a.m_low : a.m_high, largest = up ? a.m_high : a.m_low;
       mpfr_mul(m_low, smallest, mpfr_sgn(smallest) >= 0 ? b.m_low : b.m_high, MPFR_RNDD);
@@ -238,7 +239,7 @@ private:
     mpfr_set_inf(m_low, -1);
     mpfr_set_inf(m_high, 1);
   }
-  // An unbounded operand may give inf - inf or 0 * inf.
+  // Unbounded operands may give inf - inf or 0 * inf.
   void repair()
   {
     if (mpfr_nan_p(m_low) || mpfr_nan_p(m_high)) set_everything();
@@ -247,7 +248,7 @@ private:
   mpfr_t m_low, m_high;
 };
 
-// Encloses a sum of roots; `symbol(i)` encloses symbol i.
+// Interval of a sum of roots; `symbol(i)` is the interval of symbol i.
 template <class Symbol_interval>
 Multiprecision_interval interval_of(const Radical_sum& a, mpfr_prec_t bits, const Symbol_interval& symbol)
 {

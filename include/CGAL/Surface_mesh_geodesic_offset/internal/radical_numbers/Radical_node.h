@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The nodes of expressions made of rationals by + - * / and square roots, and their evaluation with intervals.
+// Nodes of expressions made of rationals by + - * / and square roots, and their evaluation with intervals.
 //
-// Nodes are counted by reference and shared. The value of a node never changes; what is known of it does, and a node may
-// forget its operands once its value is known in a closed form. Neither is guarded against other threads. Nothing here
-// is recursive: an expression may be as deep as memory allows.
+// Nodes are reference-counted and shared. The value of a node is constant, but its cached bounds improve, and a node
+// may drop its operands once its closed form is known. Neither is protected against concurrent access. Nothing here is
+// recursive, so only memory limits the depth of an expression.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NODE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NODE_H
@@ -33,9 +33,9 @@ namespace internal {
 
 enum class Radical_operation : std::uint8_t
 {
-  RATIONAL,    // a constant
-  CLOSED_FORM, // a constant: a sum of roots of rationals
-  CORE_NUMBER, // a constant: a number that CORE knows and we do not
+  RATIONAL, // constant
+  CLOSED_FORM, // constant: sum of roots of rationals
+  CORE_NUMBER, // constant: a number that only CORE can represent
   NEGATE,
   ADD,
   SUBTRACT,
@@ -47,7 +47,7 @@ enum class Radical_operation : std::uint8_t
 class Radical_node
 {
 public:
-  // A counted reference. None stands for zero, which is never an operand: no operation needs it.
+  // Reference-counted pointer. Null stands for zero, which is never an operand.
   class Reference
   {
   public:
@@ -113,19 +113,19 @@ public:
   const Big_rational* rational() const { return m_rational.get(); } // of a rational constant, else null
   const CORE::Expr& core_number() const { return *m_core; }
   const Double_interval& interval() const { return m_interval; }
-  // The bits beyond the range of doubles count.
+  // Includes the multiprecision bounds, which have a sign also beyond the range of doubles.
   bool has_sign() const { return m_interval.has_sign() || (m_bounds && m_bounds->has_sign()); }
   int sign() const { return m_interval.has_sign() || !m_bounds ? m_interval.sign() : m_bounds->sign(); }
-  // A double near the number, once the enclosure is tight.
+  // Nearest double or a close one, once the interval is tight.
   double approximation() const { return m_bounds ? m_bounds->low_to_nearest() : m_interval.middle(); }
   bool is_below(std::size_t bits) const { return m_bounds && m_bounds->is_below(bits); }
   std::size_t precision() const { return m_bounds ? std::size_t(m_bounds->precision()) : 0; }
 
-  // The closed form, if it is known. It has no symbols.
+  // Closed form without symbols, or null if unknown.
   const Radical_quotient* closed_form() const { return m_closed_form.get(); }
   void set_closed_form(Radical_quotient q) { m_closed_form.reset(new Radical_quotient(std::move(q))); }
 
-  // Makes the node a constant if its closed form is short.
+  // Turns a node with a short closed form into a constant.
   void forget_operands()
   {
     if (!m_operands[0] || !m_closed_form || !m_closed_form->is_sum()) return;
@@ -135,7 +135,7 @@ public:
     {
       m_rational.reset(new Big_rational(s.rational()));
       m_operation = Radical_operation::RATIONAL;
-      // also where the number is zero, so that no interval is needed to see it
+      // zero gets bounds, too, so that no evaluation is needed to see its sign
       m_bounds.reset(new Multiprecision_interval(bits_of_double));
       m_bounds->set(*m_rational);
       m_interval.intersect(m_bounds->rounded());
@@ -146,8 +146,7 @@ public:
     m_operands[1] = Reference();
   }
 
-  // Visits all nodes below and including a node that are needed, after their operands. A node must not be needed any
-  // more once it is visited.
+  // Visits the needed nodes at and below `top`, operands first. A visited node must no longer be needed.
   template <class Is_needed, class Visitor>
   static void visit(Radical_node& top, const Is_needed& is_needed, const Visitor& visitor)
   {
@@ -167,7 +166,7 @@ public:
     }
   }
 
-  // Evaluates the node with bounds of at least so many bits.
+  // Evaluates the node with bounds of at least `bits` bits.
   void refine(std::size_t bits)
   {
     visit(*this, [&](const Radical_node& n) { return n.precision() < bits; },
@@ -185,7 +184,7 @@ private:
   static void release(Radical_node* n)
   {
     if (--n->m_references != 0) return;
-    // a long chain of operands that die with their only user
+    // iterative, since a long chain of operands may die with its only user
     Radical_node* dying = n;
     n->m_next = nullptr;
     while (dying)
@@ -244,7 +243,7 @@ private:
     return interval_of(m_closed_form->numerator, mpfr_prec_t(bits), no_symbol);
   }
 
-  // CORE approximates with an absolute or a relative error of at most 2^-bits.
+  // CORE approximates with an absolute or relative error of at most 2^-bits.
   void set_by_core(Multiprecision_interval& e) const
   {
     const long bits = long(e.precision());
@@ -255,7 +254,7 @@ private:
     e.set(middle - error, middle + error);
   }
 
-  Radical_node* m_next = nullptr; // while dying
+  Radical_node* m_next = nullptr; // list of dying nodes
   std::size_t m_references = 0;
   std::uint32_t m_depth = 0;
   Radical_operation m_operation;

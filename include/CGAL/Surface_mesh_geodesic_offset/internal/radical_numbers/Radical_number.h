@@ -1,16 +1,16 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An exact number type for values made of rationals by + - * / and square roots, the comparison of which is certain, and
-// quick also for equal numbers.
+// Exact number type for values computed from rationals by + - * / and square roots. Comparisons are certified, and fast
+// also for equal numbers.
 //
-// CORE::Expr decides that numbers are equal by a bound on roots of degree 2^k for k square roots, which takes for ever
-// from a dozen roots on. Here, numbers whose difference looks like zero are computed exactly, as sums of square roots of
-// integers (Radical_sum.h, Radical_field.h), nested roots as far as they are understood; only what remains is left to
-// CORE. Numbers are evaluated when their sign is asked for, first with intervals.
+// To prove that a number with k square roots is zero, CORE::Expr needs a root bound of degree 2^k, which is infeasible
+// from a dozen roots on. Radical_number evaluates such a number exactly, as a sum of square roots of integers
+// (Radical_sum.h, Radical_field.h) with nested roots as symbols; CORE decides only the remaining cases. Evaluation is
+// lazy and starts with intervals.
 //
-// A number is a reference to an expression that it may share with other numbers. What is found out about an expression
-// is kept in it, unguarded: different threads must not use numbers of which one was made of the other.
+// A number is a reference to an expression, which other numbers may share. Expressions cache what is known of their
+// values, without locks: numbers with common subexpressions must not be used by several threads at once.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NUMBER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NUMBER_H
@@ -39,7 +39,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The rational types of CGAL that are based on GMP.
+// Access to the rational types of CGAL that are based on GMP.
 template <class Q>
 struct Gmp_rational_access
 {
@@ -82,7 +82,7 @@ public:
   {
     if (i != 0) m_node = Radical_node::make(Big_rational(i));
   }
-  // The value of the double itself, which must be finite.
+  // The exact value of a finite double.
   Radical_number(double d)
   {
     if (!std::isfinite(d)) throw std::domain_error("not a finite number");
@@ -97,15 +97,15 @@ public:
   }
   Radical_number(const CORE::Expr& x) : m_node(Radical_from_core::convert(x)) {}
 
-  // The same number, in a short form if that is found soon. CORE is recursive, so this throws std::length_error for
-  // expressions that are thousands deep.
+  // Conversion to CORE, in a short form if simplification is cheap. CORE is recursive: expressions thousands of
+  // operations deep throw std::length_error.
   CORE::Expr core_expression() const
   {
     Radical_sign::simplify(m_node);
     return Radical_to_core::convert(m_node);
   }
 
-  // What decided the comparisons so far.
+  // Counts of the methods that decided signs and comparisons.
   static Radical_number_counts& counts() { return Radical_sign::counts(); }
 
   CGAL::Sign sign() const
@@ -120,14 +120,14 @@ public:
     const int s = Radical_sign::of_difference(m_node, o.m_node);
     if (s == 0)
     {
-      // found out once: from now on both are the simpler one of the two expressions
+      // Both numbers become the simpler one of the two equal expressions.
       const bool mine = !m_node || (o.m_node && m_node->depth() <= o.m_node->depth());
       (mine ? o : *this).m_node = (mine ? *this : o).m_node;
     }
     return Comparison_result(s);
   }
 
-  // Within a few units of the last place; 0 only if the number is 0 or too small for a double.
+  // Correct within a few units in the last place; 0 only for zero and for numbers too small for a double.
   double to_double() const { return Radical_sign::approximate(m_node) ? m_node->approximation() : 0; }
   std::pair<double, double> to_interval() const
   {
@@ -135,8 +135,7 @@ public:
     return {m_node->interval().low, m_node->interval().high};
   }
 
-  // Bounds that are almost always a few units of the last place apart, and wide where many digits cancel; nothing is
-  // decided.
+  // Bounds without a sign decision: usually a few units in the last place apart, wide where many digits cancel.
   std::pair<double, double> bounds() const
   {
     if (!m_node) return {0, 0};
@@ -164,7 +163,8 @@ public:
     m_node = Make::product(m_node, o.m_node);
     return *this;
   }
-  // Throws std::domain_error if the divisor is seen to be zero, which may be only when the sign of a result is needed.
+  // Throws std::domain_error if the divisor is zero; for a divisor whose sign is not yet known, the exception is thrown
+  // only when the sign of a result is computed.
   Radical_number& operator/=(const Radical_number& o)
   {
     m_node = Make::quotient(m_node, o.m_node);
@@ -195,7 +195,7 @@ public:
   friend bool operator<=(const Radical_number& a, const Radical_number& b) { return a.compare(b) != LARGER; }
   friend bool operator>=(const Radical_number& a, const Radical_number& b) { return a.compare(b) != SMALLER; }
 
-  // As a double.
+  // Input and output as double.
   friend std::ostream& operator<<(std::ostream& out, const Radical_number& a) { return out << a.to_double(); }
   friend std::istream& operator>>(std::istream& in, Radical_number& a)
   {
@@ -215,7 +215,7 @@ private:
 
   explicit Radical_number(Reference node) : m_node(std::move(node)) {}
 
-  mutable Reference m_node; // a comparison may replace it by a simpler expression of the same number
+  mutable Reference m_node; // a comparison may replace it by a simpler expression of equal value
 };
 
 } // namespace internal
