@@ -115,7 +115,8 @@ public:
     const FT across = d.rest.squared_length();
     if (across > CGAL::square(Number_policy<FT>::rounding(16)) * direction.squared_length())
       return (std::max)(FT(0), FT(-(s.rest * d.rest) / across));
-    const Coordinates at = coordinates(s, FT(1)), speed = coordinates(d, FT(0)); // ray in the plane of the triangle: where it enters
+    // ray in the plane of the triangle: where it enters
+    const Coordinates at = coordinates(s, FT(1)), speed = coordinates(d, FT(0));
     FT enters(0);
     for (int k = 0; k < 3; ++k)
       if (at[k] < FT(0) && speed[k] > FT(0)) enters = (std::max)(enters, FT(-at[k] / speed[k]));
@@ -386,7 +387,7 @@ private:
     const double length = std::hypot(d[0], d[1], d[2]), allowance = slack(s);
     for_each_ball([&](face_descriptor f, const Coordinates& c, double radius) {
       const double x = c[0] - s[0], y = c[1] - s[1], z = c[2] - s[2];
-      const double u = y * d[2] - z * d[1], v = z * d[0] - x * d[2], w = x * d[1] - y * d[0]; // normal of ray and center, scaled
+      const double u = y * d[2] - z * d[1], v = z * d[0] - x * d[2], w = x * d[1] - y * d[0]; // cross product with d
       if (u * u + v * v + w * w > CGAL::square((radius + allowance) * length)) return;
       const Per_corner<Point_3> t = corners(f);
       if (Kernel().do_intersect_3_object()(r, typename Kernel::Triangle_3(t[0], t[1], t[2]))) hit.push_back(f);
