@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bounds of the distance of any point, from the windows that the certified front has left.
+// Bounds of the distance of any point, from the kept windows of the certified front.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_QUERY_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_QUERY_H
@@ -31,7 +31,7 @@ public:
   {
   }
 
-  // The windows must be there, but for vertices. The result is in the units of the certified mesh.
+  // Precondition: windows are kept, or p is a vertex. The result is in units of the certified mesh.
   std::pair<double, double> operator()(const Place& p)
   {
     m_lower = m_upper = Number_policy<double>::infinity();
@@ -45,7 +45,7 @@ public:
         m_sources.place_in_face(p, face, place, edges);
         search(face, place);
       }
-    // what passes a vertex within the error of an image may be shorter by as much: see the error analysis
+    // a path that passes a vertex within the error of an image may be shorter by this amount, see the error analysis
     return {(std::max)(m_lower * (1 - 2 * unit_roundoff), 0.), m_upper};
   }
 
@@ -56,7 +56,7 @@ private:
     m_upper = (std::min)(m_upper, upper);
   }
 
-  // What it finds belongs to the given place in the face, which is the point asked for up to rounding.
+  // Bounds for position p in the face, which is the query point up to rounding.
   void search(Index face, Double_double_2 p)
   {
     const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
@@ -84,7 +84,7 @@ private:
         CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)
         take(d - error, d + error);
       });
-      // on to the frame of the next halfedge
+      // transformation to the frame of the next halfedge
       const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;
       p = in_frame({-c.x, c.y}, {p.x - m_mesh[h].length, p.y});
     }
