@@ -54,8 +54,8 @@ public:
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
     by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(by_left.set_radius(m_largest_radius); by_right.set_radius(m_largest_radius);)
-    auto to_left = m_left.start(left, m_state.takes_windows(left), n);
-    auto to_right = m_right.start(right, m_state.takes_windows(right), n);
+    auto to_left = m_left.start(left, m_state.accepts_windows(left), n);
+    auto to_right = m_right.start(right, m_state.accepts_windows(right), n);
     for (std::size_t i = 0; i < n; ++i)
     {
       const Exit exit = m_exit[i].exit;

@@ -9,8 +9,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_bisector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_overlap_split.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 
@@ -41,10 +41,10 @@ public:
     for (const Window* const* i = m_order.begin(); i != m_order.end(); ++i)
     {
       const Window& w = **i;
-      while (m_order.has_later_before(w)) take(m_order.pop_later(), w.b0);
-      take(w, i + 1 != m_order.end() ? i[1]->b0 : length);
+      while (m_order.has_later_before(w)) insert(m_order.pop_later(), w.b0);
+      insert(w, i + 1 != m_order.end() ? i[1]->b0 : length);
     }
-    while (m_order.has_later()) take(m_order.pop_later(), length);
+    while (m_order.has_later()) insert(m_order.pop_later(), length);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
     CGAL_postcondition(std::is_sorted(m_envelope.begin(), m_envelope.end(),
                                       [](const Window& a, const Window& b) { return a.b0 < b.b0; }));
@@ -52,7 +52,7 @@ public:
   }
 
   // Whether the list needs no sweep: intervals are monotone and no windows merge.
-  bool is_row(const Window* first, const Window* last) const
+  bool is_monotone_list(const Window* first, const Window* last) const
   {
     for (; last - first > 1; ++first)
       if (!(first[0].b0 <= first[1].b0 && first[0].b1 <= first[1].b1) || may_merge(first[0], first[1])) return false;
@@ -61,7 +61,7 @@ public:
 
 private:
   // Processes a window; the next one begins at `next`.
-  BOOST_FORCEINLINE void take(const Window& w, double next)
+  BOOST_FORCEINLINE void insert(const Window& w, double next)
   {
     if (m_envelope.empty() || !follows(w, next)) add(w);
   }
@@ -86,24 +86,25 @@ private:
     const double high = a_ends_first ? a.b1 : w.b1;
     const Number_pair<double> d = a_ends_first ? Window::distances_at(a, w.b0, w, high) : a.distances_at({w.b0, high});
     const double a_low = d.first(), a_high = a_ends_first ? a.d1 : d.second(), w_high = a_ends_first ? d.second() : w.d1;
-    const Certified_tie tie(a, w, m_length);
+    const Certified_bisector bisector(a, w, m_length);
     const double at_low = a_low - w.d0, at_high = a_high - w_high;
-    if (a_ends_first && (std::max)(std::abs(at_low), std::abs(at_high)) <= 4 * tie.margin() && !tie.may_turn(w.b0, high))
+    if (a_ends_first && (std::max)(std::abs(at_low), std::abs(at_high)) <= 4 * bisector.margin() &&
+        !bisector.may_turn(w.b0, high))
     { // already cut at their bisector
       m_envelope.push_back(w);
       return true;
     }
-    if (!(at_low < -tie.margin())) return false;
-    if (at_high > tie.margin())
+    if (!(at_low < -bisector.margin())) return false;
+    if (at_high > bisector.margin())
     { // a single bisector point
-      Certified_tie::Cut of_a, of_w;
-      if (!a_ends_first || !tie.find(w.b0, high, of_a, of_w)) return false;
+      Certified_bisector::Cut of_a, of_w;
+      if (!a_ends_first || !bisector.find(w.b0, high, of_a, of_w)) return false;
       a.b1 = of_a.t;
       a.d1 = of_a.distance;
       push_rest(w, of_w, next);
       return true;
     }
-    if (at_high < -tie.margin() && !tie.may_turn_between(-1, w.b0, high))
+    if (at_high < -bisector.margin() && !bisector.may_turn_between(-1, w.b0, high))
     { // the window of the envelope is nearer
       if (a_ends_first) push_rest(w, {high, w_high}, next);
       return true;
@@ -112,7 +113,7 @@ private:
   }
 
   // Adds the remaining part of a window behind the last one of the envelope.
-  void push_rest(const Window& w, const Certified_tie::Cut& from, double next)
+  void push_rest(const Window& w, const Certified_bisector::Cut& from, double next)
   {
     if (from.t <= next && (!m_order.has_later() || from.t <= m_order.first_later().b0))
     {
@@ -211,17 +212,17 @@ private:
   void resolve(Window w)
   {
     Window& a = m_envelope.back();
-    const Certified_ties ties(a, w, m_length);
-    if (ties.tie())
+    const Certified_overlap_split split(a, w, m_length);
+    if (split.is_tie())
     {
       m_envelope.push_back(w);
       return;
     }
-    Interval_set of_a, of_w = ties.kept_of_second();
-    if (a.b0 < ties.low()) of_a.append({a.b0, ties.low()});
-    of_a.append_all(ties.kept_of_first());
-    if (a.b1 > ties.high()) of_a.append({ties.high(), a.b1});
-    if (w.b1 > ties.high()) of_w.append({ties.high(), w.b1});
+    Interval_set of_a, of_w = split.kept_of_second();
+    if (a.b0 < split.low()) of_a.append({a.b0, split.low()});
+    of_a.append_all(split.kept_of_first());
+    if (a.b1 > split.high()) of_a.append({split.high(), a.b1});
+    if (w.b1 > split.high()) of_w.append({split.high(), w.b1});
     // parts that begin later are queued
     const bool a_stays = of_a.size() > 0 && of_a[0].from <= a.b0, w_stays = of_w.size() > 0 && of_w[0].from <= w.b0;
     for (int i = a_stays ? 1 : 0; i < of_a.size(); ++i) push_part(a, of_a[i]);

@@ -45,7 +45,7 @@ public:
       if (m_state.queue.pop_halfedge(i))
       {
         m_state.prefetch_next();
-        take(i);
+        process_halfedge(i);
       }
       else if (m_state.queue.pop_vertex(i))
         m_state.spread_arrivals(i, [&](const Arrival& a) { spread_behind(i, a); });
@@ -82,7 +82,7 @@ private:
                                 : Number_policy<double>::infinity() CGAL_GEODESIC_OFFSET_CERTIFICATE(, {}));
   }
 
-  void take(Index h)
+  void process_halfedge(Index h)
   {
     auto* const known = m_state.lists.find(h);
     if (!known) return;
@@ -90,7 +90,7 @@ private:
     if (list.bucket != m_state.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<double, Window>::not_queued;
     m_state.schedule(m_unfolded.face(h));
-    if (list.taken == 0 && !m_state.keeps_windows && m_envelope.is_row(list.begin(), list.end()))
+    if (list.taken == 0 && !m_state.keeps_windows && m_envelope.is_monotone_list(list.begin(), list.end()))
     {
       list.taken = list.size;
       m_propagate(h, list.begin(), list.size);

@@ -36,7 +36,7 @@ public:
   {
     m_lower = m_upper = Number_policy<double>::infinity();
     if (p.kind == Place::VERTEX)
-      take(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
+      add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
     else
       for (Index face : faces_of(m_mesh.unfolded(), p))
       {
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  void take(double lower, double upper)
+  void add_bounds(double lower, double upper)
   {
     m_lower = (std::min)(m_lower, lower);
     m_upper = (std::min)(m_upper, upper);
@@ -64,14 +64,14 @@ private:
     m_sources.for_each_in_face(face, [&](const Certified_source& s) {
       double reach;
       const double d = length(s.way_from(p, reach)), error = 4 * s.moved + moved;
-      take(d - error, d + error);
+      add_bounds(d - error, d + error);
     });
     for (int k = 0; k < 3; ++k)
     {
       const Index h = 3 * face + Index(k), v = m_mesh.unfolded().source(h);
       const double height = (std::max)(p.y.high, 0.), way = length(Point{p.x.high, height});
       const double rounding = length_error * (m_field.bounds.upper(v) + way);
-      take(m_field.bounds.lower(v) + way - moved - rounding, m_field.bounds.upper(v) + way + moved + rounding);
+      add_bounds(m_field.bounds.lower(v) + way - moved - rounding, m_field.bounds.upper(v) + way + moved + rounding);
       const auto place = [&](double b) { return b < m_mesh.length(h) ? Double_double(b) : m_mesh[h].length; };
       m_field.for_each_window(h, [&](const Certified_window& w) {
         const Double_double b0 = place(w.b0), b1 = place(w.b1);
@@ -82,7 +82,7 @@ private:
         if (from == ZERO) error += w.way_around(p.x, height, b0);
         if (to == ZERO) error += w.way_around(p.x, height, b1);
         CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)
-        take(d - error, d + error);
+        add_bounds(d - error, d + error);
       });
       // transformation to the frame of the next halfedge
       const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;

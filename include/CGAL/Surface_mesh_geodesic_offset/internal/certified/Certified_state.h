@@ -76,7 +76,7 @@ public:
   // Appends a window unless the ends of g prune it.
   void add(Index g, Window w)
   {
-    auto output = m_single.start(g, takes_windows(g), 1);
+    auto output = m_single.start(g, accepts_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
     const double length = mesh.length(g);
@@ -103,7 +103,7 @@ public:
   }
 
   // False for border halfedges and finalized faces.
-  bool takes_windows(Index g) const { return g != no_index && m_face_state[g / 3] != FINISHED; }
+  bool accepts_windows(Index g) const { return g != no_index && m_face_state[g / 3] != FINISHED; }
 
   // Appends windows to the list of their halfedge, and inserts the halfedge into the queue.
   void append(const Output& output)

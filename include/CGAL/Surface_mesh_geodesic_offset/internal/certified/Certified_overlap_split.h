@@ -3,12 +3,12 @@
 //
 // Parts of the overlap of two windows on a halfedge where one is certainly farther than the other.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_OVERLAP_SPLIT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_OVERLAP_SPLIT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_bisector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,25 +52,25 @@ private:
 // The difference of the two distances has at most one stationary point. So a window that is certainly farther at two points
 // is farther everywhere between them unless a minimum of the difference lies there. No minimum exists if the difference
 // does not decrease at the first point or does not increase at the second.
-class Certified_ties
+class Certified_overlap_split
 {
 public:
   typedef Certified_window Window;
 
-  Certified_ties(const Window& a, const Window& b, double length)
-    : m_a(a), m_b(b), m_tie(a, b, length), m_low(b.b0), m_high((std::min)(a.b1, b.b1)), m_margin(m_tie.margin())
+  Certified_overlap_split(const Window& a, const Window& b, double length)
+    : m_a(a), m_b(b), m_bisector(a, b, length), m_low(b.b0), m_high((std::min)(a.b1, b.b1)), m_margin(m_bisector.margin())
   {
-    m_at_low = m_tie.difference(m_low);
-    m_at_high = m_tie.difference(m_high);
-    m_has_middle = m_tie.stationary_point(m_middle) && m_low < m_middle && m_middle < m_high;
-    if (m_has_middle) m_at_middle = m_tie.difference(m_middle);
+    m_at_low = m_bisector.difference(m_low);
+    m_at_high = m_bisector.difference(m_high);
+    m_has_middle = m_bisector.stationary_point(m_middle) && m_low < m_middle && m_middle < m_high;
+    if (m_has_middle) m_at_middle = m_bisector.difference(m_middle);
   }
 
   double low() const { return m_low; }
   double high() const { return m_high; }
 
   // Whether neither window is certainly farther anywhere.
-  bool tie() const
+  bool is_tie() const
   {
     return std::abs(m_at_low) <= m_margin && std::abs(m_at_high) <= m_margin &&
            (!m_has_middle || std::abs(m_at_middle) <= m_margin);
@@ -140,7 +140,7 @@ private:
   // Precondition: the window is certainly farther at both points.
   bool is_farther_between(int of, double from, double to) const
   {
-    return from == to || !m_tie.may_turn_between(of, from, to) || is_farther_everywhere(of);
+    return from == to || !m_bisector.may_turn_between(of, from, to) || is_farther_everywhere(of);
   }
 
   // By the triangle inequality for both images.
@@ -163,7 +163,7 @@ private:
       const double aim = 4 * m_margin;
       double t = i % 3 == 2 ? 0.5 * (good + bad) : good + (bad - good) * ((at_good - aim) / (at_good - at_bad));
       if (!((good < t && t < bad) || (bad < t && t < good))) t = 0.5 * (good + bad);
-      const double g = of * m_tie.difference(t) - m_margin;
+      const double g = of * m_bisector.difference(t) - m_margin;
       if (g > 0)
       {
         good = t;
@@ -180,7 +180,7 @@ private:
 
   const Window& m_a;
   const Window& m_b;
-  const Certified_tie m_tie;
+  const Certified_bisector m_bisector;
   double m_low, m_high, m_middle = 0;
   const double m_margin;
   double m_at_low, m_at_high, m_at_middle = 0;

@@ -3,8 +3,8 @@
 //
 // Certain statements about the difference of the distances of two windows on a halfedge.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BISECTOR_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BISECTOR_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -21,12 +21,12 @@ namespace Geodesic_offset {
 namespace internal {
 
 // The difference is the distance of window a minus that of window b.
-class Certified_tie
+class Certified_bisector
 {
 public:
   typedef Certified_window Window;
 
-  Certified_tie(const Window& a, const Window& b, double length)
+  Certified_bisector(const Window& a, const Window& b, double length)
     : m_a(a), m_b(b),
       m_margin(a.radius + b.radius + 2 * (a.error_of_image() + b.error_of_image()) +
                2 * length_error * ((std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1)) + length))
