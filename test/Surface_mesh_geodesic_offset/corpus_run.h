@@ -14,9 +14,9 @@
 #include "program_runner.h"
 #include "search_cases.h"
 #include "search_tolerances.h"
+#include "validation/Offset_validation.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 
 #include <algorithm>
 #include <array>

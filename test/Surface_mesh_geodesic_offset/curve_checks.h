@@ -11,8 +11,7 @@
 #include "locations.h"
 #include "test_check.h"
 #include "thin_polylines.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include "validation/Offset_validation.h"
 
 #include <iostream>
 #include <string>

@@ -9,8 +9,7 @@
 
 #include "geodesic_types.h"
 #include "search_tolerances.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_surface.h>
+#include "validation/Validation_surface.h"
 
 #include <algorithm>
 #include <cmath>

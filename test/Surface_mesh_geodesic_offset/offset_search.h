@@ -9,8 +9,7 @@
 #include "level_judge.h"
 #include "offset_tools.h"
 #include "search_cases.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include "validation/Offset_validation.h"
 
 #include <atomic>
 #include <chrono>

@@ -4,11 +4,12 @@
 // The headers of the package, and what tests instantiate of them, for the target strict_warnings: -Wall -Wextra -pedantic
 // -Wconversion -Wsign-conversion -Wshadow -Werror. The tests themselves are compiled without the last three.
 
+#include "validation/Offset_validation.h"
+
 #include <CGAL/Surface_mesh_geodesic_offset.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 
 #if defined(__GNUC__)

@@ -9,8 +9,7 @@
 #include "locations.h"
 #include "plane_section.h"
 #include "test_check.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include "validation/Offset_validation.h"
 
 #include <algorithm>
 #include <memory>

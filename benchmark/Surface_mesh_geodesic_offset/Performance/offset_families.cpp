@@ -11,12 +11,12 @@
 
 #include "measured_run.h"
 #include "plane_section.h"
+#include "validation/Offset_validation.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,14 +9,13 @@
 // within r of a point c is near if D(c) + r < d and far if D(c) - r >= d; otherwise its longest edge is halved. What is
 // still undecided in the end is what the bounds differ by.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_AREA_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_AREA_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
 
 #include <algorithm>
 #include <array>
@@ -212,4 +211,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H

@@ -5,13 +5,11 @@
 // points of the edges between crossings, and points in faces. What is not separated lacks a curve; this also sees
 // curves that are there twice.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_SIDE_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_SIDE_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <algorithm>
 #include <random>
@@ -158,4 +156,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H

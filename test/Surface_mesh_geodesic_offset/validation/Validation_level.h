@@ -3,13 +3,11 @@
 //
 // The curves of one level, sorted by what they pass through: pieces by face, crossings by edge, and the side of each vertex.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_LEVEL_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_LEVEL_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_LEVEL_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_LEVEL_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_piece.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_surface.h>
+#include "Validation_piece.h"
+#include "Validation_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -226,4 +224,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_LEVEL_H

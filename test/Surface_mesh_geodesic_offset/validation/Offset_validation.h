@@ -15,15 +15,13 @@
 //
 // Levels are cut 2^-42 of their value below themselves, with inexact numbers, and so they are checked.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Area_validation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Crossing_validation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Curve_validation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Side_validation.h>
+#include "Area_validation.h"
+#include "Crossing_validation.h"
+#include "Curve_validation.h"
+#include "Side_validation.h"
 
 #include <algorithm>
 #include <random>
@@ -135,4 +133,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H

@@ -5,13 +5,11 @@
 // to the left; notes where the curves cross edges. Takes time linear in the number of pieces, each times the windows of
 // its face.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CURVE_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CURVE_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <string>
 #include <utility>
@@ -191,4 +189,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H

@@ -3,10 +3,8 @@
 //
 // What the validation of offset curves found: checks and failures of each kind, and the worst figures.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_REPORT_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_REPORT_H
-
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H
 
 #include <algorithm>
 #include <array>
@@ -155,4 +153,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H

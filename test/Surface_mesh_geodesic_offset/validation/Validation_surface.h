@@ -4,10 +4,8 @@
 // The mesh and the field as the validation sees them: laid out from the points of the mesh, and asked through the public
 // queries, so that nothing of the pipeline is used to judge the pipeline.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_SURFACE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_SURFACE_H
-
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
@@ -285,4 +283,4 @@ inline Validation_face::Weights validation_random_weights(std::mt19937& random)
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H
