@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks that pieces do not cross in any face: those of one level, and those of different levels. Pieces are swept by their
-// bounding boxes, so the time is O(n log n) and that of the pairs whose boxes overlap along one axis.
+// Checks that pieces do not cross in any face, neither within a level nor between levels. The pieces are swept by their
+// bounding boxes in time O(n log n) plus the number of pairs whose boxes overlap along one axis.
 
 #ifndef GEODESIC_OFFSET_TEST_VALIDATION_CROSSING_VALIDATION_H
 #define GEODESIC_OFFSET_TEST_VALIDATION_CROSSING_VALIDATION_H
