@@ -200,7 +200,7 @@ private:
     if (face.outside(p) > 0) return;
     Point_in_face left = -1. * arc.center;
     if (!arc.is_straight) left = (1 / length(arc.center - p)) * (arc.center - p);
-    double way = (std::min)(face.way_out(p, left), cut_);
+    double way = (std::min)(face.exit_distance(p, left), cut_);
     if (!arc.is_straight) way = (std::min)(way, arc.radius);
     way /= 2;
     if (!(way > Judge_tolerances::steps_to_left * position_)) return;
