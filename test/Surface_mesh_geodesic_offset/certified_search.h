@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds of distances against the reference of reference_distances.h: violations, and widths by kind.
+// Comparison of certified bounds with the reference of reference_distances.h: violations, and widths by kind.
 
 #ifndef GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H
 #define GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H
@@ -26,18 +26,18 @@
 
 namespace test {
 
-/// What became of the cases of one kind.
+/// Results for the cases of one kind.
 struct Certified_counts
 {
   std::size_t meshes = 0;
-  std::size_t bounds = 0;            // pairs of bounds compared
-  std::size_t violations = 0;        // pairs that exclude the distance
+  std::size_t bounds = 0; // compared pairs of bounds
+  std::size_t violations = 0; // bounds that exclude the distance
   std::size_t violated_meshes = 0;
-  std::size_t invalid = 0;           // meshes that are not triangle meshes with faces that have area
-  std::size_t refused = 0;           // builds that ended with std::runtime_error, as documented for needles
-  std::vector<double> widths;        // relative to the upper bound
+  std::size_t invalid = 0; // meshes that are not triangle meshes, or have faces without area
+  std::size_t refused = 0; // builds that threw std::runtime_error, as documented for needles
+  std::vector<double> widths; // relative to the upper bound
 
-  /// The width that a part of all widths does not exceed
+  /// Quantile of the widths.
   double width(double part)
   {
     if (widths.empty()) return 0;
@@ -104,7 +104,7 @@ public:
       ++counts.refused;
     }
     catch (const std::logic_error& e)
-    { // in debug mode, a statement of the error analysis that does not hold
+    { // debug mode: a statement of the error analysis does not hold
       ++counts.violations;
       if (printed_ > 0)
       {
@@ -124,7 +124,7 @@ public:
     return sum;
   }
 
-  /// Markdown
+  /// Prints a Markdown table.
   void print_table(std::FILE* out)
   {
     std::fprintf(out, "| kind | meshes | without area | refused | bounds | violations | in meshes | median width | 99 %% | "
@@ -137,7 +137,7 @@ public:
     print("all", total());
   }
 
-  /// A location of the reference: the weights in the order of the face's halfedges.
+  /// Location of the reference; weights are in the order of the face's halfedges.
   static Enclosure::Face_location location(const Generated_mesh<Surface_mesh>& data, const Certified_case& c,
                                            const Certified_case::Location& l)
   {
