@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What must not compile: certified bounds with flags that change the arithmetic, and traits of the user's with numbers of
-// CORE. ctest checks the messages.
+// Code that must not compile: certified bounds with flags that change the arithmetic, and user traits with numbers of CORE.
+// ctest checks the messages.
 
 #ifdef REFUSED_TRAITS
 

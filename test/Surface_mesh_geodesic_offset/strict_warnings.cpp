@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The headers of the package, and what tests instantiate of them, for the target strict_warnings: -Wall -Wextra -pedantic
-// -Wconversion -Wsign-conversion -Wshadow -Werror. The tests themselves are compiled without the last three.
+// The headers of the package, with the instantiations of some tests, for the target strict_warnings: -Wall -Wextra
+// -pedantic -Wconversion -Wsign-conversion -Wshadow -Werror. The tests themselves are compiled without the last three.
 
 #include "validation/Offset_validation.h"
 

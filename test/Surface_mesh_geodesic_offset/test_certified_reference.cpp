@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds contain the distances of an independent reference with 113 bits, which unfolds all sequences of faces: on
-// meshes that once violated them, on adversarial meshes of 5 to 20 faces, and on general ones. The reference itself gives
-// distances in the plane, and those of closed forms. What is beyond the proof is refused.
+// Certified bounds contain the distances of an independent reference with 113 bits, which unfolds all sequences of faces:
+// on meshes that formerly violated them, on adversarial meshes of 5 to 20 faces, and on general ones. The reference itself
+// is tested with distances in the plane and closed forms. Input beyond the proof is rejected.
 //
 //   test_certified_reference [--meshes N]
 
@@ -28,7 +28,7 @@ using namespace test;
 typedef Certified_search::Enclosure Enclosure;
 typedef Reference_distances::Number Number;
 
-std::size_t number_of_meshes = 6000; // adversarial; a tenth as many general ones
+std::size_t number_of_meshes = 6000; // adversarial, plus a tenth of this number of general ones
 
 Certified_case case_of(const Soup& soup)
 {
@@ -94,14 +94,14 @@ void reference_with_bends()
     if (std::abs(euclidean(cube.points[0], cube.points[v]) - std::sqrt(3.)) < 1e-9)
       farthest = double(of_cube.of_vertex(v));
   CHECK_DETAIL(std::abs(farthest - std::sqrt(5.)) < 1e-15, values(farthest, std::sqrt(5.)));
-  // a part that is not reached
+  // an unreachable part
   Reference_distances two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
   two.solve({0}, {}, {});
   CHECK(two.of_vertex(2) == Number(1) && two.of_vertex(4) == Reference_distances::infinity());
 }
 
-// Three meshes on which bounds have excluded the distance: a bounding ray that leaves through a flat face, twice, and an
-// apex near the far end of an edge that is long against all distances.
+// Three meshes with former violations: a bounding ray that leaves through a flat face, twice, and an apex near the far end
+// of an edge that is long relative to all distances.
 void known_cases()
 {
   struct Known
@@ -171,13 +171,13 @@ void run(bool is_adversarial, std::size_t meshes, double median)
   CHECK(total.violations == 0);
   CHECK(total.bounds > 15 * meshes);
   CHECK(100 * (total.refused + total.invalid) <= meshes);
-  CHECK_DETAIL(total.width(0.5) < median, values(total.width(0.5), median)); // else empty bounds would pass
+  CHECK_DETAIL(total.width(0.5) < median, values(total.width(0.5), median)); // otherwise infinite bounds would pass
 }
 
 void adversarial_meshes() { run(true, number_of_meshes, 3e-14); }
 void general_meshes() { run(false, number_of_meshes / 10, 3e-14); }
 
-// A flat strip of n faces, straight and of nearly one direction; its first vertex is the source.
+// Flat strip of n faces, straight and nearly unidirectional; its first vertex is the source.
 Soup strip(std::size_t n)
 {
   Soup soup;

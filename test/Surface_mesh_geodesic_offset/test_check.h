@@ -62,7 +62,7 @@ public:
     : relative_(relative), absolute_(16 * std::numeric_limits<double>::epsilon() * scale)
   {}
 
-  /// Whether `actual` equals `expected` (infinities equal each other; NaN equals nothing).
+  /// Whether `actual` equals `expected` (infinities are equal, NaN equals nothing).
   bool add(double actual, double expected)
   {
     ++count_;
@@ -95,7 +95,7 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 
 #define CHECK(condition) CHECK_DETAIL(condition, "")
 
-/// The detail is made only for a check that fails.
+/// `detail` is evaluated only for a failed check.
 #define CHECK_DETAIL(condition, detail)                                                            \
   (static_cast<bool>(condition)                                                                    \
      ? ::test::Report::instance().passed()                                                         \
@@ -128,8 +128,8 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 
 namespace test {
 
-/// Runs the (name, function) pairs, each in its context; an exception is a failure. The result is that of `finish`. The case
-/// `data_case` runs if meshes of the data directory are wanted, and the others if generated ones are.
+/// Runs the (name, function) pairs, each in its context; an exception is a failure. Returns the result of `finish`. The
+/// case `data_case` runs if meshes of the data directory are requested, the others if generated meshes are.
 template <class Tests>
 int run_tests(const char* name, const Tests& tests)
 {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances on small meshes under libFuzzer, from sources and with options of all kinds, against the reference with 113 bits of
-// ../reference_distances.h. Certified bounds must hold without exception; distances in doubles up to 1e-10 of the distance plus
-// the size of the mesh, unless faces are flatter than 2^-30.
+// libFuzzer test of distances on small meshes, with sources and options of all kinds, against the 113-bit reference of
+// ../reference_distances.h. Certified bounds must always hold; distances in doubles must be accurate to 1e-10 of the
+// distance plus the size of the mesh, unless faces are flatter than 2^-30.
 
 #include "../certified_search.h"
 #include "fuzz_case.h"
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // With options from the bytes, once more with other ones
+  // Builds with options from the bytes, then again with other options.
   void build(const test::Generated_mesh<test::Surface_mesh>& data, Geodesic& geodesic)
   {
     for (int round = 0; round < 2; ++round)

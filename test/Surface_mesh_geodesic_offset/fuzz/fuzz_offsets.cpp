@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets on small meshes under libFuzzer, from points and polylines, at levels at and beside distances of vertices: each face
-// against the exact arrangement of ../offset_oracle.h, and no joint is forced. Faces flatter than 2^-30 are left out.
+// libFuzzer test of offsets on small meshes, from points and polylines, at and near vertex distances: each face is compared
+// with the exact arrangement of ../offset_oracle.h, and no joint is forced. Faces flatter than 2^-30 are skipped.
 
 #include "../certified_search.h"
 #include "../locations.h"
