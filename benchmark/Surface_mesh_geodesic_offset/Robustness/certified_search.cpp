@@ -1,18 +1,18 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds on small meshes against an independent reference with 113 bits. Does any pair of bounds exclude the
-// distance, and how wide are the bounds?
+// Search for certified bounds that exclude the distance, on small meshes, by an independent reference with 113 bits; also
+// the widths of the bounds.
 //
 //   certified_search [--seed N] [--meshes N] [--general] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE VERTEX]...
 //
-// Case i has the seed N + i, which determines its mesh, its sources and its queries; so `--seed N --meshes 1` repeats a case.
-// The meshes are adversarial, or general ones with --general; --kind leaves out all others. --write PREFIX writes the last
-// case as PREFIX.off. Files are meshes with a source vertex each; without --meshes only they are run.
+// Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case. The
+// meshes are adversarial, or general ones with --general; --kind selects one kind. --write PREFIX writes the last case as
+// PREFIX.off. Files are meshes with a source vertex each; without --meshes only they are run.
 //
-// Violations, then a table by kind on stdout: meshes, those with a face without area in doubles, builds that were refused as
-// documented, bounds compared, violations, meshes with violations, and the widths of the bounds relative to the distance. The
-// exit code is 1 if there is a violation.
+// Output: violations, then a table by kind: meshes, those with a face without area in doubles, builds rejected as
+// documented, compared bounds, violations, meshes with violations, and the widths of the bounds relative to the distance.
+// The exit code is 1 if there is a violation.
 
 #include "certified_search.h"
 
