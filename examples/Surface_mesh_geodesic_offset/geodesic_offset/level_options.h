@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances of the offsets, and the part of them that is wanted, as the command line has them.
+// Options for the distances of the offsets, and for sides and ends.
 
 #ifndef GEODESIC_OFFSET_LEVEL_OPTIONS_H
 #define GEODESIC_OFFSET_LEVEL_OPTIONS_H
@@ -24,12 +24,12 @@ struct Level_options
   std::optional<std::size_t> count; // of the spacing
   std::optional<double>      maximum_distance;
   std::string                side; // empty: not given
-  std::string                end;  // empty: not given
+  std::string                end; // empty: not given
   CGAL::Offset_selection     selection;
 
   bool has_levels() const { return !distances.empty() || spacing; }
 
-  // Whether the number of levels depends on the extent of the surface
+  // Whether the number of levels depends on the extent of the surface.
   bool is_open_ended() const { return spacing && !count; }
 };
 
@@ -68,7 +68,7 @@ inline CGAL::Offset_selection selection(const std::string& side, const std::stri
   else if(!side.empty() && side != "both")
     throw Usage_error("--side must be left, right, both, inside or outside, not " + quoted(side));
 
-  // what lies beyond an end is on neither side
+  // points beyond an end are on neither side
   result.end = (result.side == Offset_side::BOTH) ? Offset_end::ROUND : Offset_end::BUTT;
   if(end == "round")
     result.end = Offset_end::ROUND;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the user asked for. Everything that can be judged without opening a file is judged here.
+// Options of the user, with all checks that need no file.
 
 #ifndef GEODESIC_OFFSET_OPTIONS_H
 #define GEODESIC_OFFSET_OPTIONS_H

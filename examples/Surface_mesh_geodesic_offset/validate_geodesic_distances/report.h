@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the user gets to read, and the table of all vertices.
+// Report for the user, and table of all vertices.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_REPORT_H
 #define VALIDATE_GEODESIC_DISTANCES_REPORT_H
@@ -19,7 +19,7 @@
 
 namespace geodesic_offset {
 
-// With as many digits as a reader needs to get the same double
+// With as many digits as a reader needs to restore the double.
 inline std::string full_number(double value)
 {
   std::ostringstream stream;
@@ -101,7 +101,7 @@ private:
   }
 };
 
-// One line a vertex.
+// One line per vertex.
 inline void write_per_vertex(std::ostream& out, const std::vector<Comparison::Bounds>& bounds,
                              const std::vector<double>& distances, const std::vector<double>& errors)
 {
