@@ -237,7 +237,7 @@ void damage_curves(const Case& c)
 
   parts = original;
   parts.distance *= 1 + 1e-3;
-  expect(c, "a label that was not asked for", with(parts), {ON_LEVEL, EDGE_PARITY});
+  expect(c, "a label that was not requested", with(parts), {ON_LEVEL, EDGE_PARITY});
 
   // a triangle of segments inside a face that the curve crosses
   parts = original;

@@ -35,8 +35,8 @@ using CGAL::Source_side;
 struct Tally
 {
   std::size_t polylines = 0, crossing = 0, closed = 0, levels = 0, closed_curves = 0,
-              open_curves = 0, pieces = 0, specks = 0, levels_as_asked = 0;
-  double to_plane = 0, from_plane = 0, as_asked = 0, length = 0, off_source = 0;
+              open_curves = 0, pieces = 0, specks = 0, levels_as_requested = 0;
+  double to_plane = 0, from_plane = 0, as_requested = 0, length = 0, off_source = 0;
 };
 
 Tally tally;
@@ -225,14 +225,14 @@ private:
     // Use the requested level unless the corners of the offset move fast with the level.
     const Planar_offset asked(path.legs, level, box_);
     if ((level - cut_level(level)) * asked.speed_of_joints() > 0.5 * tolerance) return;
-    ++tally.levels_as_asked;
+    ++tally.levels_as_requested;
     CHECK(asked.number_of_components(true) == closed_lengths.size());
     CHECK(asked.number_of_components(false) == open_lengths.size());
     const double both = (std::max)(directed_hausdorff_distance(pieces, asked.pieces(), 8),
                                    directed_hausdorff_distance(asked.pieces(), pieces, 32)) /
                         diagonal;
     CHECK_DETAIL(both <= 1e-12, values(both, 0));
-    tally.as_asked = (std::max)(tally.as_asked, both);
+    tally.as_requested = (std::max)(tally.as_requested, both);
   }
 
   void compare_lengths(const Planar_offset& expected, bool closed, std::vector<double>& actual)
@@ -350,10 +350,10 @@ void print_tally(const std::string& what)
 {
   std::cout << what << ": " << tally.polylines << " polylines (" << tally.closed << " closed, "
             << tally.crossing << " self-crossing), " << tally.levels << " levels ("
-            << tally.levels_as_asked << " also as asked for), " << tally.closed_curves
+            << tally.levels_as_requested << " also at the requested level), " << tally.closed_curves
             << " closed and " << tally.open_curves << " open curves, " << tally.pieces
             << " pieces (" << tally.specks << " specks); Hausdorff distance " << tally.to_plane
-            << " and " << tally.from_plane << " diagonals (as asked for " << tally.as_asked
+            << " and " << tally.from_plane << " diagonals (at the requested level " << tally.as_requested
             << "), relative error of lengths " << tally.length << ", off the source named "
             << tally.off_source << std::endl;
   tally = Tally();
@@ -392,7 +392,7 @@ void random_polylines()
   CHECK(tally.closed >= 40);
   CHECK(tally.closed_curves >= 400);
   CHECK(tally.open_curves >= 200);
-  CHECK(10 * tally.levels_as_asked >= 9 * tally.levels);
+  CHECK(10 * tally.levels_as_requested >= 9 * tally.levels);
   print_tally("200 random polylines");
 }
 

@@ -182,9 +182,9 @@ private:
     const Words level = {"--distance", "5"};
     const auto at_height = [&](const std::string& z)
     { return on_plate({"--source-point", "20,30," + z, "--distance", "5"}); };
-    check_line(expect_good("a point on the surface", at_height("0")).output, {"sources", "1 point", "moved by 0 at most"});
-    check_line(expect_good("a point nearly on the surface", at_height("0.5")).output, {"sources", "moved by 0.5 at most"});
-    check_line(expect_good("a point 1 % off", at_height("-1.16")).output, {"moved by 1.16 at most"});
+    check_line(expect_good("a point on the surface", at_height("0")).output, {"sources", "1 point", "moved to the surface, by at most 0"});
+    check_line(expect_good("a point nearly on the surface", at_height("0.5")).output, {"sources", "moved to the surface, by at most 0.5"});
+    check_line(expect_good("a point 1 % off", at_height("-1.16")).output, {"moved to the surface, by at most 1.16"});
     expect_warning("a point more than 1 % off", at_height("1.17"), {"--source-point 20,30,1.17", "1.17 away", "1 % of"});
     expect_warning("a point far off", at_height("50"), {"--source-point 20,30,50", "50 away", "42.9 % of"});
 

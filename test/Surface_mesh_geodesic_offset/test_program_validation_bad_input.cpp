@@ -361,14 +361,14 @@ private:
   // Conditions that do not stop the program, and hints.
   void messages()
   {
-    Report::instance().set_context("points that are put on the surface");
+    Report::instance().set_context("points that are moved to the surface");
     const auto from_point = [&](const std::string& point)
     { return run_program(program_, {mesh_, "--source-point", point, "--distances", table_}); };
     const Program_result near = from_point("0.9,0.1,0.2"), far = from_point("900,100,200");
     for (const Program_result* result : {&near, &far})
     {
       CHECK(result->exit_code == 0 || result->exit_code == 3);
-      CHECK_DETAIL(contains(result->output, "1 point put on the surface, moved by "), result->output);
+      CHECK_DETAIL(contains(result->output, "1 point moved to the surface, by at most "), result->output);
     }
     CHECK_DETAIL(near.errors.empty(), near.errors);
     CHECK_DETAIL(far.errors.rfind("validate_geodesic_distances: warning: --source-point 900,100,200 is 9", 0) == 0 &&

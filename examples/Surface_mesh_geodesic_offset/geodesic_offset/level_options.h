@@ -44,8 +44,8 @@ inline po::options_description level_options_description()
     ("distance", words("D"), "offset at distance D (repeatable, also together with --spacing)")
     ("spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")
     ("start", word("D"), "with --spacing: offsets at D, D + S, D + 2 S, ... instead")
-    ("count", word("N"), "with --spacing: no more than N of them")
-    ("maximum-distance", word("D"), "compute nothing farther than D")
+    ("count", word("N"), "with --spacing: at most N of them")
+    ("maximum-distance", word("D"), "do not compute points farther than D")
     ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
     ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
                          "none (default with one side)");

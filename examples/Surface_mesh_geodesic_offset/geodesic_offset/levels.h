@@ -106,7 +106,7 @@ private:
       if(number > static_cast<double>(most_without_count))
         throw Usage_error("--spacing " + short_number(spacing) + " would give " + short_number(number) +
                           " offsets of this mesh; more than " + std::to_string(most_without_count) +
-                          " must be asked for with --count");
+                          " need --count");
     }
     const double last = options.start ? *options.start + (number - 1) * spacing : number * spacing;
     if(options.count && !std::isfinite(last))

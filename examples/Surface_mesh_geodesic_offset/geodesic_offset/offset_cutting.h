@@ -62,7 +62,7 @@ public:
         m_offsets.points += piece.number_of_chords(m_tolerance);
     if(m_offsets.points > most_points)
       throw Usage_error("the offsets up to distance " + short_number(distance) + " have more than " +
-                        std::to_string(most_points) + " points: ask for fewer distances, or a larger --tolerance than " +
+                        std::to_string(most_points) + " points: use fewer distances, or a --tolerance larger than " +
                         short_number(m_tolerance));
     m_drawing.look_at(curves);
     if(m_is_only_drawn && !m_drawing.problem().empty())

@@ -68,7 +68,7 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
   if(!not_selected.empty())
     reasons.push_back("no offset at " + internal::named_distances(not_selected) + " with " +
                       (options.side.empty() ? "--end " + options.end : "--side " + options.side) +
-                      ": the surface has no points there that are as far from the sources");
+                      ": the selected part of the surface has no points at this distance");
   return reasons;
 }
 

@@ -40,9 +40,9 @@ inline po::options_description options_description()
                               "MESH is an .off, .obj, .ply or .stl file");
   po::options_description others("Others");
   others.add_options()
-    ("no-stitch", po::bool_switch(), "leave border edges of the mesh apart that lie at the same place")
-    ("threads", po::value<std::string>()->value_name("N"), "work with no more than N threads (default: as many as there are)")
-    ("quiet", po::bool_switch(), "print nothing but warnings and errors")
+    ("no-stitch", po::bool_switch(), "keep border edges at the same place apart")
+    ("threads", po::value<std::string>()->value_name("N"), "work with at most N threads (default: those of the machine)")
+    ("quiet", po::bool_switch(), "print only warnings and errors")
     ("version", po::bool_switch(), "print the version")
     ("help", po::bool_switch(), "print this");
   all.add(source_options_description()).add(level_options_description()).add(output_options_description()).add(others);

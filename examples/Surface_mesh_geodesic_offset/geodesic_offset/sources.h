@@ -52,7 +52,7 @@ public:
   std::string remark() const
   {
     return m_number == 0 ? std::string()
-                         : counted(m_number, "point") + " put on the surface, moved by " + short_number(m_largest) + " at most";
+                         : counted(m_number, "point") + " moved to the surface, by at most " + short_number(m_largest);
   }
 
   // Empty if all points were near the surface.
@@ -320,7 +320,7 @@ private:
     m_geodesic.sharp_edges(degrees, std::back_inserter(edges));
     if(edges.empty())
       throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
-                        " has no edge as sharp as that");
+                        " has no edge with a larger angle");
     m_edges.push_back(std::move(edges));
   }
 };

@@ -35,7 +35,7 @@ inline std::optional<std::size_t> number_of_threads(const po::variables_map& map
     throw Usage_error("--threads " + std::to_string(*number) + ": the program was built without TBB");
   if(number.value_or(1) > most_threads)
     throw Usage_error("--threads " + std::to_string(*number) + ": no more than " + std::to_string(most_threads) +
-                      " threads can be asked for");
+                      " threads are allowed");
   return number;
 }
 

@@ -41,23 +41,23 @@ public:
   {
     const Comparison& c = m_comparison;
     count("vertices", c.errors.size(), "in the mesh and in the table");
-    count("inside", c.inside, "between their certified bounds, or infinite where no source can be reached from");
-    count("too short", c.too_short, "below the lower bound: no path on the surface is as short as that");
+    count("inside", c.inside, "between their certified bounds, or infinite for unreachable vertices");
+    count("too short", c.too_short, "below the lower bound: no path on the surface is as short");
     count("too long", c.too_long, "above the upper bound: there is a shorter path on the surface");
     count("infinite in the table only", c.infinite_in_table_only, "there is a path to a source");
     count("finite in the table only", c.infinite_in_truth_only, "there is no path to any source");
     count("beyond the tolerance", c.beyond_tolerance,
           tolerance == 0 ? "all that are not inside" : "outside by more than " + short_number(tolerance) + " of the bound");
 
-    count("compared", c.reached, "finite in both: the figures below are about these vertices");
-    count("compared relatively", c.away, "those of them that are not at distance 0: the relative figures are about these");
-    errors("outside, absolute", c.outside, "distance from the enclosure, 0 inside");
+    count("compared", c.reached, "finite in both: the following figures are for these vertices");
+    count("compared relatively", c.away, "of these, not at distance 0: the relative figures are for these");
+    errors("outside, absolute", c.outside, "distance from the certified bounds, 0 inside");
     errors("outside, relative", c.relative_outside, "the same, divided by the bound");
-    errors("off the middle, absolute", c.off_middle, "difference from the middle of the enclosure");
+    errors("off the middle, absolute", c.off_middle, "difference from the middle of the bounds");
     errors("off the middle, relative", c.relative_off_middle, "the same, divided by the middle");
     number("bias, absolute", c.bias, "mean of distance minus middle: negative if too short on average");
     number("bias, relative", c.relative_bias, "the same, divided by the middle");
-    widths("width, absolute", c.width, "of the enclosures: errors below it cannot be seen");
+    widths("width, absolute", c.width, "difference of the bounds: smaller errors cannot be detected");
     widths("width, relative", c.relative_width, "the same, divided by the middle");
 
     if(c.inside == c.errors.size())
