@@ -116,13 +116,6 @@ public:
     return true;
   }
 
-  bool is_in_patch(const Face_location& location, std::size_t patch) const
-  {
-    for (face_descriptor f : locations_.incident_faces(location))
-      if (patch_of(f) == patch) return true;
-    return false;
-  }
-
   const Locations& locations() const { return locations_; }
   Random& random() { return random_; }
 

@@ -31,13 +31,6 @@ inline Vector_2 turned(const Vector_2& v, double angle)
   return std::cos(angle) * v + std::sin(angle) * quarter_turn(v);
 }
 
-/// Counterclockwise angle in [0, 2 pi) from u to v.
-inline double ccw_angle(const Vector_2& u, const Vector_2& v)
-{
-  const double angle = std::atan2(cross(u, v), u * v);
-  return angle < 0 ? angle + 2 * CGAL_PI : angle;
-}
-
 /// Segment, or counterclockwise arc around its center by an angle of up to 2 pi.
 struct Planar_piece
 {

@@ -152,7 +152,6 @@ public:
       }
       if (piece.is_arc())
       {
-        ++number_of_arcs_;
         const double level = piece.radius() + way_to_center;
         CHECK_DETAIL(std::abs(level - cut_level(curve.distance())) <= tolerance_,
                      values(level, cut_level(curve.distance())));
@@ -174,14 +173,13 @@ public:
   double worst_gap() const { return worst_gap_; }
   double worst_off() const { return worst_off_; }
   std::size_t number_of_specks() const { return number_of_specks_; }
-  std::size_t number_of_arcs() const { return number_of_arcs_; }
   std::size_t number_of_segments() const { return number_of_segments_; }
 
 private:
   const Geodesic& geodesic_;
   double tolerance_;
   double worst_gap_ = 0, worst_off_ = 0;
-  std::size_t number_of_arcs_ = 0, number_of_segments_ = 0, number_of_specks_ = 0;
+  std::size_t number_of_segments_ = 0, number_of_specks_ = 0;
 };
 
 } // namespace test
