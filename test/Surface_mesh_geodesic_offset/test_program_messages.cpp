@@ -193,7 +193,7 @@ private:
     const Program_result result =
       expect_warning("a curve 1000 times too large", on_plate({"--source-polyline", curve, "--distance", "5"}),
                      {curve, "line 3", "point 1", "times the diagonal", "unit"});
-    check_line(result.output, {"sources", "4 points", "moved by"});
+    check_line(result.output, {"sources", "4 points", "moved to the surface, by at most "});
     CHECK(!contains(expect_good("no point to be moved", on_plate({"--source-vertex", "0", "--distance", "5"})).output, "moved"));
   }
 
