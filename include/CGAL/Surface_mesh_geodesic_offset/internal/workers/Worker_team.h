@@ -102,10 +102,10 @@ public:
 
   unsigned size() const { return m_size; }
 
-  // Calls f(worker, i) for each i < n, concurrently, with worker < size(). Each worker has a contiguous share of the items;
-  // the shares have similar weights and are the same in each round, but idle workers steal items. All workers see what was
-  // written before the call, and the caller sees what they write. Rethrows the exception of the first item that throws; f
-  // may or may not be called for later items.
+  // Calls f(worker, i) for each i < n, concurrently, with worker < size(). Each worker starts with a contiguous share of
+  // the items, in the order of the workers and of similar weight, so that it mostly has the same items in each round; idle
+  // workers steal items. All workers see what was written before the call, and the caller sees what they write. Rethrows
+  // the exception of the first item that throws; f may or may not be called for later items.
   template <class Weight, class Function>
   void for_each(Index n, const Weight& weight, bool is_worth_help, const Function& f)
   {
