@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what the program needs (Debian), builds it and runs it on a generated mesh, or on the mesh that is given.
+# Installs the required packages (Debian), builds the program, and runs it on a generated mesh or on the given one.
 # Offsets, distances and a picture are in out/ afterwards.
 #
 #   examples/run_example.sh [MESH]
@@ -61,7 +61,7 @@ cmake --build "$build" --target geodesic_offset generate_example_mesh -j "$jobs"
 mkdir -p "$out"
 program=$build/bin/geodesic_offset
 if [ -n "$mesh" ]; then
-  # how far the surface reaches from its first vertex tells which spacing gives some twenty offsets
+  # the largest distance from the first vertex determines the spacing for about twenty offsets
   set -- --source-vertex 0
   echo "Computing distances from vertex 0, for the spacing of the offsets."
   "$program" "$mesh" "$@" --quiet --stats "$out/stats.json"

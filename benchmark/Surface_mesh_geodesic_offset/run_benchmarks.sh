@@ -44,7 +44,7 @@ results=$build/benchmarks
 mkdir -p "$results"
 result=0
 
-# Runs a program; its table goes to a file, and what it complains about to another beside it.
+# Runs a program; its table goes to a file, its errors to another file beside it.
 run()
 {
   local table=$1 start=$SECONDS

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Generates the mesh of the example: a two-handled vase, some 50,000 faces. Its surface has saddles where the handles leave
-// the body, genus two by the handles, and sharp edges at the rim and round the foot.
+// Generates the mesh of the example: a vase with two handles, about 50,000 faces, with saddles at the ends of the handles,
+// genus two, and sharp edges at the rim and around the foot.
 //
 //   generate_example_mesh MESH.off [CURVE.polylines.txt]
 //
-// CURVE is a closed wave round the belly of the vase.
+// CURVE is a closed wave around the belly of the vase.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
@@ -46,7 +46,7 @@ double bump(double x, double center, double width) { return std::exp(-(x - cente
 double outer_radius(double y) { return 0.30 + 0.62 * bump(y, 0.92, 0.60) + 0.24 * bump(y, 2.58, 0.32) + 0.20 * bump(y, -0.12, 0.26); }
 double inner_radius(double y) { return outer_radius(y) - 0.085; }
 
-// Divided by the length of its gradient, so that values are about distances
+// Divides by the length of the gradient, so that values approximate distances.
 double revolved(const Point& p, double (*radius)(double))
 {
   const double h = 1e-4, slope = (radius(p.y() + h) - radius(p.y() - h)) / (2 * h);
@@ -68,11 +68,11 @@ double handle(const Point& p)
   return std::hypot(ring, p.z() / 1.15) - 0.085;
 }
 
-// Negative inside the clay. The vase goes on a little below the foot and above the rim, where it is cut off later.
+// Negative inside the clay. The vase extends slightly beyond foot and rim, where it is cut off later.
 double vase(const Point& p)
 {
   const double outside = smooth_minimum(revolved(p, outer_radius), handle(p), 0.17);
-  // negative in the hollow: inside its wall and above its floor, with a rounding between the two
+  // negative in the cavity: inside its wall and above its floor, with a rounded transition
   const double cavity = -smooth_minimum(-revolved(p, inner_radius), p.y() - 1.45, 0.25);
   const double solid  = std::max(outside, -cavity);
   return std::max(solid, std::max(foot - 0.06 - p.y(), p.y() - rim - 0.06));
@@ -88,7 +88,7 @@ Vector gradient(const Point& p)
   return Vector(difference(Vector(1, 0, 0)), difference(Vector(0, 1, 0)), difference(Vector(0, 0, 1)));
 }
 
-// Marching tetrahedra: six of them in each cell, all along the same diagonal, so that neighbours fit.
+// Marching tetrahedra: six per cell, all along the same diagonal, so that neighbouring cells fit.
 class Marching_tetrahedra
 {
   static constexpr int nx = 112, ny = 106, nz = 84;
@@ -158,7 +158,7 @@ public:
       for(int j = 0; j < ny; ++j)
         for(int i = 0; i < nx; ++i)
         {
-          // from one corner to the opposite one, an axis at a time
+          // paths from one corner to the opposite one, one axis at a time
           for(const std::array<int, 3>& order : {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
           {
             std::array<int, 3> c{i, j, k};
@@ -180,7 +180,7 @@ public:
   }
 };
 
-// The smooth parts back onto the surface, the sharp edges onto the surface in the planes of foot and rim
+// Projects the smooth parts back to the surface, and the sharp edges to the intersections with the planes of foot and rim.
 void project(Mesh& mesh)
 {
   for(Mesh::Vertex_index v : mesh.vertices())

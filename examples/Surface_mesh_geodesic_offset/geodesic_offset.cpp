@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Exact geodesic distances on a triangle mesh and exact geodesic offsets of curves, as a program.
-// --help lists the options. Exit codes: 0 success, 1 something that the command line names is wrong (one line on stderr
-// says what), 2 the command line itself is wrong. Outputs appear only if everything succeeded, but for drawings of curves
-// that are not planar: the other outputs are there then.
+// Program for exact geodesic distances on a triangle mesh and exact geodesic offsets of curves. --help lists the options.
+// Exit codes: 0 success, 1 an error in something that the command line names (one line on stderr), 2 an error in the
+// command line itself. Outputs appear only if everything succeeded, with one exception: if curves are not planar, only the
+// drawings are missing.
 
 #include "geodesic_offset/common.h"
 #include "geodesic_offset/curve_files.h"
@@ -76,7 +76,7 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
   return sources;
 }
 
-// Reports the number of levels before the work starts.
+// Computes the levels, and reports their number before the long computation.
 template <class Concurrency_tag>
 Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& geodesic, const Options& options,
                    Progress& progress)
@@ -92,7 +92,7 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
   return levels;
 }
 
-// Results of the first build; the picture may need another one
+// Results of the first build; the picture may need another one.
 struct Solution
 {
   Offsets              offsets;

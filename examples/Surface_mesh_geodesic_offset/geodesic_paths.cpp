@@ -28,12 +28,12 @@ int main(int argc, char* argv[])
     return 1;
   }
 
-  // The first source is the point of the surface that is nearest to the origin.
+  // The first source is the point of the surface nearest to the origin.
   Geodesic geodesic(mesh);
   geodesic.add_source_point(geodesic.locate(Kernel::Point_3(0, 0, 0)));
   geodesic.build(CGAL::parameters::keep_windows(true));
 
-  // The second one is as far away from it as can be; only what it improves is propagated.
+  // The second source is a farthest point from the first one; the update propagates only shorter distances.
   geodesic.add_source_point(geodesic.farthest_point().first);
   geodesic.update();
 

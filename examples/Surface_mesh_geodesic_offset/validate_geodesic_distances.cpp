@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An oracle for other people's methods: how far distances from any program are from a certified enclosure of the true ones.
-// --help lists the options. Exit codes: 0 all distances are inside, or within the tolerance; 3 some are not; 1 something
-// that the command line names is wrong (one line on stderr says what); 2 the command line itself is wrong.
+// Program for testing other methods: how far the distances of any program are from certified bounds of the true distances.
+// --help lists the options. Exit codes: 0 all distances are within the bounds or the tolerance; 3 some are not; 1 an error
+// in something that the command line names (one line on stderr); 2 an error in the command line itself.
 
 #include "geodesic_offset/common.h"
 #include "geodesic_offset/file_bytes.h"
@@ -47,7 +47,7 @@ Distance_table read_table(const Validation_options& options, const Mesh_input& i
   return table;
 }
 
-// For each vertex of the file. Those without faces cannot be reached.
+// For each vertex of the file. Vertices without faces are unreachable.
 std::vector<Comparison::Bounds> bounds_of(const Mesh_input& input, const Enclosure& enclosure)
 {
   std::vector<Comparison::Bounds> bounds(input.soup().points.size(), {infinity, infinity});
@@ -75,7 +75,7 @@ int validate(const Validation_options& options)
   require_numbered_vertices(options.mesh);
   const Mesh_input input(options.mesh, false);
   require_unchanged_vertices(input, options.mesh);
-  const Distance_table table = read_table(options, input); // before the long work
+  const Distance_table table = read_table(options, input); // before the long computation
   if(!input.warning().empty())
     print_warning("validate_geodesic_distances", input.warning());
 

@@ -14,7 +14,7 @@
 
 namespace test {
 
-/// A straight segment in the plane of a patch (of length zero: a point).
+/// Straight segment in the plane of a patch; a point if its length is zero.
 struct Leg
 {
   std::size_t patch;
@@ -26,8 +26,7 @@ inline double distance(const Point_2& p, const Point_2& q)
   return std::hypot(p.x() - q.x(), p.y() - q.y());
 }
 
-/// The parameter in (0, 1) of the foot of p on the line through a leg, or -1 if the foot is not
-/// inside the leg.
+/// Parameter in (0, 1) of the foot of p on the line through a leg, or -1 if the foot is not inside the leg.
 inline double inner_foot(const Point_2& p, const Point_2& a, const Point_2& b)
 {
   if (a == b) return -1;
@@ -42,7 +41,7 @@ inline double segment_distance(const Point_2& p, const Point_2& a, const Point_2
   return std::abs(d.x() * v.y() - d.y() * v.x()) / std::hypot(d.x(), d.y());
 }
 
-/// A convex flat region.
+/// Convex flat region.
 struct Plane_distance
 {
   double operator()(std::size_t, const Point_2& p, const Leg& leg) const
@@ -51,7 +50,7 @@ struct Plane_distance
   }
 };
 
-/// The L of `l_shape`: straight, or round its reflex corner, which sees all of it.
+/// The L of `l_shape`: straight paths, or paths around its reflex corner, from which every point is visible.
 struct L_shape_distance
 {
   double operator()(std::size_t, const Point_2& p, const Leg& leg) const
@@ -76,7 +75,7 @@ private:
   }
 };
 
-/// The mantle of a prism: the plane modulo its period.
+/// Lateral surface of a prism: the plane modulo its period.
 struct Prism_distance
 {
   explicit Prism_distance(const Prism& prism) : period(prism.period()) {}
@@ -93,8 +92,7 @@ struct Prism_distance
   double period;
 };
 
-/// The cone of a `Cone`: straight in the unfolding if the angle between is below pi, else through
-/// the apex.
+/// The cone of a `Cone`: straight in the unfolding if the angle between the points is below pi, otherwise through the apex.
 struct Cone_distance
 {
   explicit Cone_distance(const Cone& cone) : cone(cone) {}
@@ -106,7 +104,7 @@ struct Cone_distance
     const int turns = cone.is_open ? 0 : 1;
     for (int turn = -turns; turn <= turns; ++turn)
     {
-      // The target in the plane of the leg's patch, reached by going round the apex by `angle`.
+      // The target in the plane of the leg's patch, after a turn around the apex by `angle`.
       const double sectors = static_cast<double>(patch) - static_cast<double>(leg.patch);
       const double angle =
         std::atan2(p.y(), p.x()) + sectors * cone.sector_angle() + turn * cone.total_angle;
@@ -128,9 +126,8 @@ struct Cone_distance
   Cone cone;
 };
 
-/// The boundary of a convex polyhedron: all unfoldings along sequences of distinct sides (a
-/// shortest path meets each side at most once), with the straight lines that stay inside their
-/// sequence.
+/// Boundary of a convex polyhedron: all unfoldings along sequences of distinct sides (a shortest path meets each side at
+/// most once), with the straight lines that stay inside their sequence.
 class Polyhedron_distance
 {
 public:
@@ -164,7 +161,7 @@ public:
   }
 
 private:
-  // p goes to rotation * p + shift (complex numbers); the way there crosses `doors` in this order.
+  // Maps p to rotation * p + shift (complex numbers); the path crosses `doors` in this order.
   struct Unfolding
   {
     Vector_2 rotation, shift;

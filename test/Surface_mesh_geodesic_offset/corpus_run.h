@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A corpus of meshes, as they are and perturbed, with sources and levels of every kind, through the reader of the program
-// geodesic_offset, the field and the offsets. Each run is a process of its own, and the seed of a run determines it.
+// Corpus of meshes, unchanged and perturbed, with sources and levels of every kind, for the reader of the program
+// geodesic_offset, the field and the offsets. Each run is a separate process, determined by its seed.
 
 #ifndef GEODESIC_OFFSET_TEST_CORPUS_RUN_H
 #define GEODESIC_OFFSET_TEST_CORPUS_RUN_H
@@ -14,9 +14,9 @@
 #include "program_runner.h"
 #include "search_cases.h"
 #include "search_tolerances.h"
+#include "validation/Offset_validation.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 
 #include <algorithm>
 #include <array>
@@ -34,16 +34,16 @@
 
 namespace test {
 
-/// What became of a run.
+/// Outcome of a run.
 enum Corpus_outcome : unsigned char
 {
-  RIGHT,        // distances are within the certified bounds, and curves are valid
-  UNCERTIFIED,  // the same, but the certified bounds refuse the mesh, as documented for needles
-  MESH_REFUSED, // the reader refuses the file with one line
-  NO_SOURCES,   // the sources are refused: no path on the surface joins the points of a polyline
-  WRONG_FIELD,  // distances outside the certified bounds, or not 1-Lipschitz
-  WRONG_CURVES, // curves that are not valid
-  EXCEPTION,    // any other exception, or a message of several lines
+  RIGHT, // distances are within the certified bounds, and curves are valid
+  UNCERTIFIED, // likewise, but certified bounds reject the mesh, as documented for needles
+  MESH_REFUSED, // the reader rejects the file with one line
+  NO_SOURCES, // sources are rejected: no path on the surface joins the points of a polyline
+  WRONG_FIELD, // distances outside the certified bounds, or not 1-Lipschitz
+  WRONG_CURVES, // invalid curves
+  EXCEPTION, // any other exception, or a message of several lines
   CRASHED,
   OVER_TIME,
   NUMBER_OF_OUTCOMES
@@ -58,20 +58,20 @@ inline const char* name_of(Corpus_outcome outcome)
 
 struct Corpus_options
 {
-  unsigned seed = 1;           // of the first run; the next ones follow
+  unsigned seed = 1; // of the first run; consecutive
   std::size_t runs = 1000;
-  unsigned seconds = 60;       // per run
-  std::size_t printed = 50;    // runs that are not right are printed up to this number
-  bool verbose = false;        // print each run
-  std::string write;           // prefix of the meshes and sources of runs that are not right
-  std::vector<std::filesystem::path> files; // generated meshes if there are none
+  unsigned seconds = 60; // per run
+  std::size_t printed = 50; // maximum number of printed failures
+  bool verbose = false; // print each run
+  std::string write; // prefix of the meshes and sources of failures
+  std::vector<std::filesystem::path> files; // generated meshes if empty
 };
 
-/// One run: of the child process.
+/// One run in the child process.
 class Corpus_case
 {
 public:
-  /// The outcome as a letter, the kind of the sources, and what was found: three lines.
+  /// Three lines: the outcome as a letter, the kind of the sources, and details.
   static std::string run(const Corpus_options& options, unsigned seed, const std::string& folder)
   {
     Corpus_case c(options, seed, folder);
@@ -93,7 +93,7 @@ public:
     return char('0' + outcome) + ("\n" + c.sources_.kind) + "\n" + c.text_;
   }
 
-  /// The mesh of a run, and its perturbation
+  /// The mesh of a run, and its perturbation.
   static std::size_t number_of_meshes(const Corpus_options& options)
   {
     return options.files.empty() ? Search_meshes::kinds().size() : options.files.size();
@@ -130,7 +130,7 @@ private:
     return check_bounds(geodesic, mesh);
   }
 
-  // The mesh as the program reads it, perturbed, as the program reads it again
+  // Reads the mesh with the program's reader, perturbs it, and reads it again.
   geodesic_offset::Mesh_input read()
   {
     std::string path;
@@ -194,7 +194,7 @@ private:
     return true;
   }
 
-  // Fractions of the largest distance, distances of vertices, and levels beside these; increasing
+  // Fractions of the largest distance, distances of vertices, and nearby levels; increasing.
   std::vector<double> draw_levels(const Geodesic& geodesic, const Surface_mesh& mesh)
   {
     std::vector<double> levels;
@@ -214,7 +214,7 @@ private:
     return levels;
   }
 
-  // The curves of one pass, with the field that was kept
+  // Validates the curves of one pass with the kept field.
   bool has_valid_curves(const Geodesic& geodesic, const Surface_mesh& mesh, const std::vector<double>& levels)
   {
     if (levels.empty()) return true;
@@ -264,7 +264,7 @@ private:
     return RIGHT;
   }
 
-  // As for points of curves, in levels plus diagonals
+  // Tolerance as for points of curves, in levels plus diagonals.
   double tolerance(double distance) const { return Judge_tolerances::position * (distance + diagonal_); }
 
   template <class... Values>
@@ -317,16 +317,16 @@ public:
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += entry.second[k];
     return sum;
   }
-  /// Runs with an outcome that must not be
+  /// Number of runs with an inadmissible outcome.
   std::size_t failures() const
   {
     const Counts sum = total();
     return sum[WRONG_FIELD] + sum[WRONG_CURVES] + sum[EXCEPTION] + sum[CRASHED] + sum[OVER_TIME];
   }
-  /// The largest distance of a distance from its certified bounds, in distances plus diagonals
+  /// Largest deviation of a distance from its certified bounds, in distances plus diagonals.
   double worst_excess() const { return worst_excess_; }
 
-  /// Markdown: by perturbation, then by source.
+  /// Prints Markdown tables by perturbation and by source.
   void print_tables() const
   {
     const auto print_head = [](const char* name) {

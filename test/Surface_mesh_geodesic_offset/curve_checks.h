@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What must hold for offset curves: as curves, by the validation oracle, and as the polylines that
-// they are given out as.
+// Checks of offset curves by the validation oracle, and of their polylines.
 
 #ifndef GEODESIC_OFFSET_TEST_CURVE_CHECKS_H
 #define GEODESIC_OFFSET_TEST_CURVE_CHECKS_H
@@ -11,8 +10,7 @@
 #include "locations.h"
 #include "test_check.h"
 #include "thin_polylines.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include "validation/Offset_validation.h"
 
 #include <iostream>
 #include <string>
@@ -40,7 +38,7 @@ public:
       for (int i = 0; i < 3; ++i) size_ = (std::max)(size_, std::abs(mesh.point(v)[i]));
   }
 
-  /// `curves`: all those of the levels, which are increasing.
+  /// `curves`: all curves of the levels; levels increase.
   Validation_report check(const std::vector<double>& levels,
                           const std::vector<Offset_curve>& curves) const
   {
@@ -54,8 +52,8 @@ public:
   }
 
 private:
-  // Its locations are on the level and go from face to face, and the polyline through them is about
-  // as long as the curve. The thin polyline through its points is within the tolerance.
+  // Checks that locations are on the level, that consecutive ones share a face, and that the polyline through them has
+  // nearly the length of the curve. The thin polyline through the points must be within the tolerance.
   void check_polyline(const Offset_curve& curve) const
   {
     check_thin_polyline(curve, tolerance_, size_);
@@ -80,12 +78,12 @@ private:
       CHECK(locations_.common_face(locations[i - 1], locations[i]) !=
             test::Surface_mesh::null_face());
     }
-    // small loops are as exact as the coordinates of their points
+    // the accuracy of small loops is that of the coordinates of their points
     CHECK_DETAIL(length <= curve.length() * (1 + 1e-9) + 1e-15 * diagonal_, values(length, curve.length()));
     CHECK_DETAIL(length >= 0.9 * curve.length() - 10 * tolerance_, values(length, curve.length()));
   }
 
-  // As the documentation says, coordinates below 1e-13 put a location on the edge or at the vertex.
+  // As documented, coordinates below 1e-13 move a location to the edge or vertex.
   static Face_location on_simplex(Face_location location)
   {
     for (double& w : location.second)

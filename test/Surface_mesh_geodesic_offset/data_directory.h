@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The directory of CGAL's meshes.
+// Directory of CGAL's meshes.
 
 #ifndef GEODESIC_OFFSET_TEST_DATA_DIRECTORY_H
 #define GEODESIC_OFFSET_TEST_DATA_DIRECTORY_H
@@ -17,8 +17,8 @@
 
 namespace test {
 
-/// The directory in the environment variable GEODESIC_OFFSET_DATA_DIR, else the one given at
-/// compile time; may be empty, and is so for a test that runs without its meshes.
+/// The directory in the environment variable GEODESIC_OFFSET_DATA_DIR, otherwise the one given at compile time; may be
+/// empty. Always empty for a test that runs with generated meshes only.
 inline std::string data_directory()
 {
   if (!mesh_kinds().data) return "";

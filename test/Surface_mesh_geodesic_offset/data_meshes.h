@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reading the meshes of the data directory: which can be used, and why the others cannot.
+// Reader of the meshes of the data directory; reports why a mesh is unusable.
 
 #ifndef GEODESIC_OFFSET_TEST_DATA_MESHES_H
 #define GEODESIC_OFFSET_TEST_DATA_MESHES_H
@@ -17,7 +17,7 @@
 
 namespace test {
 
-/// Reads a mesh; the return value says why it cannot be used, and is empty if it can.
+/// Reads a mesh; returns an empty string, or why the mesh is unusable.
 std::string read_data_mesh(const std::filesystem::path& file, std::size_t maximum_faces,
                            CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>& mesh);
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distance along one edge, as the minimum of the functions of the windows that reach the edge.
+// Distance along an edge as the minimum of the functions of the windows that reach the edge.
 
 #ifndef GEODESIC_OFFSET_TEST_EDGE_PROFILE_H
 #define GEODESIC_OFFSET_TEST_EDGE_PROFILE_H
@@ -28,8 +28,8 @@ struct Interval
   double middle() const { return (from + to) / 2; }
 };
 
-/// One window's distance on a part of an edge: `sigma + |(t - x, y)|`, or `sigma + x t` if the rays
-/// are parallel, for t between `from` and `to`.
+/// Distance of one window on a part of an edge: `sigma + |(t - x, y)|`, or `sigma + x t` for parallel rays, for t between
+/// `from` and `to`.
 struct Edge_span
 {
   bool is_parallel;
@@ -41,14 +41,14 @@ struct Edge_span
     return is_parallel ? sigma + x * t : sigma + std::hypot(t - x, y);
   }
 
-  /// Where the distance is smallest.
+  /// Position of the smallest distance.
   double lowest() const
   {
     if (is_parallel) return x > 0 ? from : to;
     return (std::max)(from, (std::min)(x, to));
   }
 
-  /// The part that is nearer than `d`: a window's distance is convex, so it is one interval.
+  /// The part nearer than `d`: one interval, since a window's distance is convex.
   bool nearer_than(double d, Interval& part) const
   {
     part = {from, to};
@@ -66,18 +66,18 @@ struct Edge_span
   }
 };
 
-/// The distance along an edge of length `length`, by the arc length from one end.
+/// Distance along an edge of length `length`, by the arc length from one end.
 class Edge_profile
 {
 public:
   double length = 0;
   std::vector<Edge_span> spans;
 
-  /// Adds what the windows in a face say about its halfedge k. `reversed`: the profile runs from the
-  /// target of the halfedge to its source.
+  /// Adds the windows in a face on its halfedge k. `reversed`: the profile runs from the target of the halfedge to its
+  /// source.
   ///
-  /// Rounding leaves gaps between the cones of neighbouring windows. As in the field, the paths round the ends of a window's
-  /// chord fill them: they are valid everywhere in the face.
+  /// Rounding leaves gaps between the cones of neighbouring windows. As in the field, paths around the ends of a window's
+  /// chord fill them; these paths are valid everywhere in the face.
   void add_windows(const Face_field& field, int k, bool reversed)
   {
     length = field.frame().edge_length(k);
@@ -92,7 +92,7 @@ public:
     }
   }
 
-  /// Leaves out spans that are nowhere nearer than `d`.
+  /// Removes spans that are nowhere nearer than `d`.
   void leave_out_beyond(double d)
   {
     spans.erase(std::remove_if(spans.begin(), spans.end(),
@@ -106,7 +106,7 @@ public:
     return distance(t, nearest);
   }
 
-  /// The span that gives the distance; `spans.size()` if none reaches t.
+  /// Distance at t; `nearest` is its span, or `spans.size()` if none reaches t.
   double distance(double t, std::size_t& nearest) const
   {
     double best = std::numeric_limits<double>::infinity();
@@ -128,7 +128,7 @@ public:
     return best;
   }
 
-  /// The part of the edge that is nearer than `d`, in order; gaps up to `gap` between windows are closed.
+  /// The parts of the edge nearer than `d`, in order; gaps of up to `gap` between windows are closed.
   void nearer_than(double d, double gap, std::vector<Interval>& result) const
   {
     result.clear();
@@ -191,7 +191,7 @@ private:
       if (span.to < span.from) std::swap(span.from, span.to);
       return true;
     }
-    // from a point of the face there is a straight path to any other
+    // straight paths lead from a point of the face to every other
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE && !w.is_parallel()) return true;
     const Point_in_face b = frame.on_edge(k, length);
     const bool starts_in_face = w.origin == CGAL::Geodesic_offset::internal::STARTS_IN_FACE;
@@ -208,7 +208,7 @@ private:
     return span.from <= span.to;
   }
 
-  // Keeps the part where a function is not negative that is linear with the values f0 and f1 at the ends.
+  // Clips to the part where a linear function with values f0 and f1 at the ends is not negative.
   static void clip(double f0, double f1, double length, Edge_span& span)
   {
     if (f0 >= 0 && f1 >= 0) return;

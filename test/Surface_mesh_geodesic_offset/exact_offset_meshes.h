@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes on which exact offsets are measured, and what is counted.
+// Meshes and counters for measurements of exact offsets.
 
 #ifndef GEODESIC_OFFSET_TEST_EXACT_OFFSET_MESHES_H
 #define GEODESIC_OFFSET_TEST_EXACT_OFFSET_MESHES_H
@@ -9,7 +9,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
@@ -23,12 +23,11 @@
 
 namespace test {
 
-/// The lengths of exact curves and of those in doubles are the same up to this part of themselves: some 2^16 units in the last
-/// place, the rounding of the joints of curves with a hundred pieces and of their sum, with room for joints at small angles.
+/// Relative tolerance for lengths of curves in doubles against exact ones: about 2^16 units in the last place, for the
+/// rounding of the joints of curves with a hundred pieces and of their sum, with a reserve for joints at small angles.
 constexpr double same_length = 1e-11;
 
-/// The convex hull of random points on a sphere, with coordinates of 53 bits: a number of faces that is even, in general
-/// position.
+/// Convex hull of random points on a sphere, with coordinates of 53 bits: an even number of faces in general position.
 inline Soup random_hull(std::size_t faces, unsigned seed)
 {
   Random random(seed);
@@ -40,7 +39,7 @@ inline Soup random_hull(std::size_t faces, unsigned seed)
   }
   CGAL::Surface_mesh<Point_3> hull;
   CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  // in the order of the points, which that of the hull is not
+  // in the order of the points, which differs from that of the hull
   std::map<Point_3, std::size_t> index;
   for (const Point_3& p : points) index.emplace(p, index.size());
   Soup soup;
@@ -58,10 +57,10 @@ inline Soup random_hull(std::size_t faces, unsigned seed)
   return soup;
 }
 
-/// The signs so far that neither intervals of up to 256 bits nor identities of parts have decided.
+/// Signs decided so far neither by intervals of up to 256 bits nor by identities of parts.
 inline std::size_t signs_by_exact_arithmetic()
 {
-  const auto& c = CGAL::Geodesic_offset::internal::Exact_root_number::counts();
+  const auto& c = CGAL::Geodesic_offset::internal::Radical_number::counts();
   return std::size_t(c.exactly_zero.value() + c.exactly_not_zero.value() + c.by_high_precision.value() +
                      c.by_root_bound.value() + c.by_core.value());
 }
@@ -69,7 +68,7 @@ inline std::size_t signs_by_exact_arithmetic()
 struct Exact_offset_mesh
 {
   std::string kind;
-  std::size_t faces; // nearly
+  std::size_t faces; // approximate
   bool is_random;
   std::function<Soup(unsigned seed)> make;
 };

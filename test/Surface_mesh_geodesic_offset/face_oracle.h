@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The level of a distance field in one face as an exact arrangement. The region {D < d} in a face is the union over its
-// windows of the points that the rays of a window reach and that are nearer than d: a cone within a disk, or a strip within
-// a half-plane, clipped by the face. The coordinates of windows are doubles, so rational; CGAL's circle and segment traits
-// unite the regions exactly. No code is shared with the tracer.
+// Level of a distance field in one face as an exact arrangement. The region {D < d} in a face is the union over its windows
+// of the points on rays of the window nearer than d: a cone within a disk, or a strip within a half-plane, clipped by the
+// face. The coordinates of windows are doubles, hence rational, and CGAL's circle and segment traits unite the regions
+// exactly. The oracle shares no code with the tracer.
 //
-// Windows are rounded: the cones of neighbours may leave gaps as wide as rounding. Paths that bend at an end of a window are
-// valid wherever they lead, and close them: they can be added as disks of their own. The half strips on both sides of a source
+// Windows are rounded, so the cones of neighbours may leave gaps as wide as rounding. Paths that bend at an end of a window
+// are valid everywhere and close the gaps: they can be added as separate disks. The half strips on both sides of a source
 // in the face are widened by `Oracle_unit::widening`, so that they meet at the source.
 
 #ifndef GEODESIC_OFFSET_TEST_FACE_ORACLE_H
@@ -30,7 +30,7 @@
 
 namespace test {
 
-/// A segment, or an arc counterclockwise round its center, by its ends.
+/// A segment, or an arc counterclockwise around its center, given by its ends.
 struct Chain_arc
 {
   bool is_straight;
@@ -72,7 +72,7 @@ struct Chain_arc
   }
 
 private:
-  // Counterclockwise from the start, from 0 to 2 pi.
+  // Counterclockwise angle from the start, from 0 to 2 pi.
   double angle_of(const Point_in_face& p) const
   {
     const double s = std::atan2(cross(start - center, p - center), dot(start - center, p - center));
@@ -80,11 +80,11 @@ private:
   }
 };
 
-/// A part of the boundary of a region inside a face: a curve that has the region on its left.
+/// Part of the boundary of a region inside a face: a curve with the region on its left.
 struct Level_chain
 {
   bool is_closed;
-  double from, to; // on the boundary of the face: k + t at the part t of halfedge k; open chains only
+  double from, to; // on the boundary of the face: k + t at parameter t of halfedge k; open chains only
   std::vector<Chain_arc> arcs;
 
   double distance(const Point_in_face& p) const
@@ -95,7 +95,7 @@ struct Level_chain
   }
 };
 
-/// How the chains in a face are connected, whatever their shape.
+/// Connections of the chains in a face, independent of their shape.
 class Chain_topology
 {
 public:
@@ -132,8 +132,8 @@ public:
   std::size_t number_of_open_chains() const { return partners_.size() / 2; }
   std::size_t number_of_loops() const { return loops_round_sources_ + loops_round_maxima_; }
 
-  /// The same number of loops of each kind, and ends round the face that are connected in the same way. Ends at a corner may
-  /// be on either edge.
+  /// Equal if there are as many loops of each kind, and the ends around the face are connected equally. Ends at a corner
+  /// may be on either edge.
   bool operator==(const Chain_topology& other) const
   {
     if (loops_round_sources_ != other.loops_round_sources_ || loops_round_maxima_ != other.loops_round_maxima_ ||
@@ -158,10 +158,10 @@ private:
   }
 
   std::size_t loops_round_sources_ = 0, loops_round_maxima_ = 0;
-  std::vector<int> partners_; // ends round the face: how many ends later the partner comes; negative at the end of a chain
+  std::vector<int> partners_; // ends around the face: offset of the partner; negative at the end of a chain
 };
 
-/// The regions of one face.
+/// Regions of one face.
 class Face_oracle
 {
 public:
@@ -175,7 +175,8 @@ public:
   typedef Exact_kernel::FT Exact;
   typedef Exact_kernel::Point_2 Exact_point;
 
-  /// `widening`: of strips that start in the face. `with_bent_paths`: the paths that bend at the ends of windows and at corners count, too.
+  /// `widening`: of strips that start in the face. `with_bent_paths`: include paths that bend at the ends of windows and at
+  /// corners.
   Face_oracle(const Face_field& field, double widening, bool with_bent_paths)
     : frame_(field.frame()), widening_(widening)
   {
@@ -203,7 +204,7 @@ public:
 
   std::size_t number_of_windows() const { return parts_.size(); }
 
-  /// The points that are nearer than d.
+  /// Points nearer than d.
   Region nearer_than(double d) const
   {
     std::vector<Region_polygon> whole;
@@ -215,7 +216,7 @@ public:
     return region;
   }
 
-  /// The boundary of a region inside the face.
+  /// Boundary of a region inside the face.
   std::vector<Level_chain> chains(const Region& region) const
   {
     std::vector<Region_part> parts;
@@ -234,12 +235,12 @@ private:
   struct Part
   {
     Face_window window;
-    double lowest; // no point is nearer, up to the widening
-    std::vector<Exact_point> cone; // the points of the face that the rays reach, counterclockwise
+    double lowest; // lower bound of distances, up to the widening
+    std::vector<Exact_point> cone; // points of the face on the rays, counterclockwise
   };
 
-  // An end of a window, exactly on the edge by which it enters: off the edge by rounding it would leave out a part of the
-  // edge, if rays run along it. At corners up to 8 units in the last place of the edge.
+  // End of a window, exactly on its entry edge: rounding off the edge could exclude a part of the edge if rays are parallel
+  // to it. Snaps to corners within 8 units in the last place of the edge.
   Exact_point end(const Face_window& w, const Point_in_face& p) const
   {
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE) return exact(p);
@@ -253,7 +254,7 @@ private:
     if (cone.size() > 2) parts_.push_back(Part{w, lowest, std::move(cone)});
   }
 
-  // a x + b y + c, with the coefficients of a double computation
+  // a x + b y + c, with the coefficients of a double computation.
   struct Half_plane
   {
     Exact a, b, c;
@@ -262,7 +263,7 @@ private:
 
   static Exact_point exact(const Point_in_face& p) { return Exact_point(p.x, p.y); }
 
-  // Left of the ray with the direction v through p, or within the widening on its right.
+  // Left side of the ray with direction v through p, widened to its right.
   static Half_plane left_of(const Exact_point& p, const Exact& vx, const Exact& vy, double widening)
   {
     const double l = std::hypot(CGAL::to_double(vx), CGAL::to_double(vy));
@@ -290,7 +291,7 @@ private:
     return polygon;
   }
 
-  // Keeps the part where the function is not negative.
+  // Clips to the part where the function is not negative.
   static void clip(const Half_plane& h, std::vector<Exact_point>& polygon)
   {
     std::vector<Exact_point> result;
@@ -358,7 +359,7 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   }
 
-  // Where a curve of a boundary runs along the face: on which halfedge, or 3 if it is inside.
+  // Halfedge that contains a curve of a boundary, or 3 if the curve is inside the face.
   int side_of(const Monotone_curve& curve) const
   {
     if (!curve.is_linear()) return 3;
@@ -388,7 +389,7 @@ private:
     }
     const std::size_t start = std::size_t(first - side.begin());
     for (std::size_t i = 0; i < n; ++i)
-    { // of each curve inside that follows one on the boundary
+    { // start at each inner curve that follows one on the boundary
       std::size_t j = (start + i) % n;
       const std::size_t next = (j + 1) % n;
       if (side[j] == 3 || side[next] < 3) continue;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points where the level sets of a distance field change: vertices, points where fronts touch edges, joints of windows,
-// saddles and maxima. All of them are found from the windows of faces, without any offset.
+// Points where the topology of the level sets of a distance field changes: vertices, points where fronts touch edges,
+// joints of windows, saddles and maxima. They are computed from the windows of faces, without offsets.
 
 #ifndef GEODESIC_OFFSET_TEST_FIELD_FEATURES_H
 #define GEODESIC_OFFSET_TEST_FIELD_FEATURES_H
@@ -17,7 +17,7 @@
 
 namespace test {
 
-/// A geodesic object that gives access to the windows of its faces.
+/// Geodesic object with access to the windows of its faces.
 class Open_geodesic : public Geodesic
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh> Traits;
@@ -32,22 +32,22 @@ public:
     return test::Face_field(Distance::unfolded(), Distance::built().initial,
                             Distance::built().field);
   }
-  /// The number of a face in `face_field()`.
+  /// Index of a face in `face_field()`.
   CGAL::Geodesic_offset::internal::Index field_index(face_descriptor f) const
   {
     return Distance::classified(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}})).element;
   }
 };
 
-/// A point of a face with its distance.
+/// Point of a face with its distance.
 struct Witness
 {
   Point_in_face point;
   double distance;
 };
 
-/// The features of a field, and witnesses for each face. Takes time linear in the number of windows of all faces, and for
-/// each face cubic in the number of windows that give the distance of its samples.
+/// Features of a field, and witnesses for each face. Time: linear in the number of windows of all faces, plus, for each
+/// face, cubic in the number of windows that are nearest at one of its samples.
 class Field_features
 {
 public:
@@ -60,7 +60,7 @@ public:
   std::vector<double> saddles;     // distances where two fronts meet head-on in a face
   std::vector<double> maxima;      // largest distances in faces
   std::vector<std::vector<Witness>> witnesses; // by face
-  std::vector<Edge_profile> profiles; // by halfedge; that of the smaller halfedge of each edge
+  std::vector<Edge_profile> profiles; // by halfedge; the smaller halfedge of each edge
 
   Field_features(const Open_geodesic& geodesic, const Surface_mesh& mesh,
                  const Judged_surface& surface, Random& random)
@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  // Which window is nearest changes between samples: there two functions are equal.
+  // The nearest window changes between two samples: two functions are equal in between.
   void look_along(const Edge_profile& profile)
   {
     for (const Edge_span& s : profile.spans)
@@ -148,7 +148,7 @@ private:
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j)
       {
-        // inside, each somewhere in its own cell
+        // inside, each in its own cell
         const double w0 = weight(i), w1 = weight(j);
         const Point_in_face p = face.point({{w0, w1, (std::max)(1 - w0 - w1, Sampling::from_sides / 2)}});
         if (face.outside(p) > 0) continue;
@@ -173,7 +173,7 @@ private:
       }
   }
 
-  // Two circles that grow touch on the segment between their centers.
+  // Two growing circles touch on the segment between their centers.
   void find_saddle(const Judged_surface::Face& face, const test::Face_field& field,
                    const Face_window& a, const Face_window& b)
   {
@@ -187,7 +187,7 @@ private:
       saddles.push_back(a.sigma + way);
   }
 
-  // Newton's method for a point at the same distance from three windows.
+  // Newton's method for a point equidistant from three windows.
   void find_maximum(const Judged_surface::Face& face, const test::Face_field& field,
                     const std::array<const Face_window*, 3>& windows)
   {

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random polylines on a generated mesh, made of legs that are straight in the plane of a flat
-// patch.
+// Random polylines on a generated mesh, made of legs that are straight in the plane of a flat patch.
 
 #ifndef GEODESIC_OFFSET_TEST_FLAT_PATHS_H
 #define GEODESIC_OFFSET_TEST_FLAT_PATHS_H
@@ -14,8 +13,8 @@
 
 namespace test {
 
-/// A polyline as the library takes it (`locations`, consecutive ones in a common face) and as the
-/// closed forms take it (`legs`, one for each straight part, however many faces it crosses).
+/// A polyline for the library (`locations`, consecutive ones in a common face) and for the closed forms (`legs`, one per
+/// straight part, however many faces it crosses).
 template <class TriangleMesh>
 struct Flat_path
 {
@@ -23,7 +22,7 @@ struct Flat_path
   std::vector<Leg> legs;
 };
 
-/// Draws locations and straight legs on a generated mesh.
+/// Random locations and straight legs on a generated mesh.
 template <class TriangleMesh>
 class Flat_path_generator
 {
@@ -47,7 +46,7 @@ public:
     }
   }
 
-  /// The coordinates of a location in a patch that contains it.
+  /// Coordinates of a location in a patch that contains it.
   Point_2 uv(const Face_location& location, std::size_t patch) const
   {
     for (face_descriptor f : locations_.incident_faces(location))
@@ -57,7 +56,7 @@ public:
 
   std::size_t patch_of(face_descriptor f) const { return data_.patches[data_.face_number(f)]; }
 
-  /// A patch that contains the vertex, and its coordinates there; a leg of length zero.
+  /// Leg of length zero: a patch that contains the location, and the coordinates there.
   Leg leg_at(const Face_location& location) const
   {
     const std::size_t patch = patch_of(location.first);
@@ -65,7 +64,7 @@ public:
     return Leg{patch, p, p};
   }
 
-  /// In a face, on an edge or at a vertex of the patch, a third each.
+  /// In a face, on an edge or at a vertex of the patch, with equal probabilities.
   Face_location random_location(std::size_t patch)
   {
     const std::vector<face_descriptor>& faces = faces_of_patch_[patch];
@@ -85,8 +84,8 @@ public:
 
   std::size_t random_patch() { return uniform_index(random_, faces_of_patch_.size()); }
 
-  /// A polyline of `count` legs from patch to patch; at every fourth leg it zigzags within one
-  /// face. A closed polyline stays in one patch, which must be convex for the way back to be in it.
+  /// A polyline of `count` legs from patch to patch; every fourth leg is a zigzag within one face. A closed polyline stays
+  /// in one patch, which must be convex so that it contains the closing leg.
   Path random_path(std::size_t count, bool closed = false)
   {
     for (std::size_t attempts = 0; attempts < 100; ++attempts)
@@ -98,15 +97,14 @@ public:
       Path loop = path;
       if (add_leg(loop, path.locations.front(), patch))
       {
-        loop.locations.pop_back(); // a closed polyline does not repeat its first location
+        loop.locations.pop_back(); // closed polylines do not repeat their first location
         return loop;
       }
     }
     throw std::logic_error("no path was found");
   }
 
-  /// Appends the straight leg to `target` within `patch`; false (and no change) if it is not inside
-  /// the patch.
+  /// Appends the straight leg to `target` within `patch`; returns false without a change if the leg leaves the patch.
   bool add_leg(Path& path, const Face_location& target, std::size_t patch) const
   {
     const Point_2 a = uv(path.locations.back(), patch), b = uv(target, patch);
@@ -116,13 +114,6 @@ public:
     path.locations.insert(path.locations.end(), steps.begin(), steps.end());
     path.legs.push_back(Leg{patch, a, b});
     return true;
-  }
-
-  bool is_in_patch(const Face_location& location, std::size_t patch) const
-  {
-    for (face_descriptor f : locations_.incident_faces(location))
-      if (patch_of(f) == patch) return true;
-    return false;
   }
 
   const Locations& locations() const { return locations_; }
@@ -146,7 +137,7 @@ private:
     return patch;
   }
 
-  // Without a way back to the start; leaves `patch` at every chance unless `one_patch`.
+  // Without closing leg; changes `patch` whenever possible unless `one_patch`.
   Path random_open_path(std::size_t count, std::size_t patch, bool one_patch)
   {
     Path path;
@@ -164,7 +155,7 @@ private:
     return path;
   }
 
-  // The locations after `from` on the straight way to `to`, where it meets edges, and `to`.
+  // The locations after `from` where the straight segment to `to` meets edges, and `to`.
   bool walk(const Face_location& from, const Face_location& to, const Point_2& a, const Point_2& b,
             std::size_t patch, std::vector<Face_location>& steps) const
   {
@@ -187,7 +178,7 @@ private:
         if (patch_of(f) != patch || (count > 0 && f == current.first)) continue;
         Face_location exit;
         if (!exit_of(current, f, a, b, exit)) continue;
-        // The face just crossed is the one that the exit is described in.
+        // The exit is described in the face just crossed.
         steps.push_back(exit);
         current = exit;
         advanced = true;
@@ -198,7 +189,7 @@ private:
     return false;
   }
 
-  // Where the ray from the current location towards b leaves the face f, if it enters f at all.
+  // Exit from face f of the ray from the current location towards b, if the ray enters f.
   bool exit_of(const Face_location& current, face_descriptor f, const Point_2& a, const Point_2& b,
                Face_location& exit) const
   {
@@ -208,7 +199,7 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3; // the edge from i to j, opposite k
-      if (w[k] == 0) continue;                            // the location is on this edge
+      if (w[k] == 0) continue; // the location is on this edge
       const bool i_right = CGAL::orientation(a, b, corners[i]) == CGAL::RIGHT_TURN;
       const bool j_left = CGAL::orientation(a, b, corners[j]) == CGAL::LEFT_TURN;
       if (!i_right || !j_left) continue;

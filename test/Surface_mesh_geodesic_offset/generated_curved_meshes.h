@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes without a closed form: tori, spheres, implicit surfaces with tiny and needle faces.
+// Meshes without a closed form: tori, spheres, and implicit surfaces with tiny and needle faces.
 
 #ifndef GEODESIC_OFFSET_TEST_GENERATED_CURVED_MESHES_H
 #define GEODESIC_OFFSET_TEST_GENERATED_CURVED_MESHES_H
@@ -12,7 +12,7 @@
 
 namespace test {
 
-/// A torus of n x m flat (trapezoidal) quads, each split in two.
+/// Torus of n x m flat (trapezoidal) quads, each split in two.
 inline Soup torus(std::size_t n, std::size_t m, double major = 1, double minor = 0.4)
 {
   Soup soup;
@@ -35,8 +35,7 @@ inline Soup torus(std::size_t n, std::size_t m, double major = 1, double minor =
   return soup;
 }
 
-/// An icosahedron subdivided `levels` times, every vertex on the unit sphere: 20 x 4^levels faces,
-/// many ties.
+/// Icosahedron subdivided `levels` times, with all vertices on the unit sphere: 20 x 4^levels faces, many ties.
 inline Soup icosphere(std::size_t levels)
 {
   const double g = (1 + std::sqrt(5.)) / 2;
@@ -48,7 +47,7 @@ inline Soup icosphere(std::size_t levels)
       soup.points.push_back(Point_3(s, t, 0));
       soup.points.push_back(Point_3(t, 0, s));
     }
-  // The faces are the triples of mutual neighbours, which are at distance 2.
+  // faces are the triples of mutual neighbours, whose distance is 2
   const auto adjacent = [&](std::size_t i, std::size_t j)
   { return std::abs(CGAL::squared_distance(soup.points[i], soup.points[j]) - 4) < 1e-9; };
   for (std::size_t i = 0; i < 12; ++i)
@@ -96,9 +95,8 @@ inline Soup icosphere(std::size_t levels)
   return soup;
 }
 
-/// The zero set of `f` (negative inside) over an n^3 grid of [-1, 1]^3, by marching tetrahedra:
-/// like marching cubes it leaves faces as small and as thin as the surface passes close to the grid
-/// points.
+/// Zero set of `f` (negative inside) over an n^3 grid of [-1, 1]^3, by marching tetrahedra: as with marching cubes, faces
+/// are the smaller and thinner the closer the surface passes to grid points.
 inline Soup marching_tetrahedra(const std::function<double(double, double, double)>& f,
                                 std::size_t n)
 {
@@ -125,8 +123,7 @@ inline Soup marching_tetrahedra(const std::function<double(double, double, doubl
     }
     return inserted.first->second;
   };
-  // The six even orders that bring each vertex, or each pair of vertices, of a tetrahedron to the
-  // front.
+  // The six even permutations that move each vertex, or each pair of vertices, of a tetrahedron to the front.
   static const std::array<std::size_t, 4> single_first[] = {
     {{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}};
   static const std::array<std::size_t, 4> pair_first[] = {
@@ -169,7 +166,7 @@ inline Soup marching_tetrahedra(const std::function<double(double, double, doubl
   return soup;
 }
 
-/// A sphere that passes within about 1e-7 of grid points: many tiny and needle faces.
+/// Sphere that passes within about 1e-7 of grid points: many tiny and needle faces.
 inline Soup marching_sphere(std::size_t n = 12)
 {
   const double radius = 0.5 + 1e-7;
@@ -177,7 +174,7 @@ inline Soup marching_sphere(std::size_t n = 12)
     [=](double x, double y, double z) { return x * x + y * y + z * z - radius * radius; }, n);
 }
 
-/// A surface of genus 5 (the tangle cube) with saddles all over.
+/// Surface of genus 5 (the tangle cube) with saddles everywhere.
 inline Soup marching_genus_5(std::size_t n = 20)
 {
   const auto along = [](double x) { return (x * x - 5) * x * x; };

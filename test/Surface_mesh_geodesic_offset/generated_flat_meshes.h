@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes whose geodesic distances are known in closed form: planes, boxes, prisms, cones, the L,
-// the tetrahedron.
+// Meshes with geodesic distances in closed form: planes, boxes, prisms, cones, the L, the tetrahedron.
 
 #ifndef GEODESIC_OFFSET_TEST_GENERATED_FLAT_MESHES_H
 #define GEODESIC_OFFSET_TEST_GENERATED_FLAT_MESHES_H
@@ -17,13 +16,12 @@ enum class Diagonals
 {
   forward,     // from (i, j) to (i + 1, j + 1)
   backward,    // from (i + 1, j) to (i, j + 1)
-  alternating, // as on a union flag
+  alternating, // changing direction from square to square
   random
 };
 
-/// n x m squares of side `side` in the plane z = 0, each split in two; vertex (i, j) has index j (n
-/// + 1) + i. Inner vertices are moved by up to `jitter` sides in x and in y (below 0.25 the faces
-/// stay upright).
+/// n x m squares of side `side` in the plane z = 0, each split in two; vertex (i, j) has index j (n + 1) + i. Inner
+/// vertices are displaced by up to `jitter` sides in x and in y (faces keep their orientation below 0.25).
 inline Soup planar_grid(std::size_t n, std::size_t m, Diagonals diagonals = Diagonals::forward,
                         double side = 1, double jitter = 0, unsigned seed = 1)
 {
@@ -70,8 +68,8 @@ inline Soup jittered_grid(std::size_t n, std::size_t m, unsigned seed, double ji
   return planar_grid(n, m, Diagonals::random, 1, jitter, seed);
 }
 
-/// Random points in a rectangle, the Delaunay triangulation of the unit square stretched to it:
-/// with a small height, all faces are needles.
+/// Random points in a rectangle with the Delaunay triangulation of the unit square, stretched: with a small height, all
+/// faces are needles.
 inline Soup random_rectangle(double width, double height, std::size_t points_inside,
                              std::size_t points_per_edge, unsigned seed)
 {
@@ -84,7 +82,7 @@ inline Soup random_rectangle(double width, double height, std::size_t points_ins
   return assembler.soup();
 }
 
-/// A strip of needles, 1 : thickness, with as much noise in the third coordinate, in general position.
+/// Strip of needles, 1 : thickness, with as much noise in the third coordinate, in general position.
 inline Soup crumpled_needles(double thickness, double noise, std::size_t points_inside,
                              unsigned seed)
 {
@@ -94,8 +92,8 @@ inline Soup crumpled_needles(double thickness, double noise, std::size_t points_
   return rotated(soup, seed);
 }
 
-/// Points at distances of 10^-decades to 1, Delaunay-triangulated and bent by the given part of their
-/// distance: tiny faces beside large ones.
+/// Points at distances of 10^-decades to 1, Delaunay-triangulated and bent by the given fraction of their distance: tiny
+/// faces beside large ones.
 inline Soup graded_disc(std::size_t points, double decades, double bending, unsigned seed)
 {
   Random random(seed);
@@ -114,8 +112,7 @@ inline Soup graded_disc(std::size_t points, double decades, double bending, unsi
   return soup;
 }
 
-/// A flat square subdivided into an L: [0, 2] x [0, 1] together with [0, 1] x [0, 2]; reflex corner
-/// (1, 1).
+/// Flat subdivided L: [0, 2] x [0, 1] together with [0, 1] x [0, 2]; reflex corner (1, 1).
 inline Soup l_shape(std::size_t points_per_square, std::size_t points_per_edge, unsigned seed)
 {
   Patch_assembler assembler(points_per_edge, points_per_square, seed);
@@ -140,14 +137,13 @@ inline Soup l_shape(std::size_t points_per_square, std::size_t points_per_edge, 
   return assembler.soup();
 }
 
-/// A convex polyhedron with flat triangles or rectangles as sides, patch i being side i.
+/// Convex polyhedron with flat triangles or rectangles as sides; patch i is side i.
 struct Polyhedron_sides
 {
   std::vector<Point_3> corners;
   std::vector<std::vector<std::size_t>> sides; // counterclockwise seen from outside
 
-  /// Coordinates of the corners of side i in its plane: the first corner at the origin, the second
-  /// on the x axis.
+  /// Coordinates of the corners of side i in its plane: the first corner at the origin, the second on the x axis.
   std::vector<Point_2> uv(std::size_t i) const
   {
     const std::vector<std::size_t>& side = sides[i];
@@ -181,8 +177,7 @@ inline Polyhedron_sides box_sides(double a, double b, double c)
   return box;
 }
 
-/// The unit cube with n x n squares a side, each split in two; patch i is side i of `box_sides(1,
-/// 1, 1)`.
+/// Unit cube with n x n squares per side, each split in two; patch i is side i of `box_sides(1, 1, 1)`.
 inline Soup cube_grid(std::size_t n)
 {
   const Polyhedron_sides cube = box_sides(1, 1, 1);
@@ -231,9 +226,8 @@ inline Polyhedron_sides tetrahedron_sides()
   return tetrahedron;
 }
 
-/// The mantle of a prism with k sides, open at both ends: flat but for its bends. Patch i is side
-/// i, and its coordinates are those of the unrolled strip: u from i w to (i + 1) w with w the width
-/// of a side, v from 0 to height.
+/// Lateral surface of a prism with k sides, open at both ends: flat except for its bends. Patch i is side i, with the
+/// coordinates of the unrolled strip: u from i w to (i + 1) w for the width w of a side, v from 0 to height.
 struct Prism
 {
   Prism(std::size_t k, double radius, double height) : sides(k), radius(radius), height(height) {}
@@ -266,11 +260,10 @@ struct Prism
   double radius, height;
 };
 
-/// k equal planar triangles round an apex (vertex 0) with legs of length `leg`; their angles at the
-/// apex sum to `total_angle`, below or above 2 pi (then k must be even and the fan goes up and
-/// down). Patch i is triangle i; its coordinates have the apex at the origin and its first leg on
-/// the x axis. An open cone is slit along its first leg, so the apex is on the border; it lies in
-/// the plane, several times over itself if its angle is large.
+/// k equal planar triangles around an apex (vertex 0) with legs of length `leg`; their angles at the apex sum to
+/// `total_angle`, below or above 2 pi (then k must be even, and the fan alternates up and down). Patch i is triangle i,
+/// with the apex at the origin and its first leg on the x axis. An open cone is slit along its first leg, so the apex is on
+/// the border; it lies in the plane, overlapping itself if its angle is large.
 struct Cone
 {
   Cone(std::size_t k, double total_angle, double leg, bool is_open = false)
@@ -285,8 +278,7 @@ struct Cone
     const std::size_t apex = assembler.add_corner(Point_3(0, 0, 0));
     const double turn = is_open ? sector_angle() : 2 * CGAL_PI / static_cast<double>(sectors);
     const std::size_t legs = is_open ? sectors + 1 : sectors;
-    // The legs leave the apex at an angle to the plane z = 0: all downwards, or in turn upwards and
-    // downwards.
+    // The legs leave the apex at an angle to the plane z = 0: all downwards, or alternately upwards and downwards.
     const bool saddle = !is_open && total_angle > 2 * CGAL_PI;
     const double horizontal = saddle
                                 ? std::sqrt((1 + std::cos(sector_angle())) / (1 + std::cos(turn)))
@@ -312,13 +304,13 @@ struct Cone
   bool is_open;
 };
 
-/// A saddle of 2 k faces with nothing but the apex inside.
+/// Saddle of 2 k faces whose only inner vertex is the apex.
 inline Soup saddle_fan(std::size_t k = 4, double total_angle = 2.6 * CGAL_PI)
 {
   return Cone(2 * k, total_angle, 1).triangulated(0, 0, 1);
 }
 
-/// A planar disc of k thin triangles round vertex 0.
+/// Planar disc of k thin triangles around vertex 0.
 inline Soup needle_fan(std::size_t k)
 {
   Soup soup;

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All generators of test meshes: each returns a `Soup`; `Generated_mesh<TriangleMesh>` builds the
-// mesh from it.
+// All generators of test meshes: each returns a `Soup`, from which `Generated_mesh<TriangleMesh>` builds the mesh.
 
 #ifndef GEODESIC_OFFSET_TEST_GENERATED_MESHES_H
 #define GEODESIC_OFFSET_TEST_GENERATED_MESHES_H

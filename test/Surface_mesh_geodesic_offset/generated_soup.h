@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Triangle soups with intrinsic (unfolded) coordinates, and the mesh that is built from one.
+// Triangle soups with intrinsic (unfolded) coordinates, and meshes built from them.
 
 #ifndef GEODESIC_OFFSET_TEST_GENERATED_SOUP_H
 #define GEODESIC_OFFSET_TEST_GENERATED_SOUP_H
@@ -38,8 +38,8 @@ inline std::size_t uniform_index(Random& random, std::size_t count)
   return static_cast<std::size_t>(uniform(random) * static_cast<double>(count));
 }
 
-/// Triangles with, for each corner, its coordinates in the plane of the flat patch that the
-/// triangle belongs to. Within one patch the surface is isometric to that plane.
+/// Triangles with, for each corner, its coordinates in the plane of the flat patch that contains the triangle. Within one
+/// patch the surface is isometric to that plane.
 struct Soup
 {
   std::vector<Point_3> points;
@@ -56,15 +56,14 @@ struct Soup
   }
 };
 
-/// The Delaunay triangles of points in the plane, as indices of their corners.
+/// Delaunay triangles of points in the plane, as indices of their corners.
 std::vector<std::array<std::size_t, 3>> delaunay_triangles(const std::vector<Point_2>& points);
 
-/// Builds a soup from flat triangles and parallelograms; those that share two corners share the
-/// points between them.
+/// Builds a soup from flat triangles and parallelograms; those with two common corners share the points between them.
 class Patch_assembler
 {
 public:
-  /// Each edge gets `points_per_edge` and each patch `points_per_patch` random points.
+  /// Each edge has `points_per_edge` and each patch `points_per_patch` random points.
   Patch_assembler(std::size_t points_per_edge, std::size_t points_per_patch, unsigned seed)
     : points_per_edge_(points_per_edge), points_per_patch_(points_per_patch), random_(seed)
   {}
@@ -75,8 +74,7 @@ public:
     return soup_.points.size() - 1;
   }
 
-  /// Corners in counterclockwise order; the fourth of a parallelogram is implied by the others but
-  /// must be given.
+  /// Corners in counterclockwise order; the fourth corner of a parallelogram is redundant but must be given.
   void add_patch(const std::vector<std::size_t>& corners, const std::vector<Point_2>& corner_uv,
                  std::size_t patch)
   {
@@ -150,8 +148,7 @@ private:
     const Point_3 q = soup_.points[key.second];
     for (std::size_t k = 0; k < points_per_edge_; ++k)
     {
-      // A multiple of 2^-20, so that t, 1 - t and their sum are exact and the reference points
-      // exactly collinear.
+      // A multiple of 2^-20, so that t, 1 - t and their sum are exact, and the reference points exactly collinear.
       const double cell = (static_cast<double>(k) + uniform(random_, 0.1, 0.9)) /
                           static_cast<double>(points_per_edge_);
       const double t = std::floor(cell * 1048576.0) / 1048576.0;
@@ -183,7 +180,7 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Edge_point>> edges_;
 };
 
-/// Turns and moves the soup so that its coordinates are generic.
+/// Rotates and translates the soup so that its coordinates are generic.
 inline Soup rotated(Soup soup, unsigned seed)
 {
   Random random(seed);
@@ -206,8 +203,8 @@ inline Soup rotated(Soup soup, unsigned seed)
   return soup;
 }
 
-/// A mesh built from a soup, with the soup's intrinsic coordinates for each face, in the order of
-/// the face's barycentric coordinates (as `Polygon_mesh_processing::Face_location` orders them).
+/// Mesh built from a soup, with the soup's intrinsic coordinates for each face, in the order of the face's barycentric
+/// coordinates (that of `Polygon_mesh_processing::Face_location`).
 template <class TriangleMesh>
 struct Generated_mesh
 {

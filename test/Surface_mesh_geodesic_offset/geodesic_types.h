@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The types that the tests use.
+// Types for the tests.
 
 #ifndef GEODESIC_OFFSET_TEST_GEODESIC_TYPES_H
 #define GEODESIC_OFFSET_TEST_GEODESIC_TYPES_H

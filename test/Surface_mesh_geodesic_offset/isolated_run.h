@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs a function in a child process, so that a crash or an endless loop ends that run only (POSIX).
+// Calls a function in a child process, so that a crash or an endless loop ends only that run (POSIX).
 
 #ifndef GEODESIC_OFFSET_TEST_ISOLATED_RUN_H
 #define GEODESIC_OFFSET_TEST_ISOLATED_RUN_H
@@ -18,12 +18,12 @@ namespace test {
 
 struct Isolated_result
 {
-  std::string text;     // what the function returned; empty if a signal ended the run
+  std::string text; // result of the function; empty if a signal ended the run
   int signal = 0;       // SIGALRM if the run took too long
   double seconds = 0;
 };
 
-/// Returns the string that f() returns in a child process, which ends after `most_seconds`. f must not throw.
+/// Returns the result of f(), called in a child process that ends after `most_seconds`. f must not throw.
 template <class Function>
 Isolated_result run_isolated(unsigned most_seconds, const Function& f)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One level whose curves are known in number and length.
+// Check of one level with a known number and length of curves.
 
 #ifndef GEODESIC_OFFSET_TEST_LEVEL_CHECK_H
 #define GEODESIC_OFFSET_TEST_LEVEL_CHECK_H
@@ -22,7 +22,7 @@ constexpr double pi = CGAL_PI;
 constexpr std::array<Diagonals, 4> all_diagonals{
   {Diagonals::forward, Diagonals::backward, Diagonals::alternating, Diagonals::random}};
 
-/// What `check_level` has seen.
+/// Figures of all calls of `check_level`.
 struct Level_totals
 {
   static Level_totals& instance()
@@ -46,13 +46,13 @@ struct Expected
 {
   std::size_t curves, closed;
   double length;
-  double growth = 0; // how fast the length changes with the level
+  double growth = 0; // derivative of the length with respect to the level
 };
 
 typedef std::function<void(Geodesic&)> Add_sources;
 
-// The number of curves, how many are closed, their length; all of Curve_checker, that they do not
-// cross among it; and the same from a build that cuts on the way.
+// Checks the number of curves and of closed curves, the length, everything in Curve_checker (such as crossings), and
+// likewise the curves cut during a build.
 inline void check_level(const std::string& name, const test::Surface_mesh& mesh,
                         const Add_sources& add_sources, double level, const Expected& expected)
 {

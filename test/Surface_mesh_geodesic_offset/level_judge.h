@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A judge of offset curves that knows the distance field and nothing about the way in which the curves were made.
+// Judge of offset curves that uses the distance field and no knowledge of the construction of the curves.
 //
-// The curves of a level d must bound a region R with {D < c - e} in R and R in {D < c + e}, where c is the level at which d
-// is cut and e the rounding of distances. Topology at critical levels is therefore free within rounding, and nowhere else:
-// - the curves are closed or end on the border, and their pieces join;
+// The curves of a level d must bound a region R with {D < c - e} in R and R in {D < c + e}, where c is the distance at
+// which level d is cut, and e the rounding of distances. So the topology is free at critical levels within rounding, and
+// only there:
+// - the curves are closed or end on the border, and their pieces are joined;
 // - all points of the pieces lie in their faces and on the level, and pieces turn by at most pi;
-// - along each edge, the crossings separate the points that are nearer than c - e from those farther than c + e. Both sets
-//   are known in full, from the windows that reach the edge;
+// - along each edge, the crossings separate the points nearer than c - e from those farther than c + e. Both sets are
+//   completely known from the windows that reach the edge;
 // - in each face, the pieces separate witnesses: samples, corners, and the local maxima of the distance;
 // - the area of R in each face, by Green's theorem, lies between 0 and that of the face.
 
@@ -25,7 +26,7 @@
 
 namespace test {
 
-/// What can be wrong with the curves of a level.
+/// Faults of the curves of a level.
 enum Fault : unsigned char
 {
   GAP,      // pieces do not join, or a curve ends inside the surface
@@ -33,10 +34,10 @@ enum Fault : unsigned char
   OFF,      // a point is off the level
   TURN,     // an arc turns by more than pi or backwards, a length is negative, or a segment runs backwards
   EDGE,     // crossings of an edge do not separate near points from far ones
-  VERTEX,   // two edges of a vertex put it on different sides
+  VERTEX, // edges at a vertex put it on different sides
   FACE,     // pieces do not separate near witnesses in a face from far ones
-  AREA,     // the area of the near part of a face, or its growth with the level, is impossible
-  SIDES,    // the offsets of both sides do not add up to the whole
+  AREA, // the near area of a face, or its growth with the level, is impossible
+  SIDES, // the offsets of both sides do not add up to the whole offset
   ONE_PASS, // curves cut during the propagation differ from those cut from kept windows
   NUMBER_OF_FAULTS
 };
@@ -48,12 +49,12 @@ inline const char* name_of(Fault fault)
   return names[fault];
 }
 
-/// The judgement on the curves of one level.
+/// Judgement on the curves of one level.
 struct Verdict
 {
   std::size_t faults[NUMBER_OF_FAULTS] = {};
-  std::vector<std::string> texts; // of the first fault of each kind
-  double area = 0, length = 0;    // of the near region, and of the curves
+  std::vector<std::string> texts; // first fault of each kind
+  double area = 0, length = 0; // of the near region, and of the curves
   std::size_t pieces = 0;
   double worst_gap = 0, worst_outside = 0, worst_off = 0; // in levels plus diagonals
 
@@ -189,7 +190,7 @@ private:
     }
   }
 
-  // On the left of a piece, distances fall as fast as the way.
+  // On the left of a piece, distances decrease at unit rate.
   template <class Piece>
   void examine_side(const Piece& piece, Verdict& verdict) const
   {
@@ -200,7 +201,7 @@ private:
     if (face.outside(p) > 0) return;
     Point_in_face left = -1. * arc.center;
     if (!arc.is_straight) left = (1 / length(arc.center - p)) * (arc.center - p);
-    double way = (std::min)(face.way_out(p, left), cut_);
+    double way = (std::min)(face.exit_distance(p, left), cut_);
     if (!arc.is_straight) way = (std::min)(way, arc.radius);
     way /= 2;
     if (!(way > Judge_tolerances::steps_to_left * position_)) return;
@@ -240,7 +241,7 @@ private:
     }
   }
 
-  // The ends of an edge on which all points are undecided, and which no curve crosses, are on the same side.
+  // An edge whose points are all undecided, and that no curve crosses, has both ends on the same side.
   void spread_labels(Verdict& verdict)
   {
     std::size_t left = undecided_edges_.size() + 1;
@@ -275,7 +276,7 @@ private:
     std::sort(crossings.begin(), crossings.end(),
               [](const Edge_crossing& a, const Edge_crossing& b) { return a.t < b.t; });
 
-    int base = unknown; // the label of the first end
+    int base = unknown; // label of the first end
     const auto require = [&](double t, bool is_near) {
       int sum = 0;
       for (const Edge_crossing& c : crossings)
@@ -308,7 +309,7 @@ private:
       lowest = (std::min)(lowest, sum);
     }
     if (base == unknown) base = -lowest;
-    // between crossings that are farther apart than rounding, the label is 0 or 1
+    // between crossings farther apart than rounding, the label is 0 or 1
     int label = base;
     for (std::size_t i = 0; i < crossings.size(); ++i)
     {
@@ -342,7 +343,7 @@ private:
   {
     const std::vector<Curve_arc>& arcs = layout_.arcs(f);
     const Face face = surface_.face_at(f);
-    // the most certain point of the face to compare the others with
+    // compare with the point of the face whose side is most certain
     Witness reference{{0, 0}, cut_};
     const auto consider = [&](const Witness& w) {
       if (std::abs(w.distance - cut_) > std::abs(reference.distance - cut_)) reference = w;
@@ -376,8 +377,8 @@ private:
     return result;
   }
 
-  // The straight way may lead through a joint of two arcs, where rounding lets it cross both or none, as on symmetric meshes.
-  // Most of three other ways decide.
+  // The straight segment may lead through a joint of two arcs, where rounding lets it cross both or neither, as on
+  // symmetric meshes. The majority of three other paths decides.
   static bool are_separated_by_detours(const std::vector<Curve_arc>& arcs, const Face& face, const Point_in_face& p,
                                        const Point_in_face& q)
   {

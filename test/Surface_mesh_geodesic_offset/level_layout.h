@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The curves of one level, sorted by what they pass: arcs by face, crossings by edge. From both and the sides of the vertices,
-// the area that lies nearer than the level follows by Green's theorem.
+// The curves of one level: arcs by face, crossings by edge. Together with the sides of the vertices they determine the area
+// of the near region by Green's theorem.
 
 #ifndef GEODESIC_OFFSET_TEST_LEVEL_LAYOUT_H
 #define GEODESIC_OFFSET_TEST_LEVEL_LAYOUT_H
 
 #include "geodesic_types.h"
 #include "search_tolerances.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_surface.h>
+#include "validation/Validation_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +26,8 @@ Point_in_face plain(const Point& p)
   return {p.x(), p.y()};
 }
 
-/// A piece of an offset curve as plane geometry, in the frame of its face: counterclockwise round `center`, or straight with
-/// the unit normal `center` away from the smaller distances at `radius` from the origin.
+/// Plane geometry of a piece of an offset curve in the face frame: counterclockwise around `center`, or straight with unit
+/// normal `center` away from the smaller distances, at distance `radius` from the origin.
 struct Curve_arc
 {
   bool is_straight;
@@ -55,7 +54,7 @@ struct Curve_arc
     }
   }
 
-  /// The distance of a point from the whole circle or line.
+  /// Distance of a point from the whole circle or line.
   double off(const Point_in_face& p) const
   {
     return std::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
@@ -70,7 +69,7 @@ struct Curve_arc
     return (crosses_chord != is_under(p, p_left)) != is_under(q, q_left);
   }
 
-  /// Twice the area that the arc sweeps, seen from o.
+  /// Twice the area swept by the ray from o to the arc.
   double twice_area_from(const Point_in_face& o) const
   {
     const double triangle = cross(start - o, end - o);
@@ -78,7 +77,7 @@ struct Curve_arc
   }
 
 private:
-  /// In radians: the height of an arc with a smaller angle over its chord is less than 2^-48 radii, which is rounding.
+  /// In radians: the height over its chord of an arc with a smaller angle is less than 2^-48 radii, below rounding.
   static constexpr double flat_arc = 0x1p-23;
 
   static bool is_left(const Point_in_face& a, const Point_in_face& b, const Point_in_face& p)
@@ -96,8 +95,8 @@ private:
   }
 };
 
-/// Where a curve crosses an edge: `t` from the source of the smaller one of its halfedges, `step` 1 where the near region
-/// begins along this halfedge, -1 where it ends.
+/// Crossing of a curve with an edge: `t` from the source of the smaller of its halfedges; `step` is 1 if the near region
+/// begins along this halfedge, -1 if it ends.
 struct Edge_crossing
 {
   double t;
@@ -130,8 +129,8 @@ public:
     arcs_[face].push_back(arc);
   }
 
-  /// Records where a curve goes from one face to the next; false if the pieces are in different faces and do not meet on an
-  /// edge of both.
+  /// Records the transition of a curve between two faces; returns false if the pieces are in different faces and do not
+  /// meet on a common edge.
   template <class Piece>
   bool add_joint(const Piece& a, const Piece& b)
   {
@@ -150,7 +149,7 @@ public:
     return false;
   }
 
-  /// Records where an open curve starts or ends; false if that is not on the border.
+  /// Records the start or end of an open curve; returns false if it is not on the border.
   template <class Piece>
   bool add_end(const Piece& piece, bool is_start)
   {
@@ -165,7 +164,7 @@ public:
     return false;
   }
 
-  /// All of a curve; false if its pieces do not fit together.
+  /// Records a whole curve; returns false if its pieces do not fit together.
   template <class Curve>
   bool add(const Curve& curve)
   {
@@ -186,17 +185,17 @@ public:
   const std::vector<Curve_arc>& arcs(Index face) const { return arcs_[face]; }
   const std::vector<Index>& crossed_faces() const { return faces_; } // in the order of curves
 
-  /// `edge`: the smaller one of its halfedges
+  /// `edge`: the smaller of its halfedges
   std::vector<Edge_crossing>& crossings(Index edge) { return crossings_[edge]; }
 
-  /// The area of the near part of a face. `is_near(v)`: the side of a vertex.
+  /// Area of the near part of a face. `is_near(v)`: side of a vertex.
   template <class Sides>
   double near_area(const Face& face, const Sides& is_near) const
   {
     const Point_in_face o = (1. / 3) * (face.corner[0] + (face.corner[1] + face.corner[2]));
     double twice_area = 0;
     for (const Curve_arc& arc : arcs_[face.face]) twice_area += arc.twice_area_from(o);
-    // the third of the height over an edge is that of the centroid
+    // a third of the height over an edge is the height of the centroid
     for (int k = 0; k < 3; ++k)
       twice_area += face.height((k + 2) % 3) / 3 *
                     near_length(3 * face.face + Index(k), face.edge_length(k), is_near);
@@ -206,7 +205,7 @@ public:
 private:
   static constexpr Index none = CGAL::Geodesic_offset::internal::no_index;
 
-  // `part`: along the halfedge. The near region is on the left of a curve, so it begins where a curve leaves the face.
+  // `part`: parameter on the halfedge. The near region is on the left of a curve, so it begins at an exit from the face.
   void add_crossing(Index halfedge, double part, int step)
   {
     const Index twin = surface_.twin(halfedge), e = (std::min)(halfedge, twin);
@@ -216,7 +215,7 @@ private:
     else crossings_[e].push_back({length - t, -step});
   }
 
-  // The length of the near part of a halfedge.
+  // Length of the near part of a halfedge.
   template <class Sides>
   double near_length(Index h, double length, const Sides& is_near) const
   {
@@ -229,7 +228,7 @@ private:
   const Judged_surface& surface_;
   std::vector<std::vector<Curve_arc>> arcs_;          // by face
   std::vector<std::vector<Edge_crossing>> crossings_; // by edge
-  std::vector<Index> faces_, edges_;                  // of which these are not empty
+  std::vector<Index> faces_, edges_; // with at least one arc, or crossing
 };
 
 } // namespace test

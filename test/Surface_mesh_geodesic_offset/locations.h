@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points of a mesh as face locations: at vertices, on edges, in faces; changing from face to face.
+// Points of a mesh as face locations: at vertices, on edges, in faces; conversion between faces.
 
 #ifndef GEODESIC_OFFSET_TEST_LOCATIONS_H
 #define GEODESIC_OFFSET_TEST_LOCATIONS_H
@@ -16,8 +16,8 @@
 
 namespace test {
 
-/// Functions on the face locations of a mesh; all of them combinatorial: a location is on an edge
-/// or at a vertex where its coordinates are exactly zero.
+/// Functions on face locations of a mesh. All are combinatorial: a location is on an edge or at a vertex if coordinates are
+/// exactly zero.
 template <class TriangleMesh>
 class Locations
 {
@@ -37,7 +37,7 @@ public:
     return {{source(h, mesh_), target(h, mesh_), target(next(h, mesh_), mesh_)}};
   }
 
-  /// The vertices that carry weight: one at a vertex, two on an edge, three in a face.
+  /// Vertices with nonzero weight: one at a vertex, two on an edge, three in a face.
   std::vector<std::pair<vertex_descriptor, double>> support(const Face_location& location) const
   {
     const std::array<vertex_descriptor, 3> c = corners(location.first);
@@ -47,7 +47,7 @@ public:
     return result;
   }
 
-  /// The location with the given weights, if all weighted vertices are corners of `f`.
+  /// Converts the location to face `f` if all vertices with weight are corners of `f`.
   bool express(const Face_location& location, face_descriptor f,
                Barycentric_coordinates& result) const
   {
@@ -79,7 +79,7 @@ public:
     return result;
   }
 
-  /// A face that contains both, or the null face.
+  /// A face that contains both locations, or the null face.
   face_descriptor common_face(const Face_location& a, const Face_location& b) const
   {
     Barycentric_coordinates ignored;
@@ -89,7 +89,7 @@ public:
     return Graph_traits::null_face();
   }
 
-  /// `v` as a corner of one of its faces, the `turn`-th round it.
+  /// `v` as a corner of one of its faces, the `turn`-th around it.
   Face_location at_vertex(vertex_descriptor v, std::size_t turn = 0) const
   {
     std::vector<face_descriptor> around;
@@ -101,7 +101,7 @@ public:
     return result;
   }
 
-  /// The point (1 - t) source(h) + t target(h), described in the face of h, which is not a border.
+  /// The point (1 - t) source(h) + t target(h) in the face of h, which is not a border halfedge.
   Face_location on_edge(halfedge_descriptor h, double t) const
   {
     Face_location result(face(h, mesh_), Barycentric_coordinates{{0, 0, 0}});

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from sources that lie 1e-16 to 1e-6 of an edge from a vertex or an edge. Points are compared with the reference of
-// reference_distances.h; polylines on flat convex meshes with distances in the plane.
+// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge. Point sources are compared with the
+// reference of reference_distances.h, polylines on flat convex meshes with distances in the plane.
 
 #ifndef GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
 #define GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
@@ -37,12 +37,12 @@ public:
 
   static constexpr double tolerance = 1e-11; // relative to distance plus longest edge
 
-  /// Up to `printed` wrong distances are written to `log`.
+  /// Writes up to `printed` wrong distances to `log`.
   Near_vertex_search(std::ostream& log, std::size_t printed, std::size_t queries)
     : log_(log), printed_(printed), queries_(queries)
   {}
 
-  /// Runs the case that a seed determines.
+  /// Runs the case of a seed.
   void run(unsigned seed)
   {
     random_.seed(seed);
@@ -88,7 +88,7 @@ private:
     return soup;
   }
 
-  /// Weights that sum up to one, near a corner or a side of a triangle by 1e-16 to 1e-6.
+  /// Weights with sum 1, within 1e-16 to 1e-6 of a corner or a side of a triangle.
   std::array<double, 3> near_boundary()
   {
     const double size = std::pow(10, uniform(random_, -16, -6));
@@ -207,7 +207,7 @@ private:
     return std::hypot(v.x - t * u.x, v.y - t * u.y);
   }
 
-  /// A polyline in one triangle: corners near its corners and sides between ends anywhere.
+  /// Polyline in one triangle, with vertices near its corners and sides between arbitrary ends.
   void check_polyline(const Soup& soup, const Generated_mesh<Surface_mesh>& data, Near_vertex_counts& counts, unsigned seed)
   {
     const std::size_t f = uniform_index(random_, soup.triangles.size());

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Integral checks of offset curves. The gradient of a distance has length 1, so by the coarea formula the area of
-// {a <= D < b} is the integral of the lengths of the offsets between a and b; the derivative of the area of {D < d} is the
-// length of the offset at d. Areas come from the curves by Green's theorem.
+// Integral checks of offset curves. The gradient of a distance has length 1, so by the coarea formula the area of {a <= D <
+// b} is the integral of the lengths of the offsets between a and b, and the derivative of the area of {D < d} is the length
+// of the offset at d. Areas come from the curves by Green's theorem.
 
 #ifndef GEODESIC_OFFSET_TEST_OFFSET_INTEGRALS_H
 #define GEODESIC_OFFSET_TEST_OFFSET_INTEGRALS_H
@@ -19,16 +19,16 @@
 
 namespace test {
 
-/// The offset at one level.
+/// Offset at one level.
 struct Level_measure
 {
-  double cut = 0;    // the distance at which the level is cut
+  double cut = 0; // distance at which the level is cut
   double length = 0; // of all curves
-  bool fits = true;  // whether all pieces join and all curves are closed or end on the border
+  bool fits = true; // all pieces are joined, and all curves are closed or end on the border
   std::vector<double> areas; // of the near part of each face
 
-  // What stays the same while the level changes a little, but at events: the number of curves, of joints inside faces, and
-  // of changes of the source along curves.
+  // Numbers that are constant between events: those of curves, of joints inside faces, and of changes of the source along
+  // curves.
   std::size_t curves = 0, joints = 0, source_changes = 0;
 
   bool has_topology_of(const Level_measure& other) const
@@ -44,7 +44,7 @@ struct Level_measure
   }
 };
 
-/// An area and the integral of lengths that it should equal.
+/// An area and the corresponding integral of lengths.
 struct Coarea
 {
   double area = 0, integral = 0;
@@ -52,8 +52,7 @@ struct Coarea
   double relative_difference() const { return difference() / (std::max)(std::abs(area), std::abs(integral)); }
 };
 
-/// Measures the offsets of a geodesic object that was built with kept windows. Faces that no source reaches
-/// do not count.
+/// Measures the offsets of a geodesic object that was built with kept windows. Ignores faces that no source reaches.
 class Offset_integrals
 {
 public:
@@ -85,9 +84,9 @@ public:
   double total_area() const { return total_area_; }
   double largest_distance() const { return largest_distance_; }
   const std::vector<double>& vertex_distances() const { return vertex_distances_; }
-  std::size_t number_of_levels() const { return levels_; } // measured up to now
+  std::size_t number_of_levels() const { return levels_; } // measured so far
 
-  /// Linear in the size of the mesh, and in the number of pieces.
+  /// Time linear in the size of the mesh and the number of pieces.
   Level_measure measure(double level)
   {
     ++levels_;
@@ -111,8 +110,8 @@ public:
     return result;
   }
 
-  /// Compares what lies between two levels with the integral of the lengths, by Gauss-Legendre quadrature of `nodes` nodes (3
-  /// or 5). What is nearer than `from` cancels face by face.
+  /// Compares the area between two levels with the integral of the lengths, by Gauss-Legendre quadrature with `nodes` nodes
+  /// (3 or 5). The area nearer than `from` cancels face by face.
   Coarea between(const Level_measure& from, const Level_measure& to, int nodes = 5)
   {
     Coarea result;
@@ -134,8 +133,8 @@ public:
     return result;
   }
 
-  /// Derivative and length at a distance: both over a window round it that is narrow enough for the topology to stay the same
-  /// and the length to be smooth. False if there is none wider than rounding.
+  /// Derivative and length at a distance, both over a window around it that is narrow enough for constant topology and a
+  /// smooth length. Returns false if no such window is wider than rounding.
   bool derivative_at(double distance, Coarea& result)
   {
     const auto vertex = std::lower_bound(vertex_distances_.begin(), vertex_distances_.end(), distance);
@@ -150,22 +149,22 @@ public:
       if (!from.has_topology_of(to)) continue;
       result = between(from, to, 5);
       if (!smooth_) continue;
-      // two events may leave the numbers as they were, but not the lengths smooth: then Simpson's rule differs
+      // two events may leave the numbers unchanged, but not the lengths smooth: then Simpson's rule differs
       const double simpson = half / 3 * (from.length + 4 * measure(level_cut_at(distance)).length + to.length);
       if (std::abs(simpson - result.integral) <= Tolerances::smooth * result.integral) return true;
     }
     return false;
   }
 
-  /// What all levels add up to. Intervals of levels are halved until both sides agree within rounding and `tolerance` of the
-  /// share of the interval in the area, or until they are shorter than `shortest_interval`, as at jumps of the length.
-  /// `left_over`: the sum of all differences.
+  /// Sum over all levels. Intervals of levels are halved until both sides agree within rounding plus `tolerance` times the
+  /// interval's share of the area, or until they are shorter than `shortest_interval`, as at jumps of the length.
+  /// `left_over`: sum of all differences.
   Coarea over_all_levels(double tolerance, double& left_over)
   {
     Coarea sum;
     left_over = 0;
     std::vector<double> ends = {Tolerances::shortest_interval * largest_distance_};
-    // not at vertices: the side of a vertex whose curve may be left out is not that of its distance
+    // not at vertices, where a curve may be left out, so the side of the vertex may not agree with its distance
     const double beside = Tolerances::beside_vertex * (largest_distance_ + mean_edge_length_);
     for (const double d : vertex_distances_)
     {
@@ -177,7 +176,7 @@ public:
     ends.push_back(largest_distance_ * (1 + Tolerances::above_largest));
     Level_measure from = measure(level_cut_at(ends[0]));
     sum.area = from.area();
-    sum.integral = from.length * from.cut / 2; // grows from 0, or is constant: below the tolerance
+    sum.integral = from.length * from.cut / 2; // the length grows from 0 or is constant: below the tolerance
     for (std::size_t i = 1; i < ends.size(); ++i)
     {
       Level_measure to = measure(level_cut_at(ends[i]));
@@ -227,10 +226,11 @@ private:
   bool smooth_ = false;
 };
 
-/// The length of an offset, and of its parts: left, right, and beyond the ends of polylines.
+/// Length of an offset, and of its parts: left, right, and beyond the ends of polylines.
 struct Lengths_by_side
 {
-  double whole = 0, left = 0, right = 0, beyond = 0; // beyond: round ends, and sources without sides
+  // beyond: round ends, and sources without sides.
+  double whole = 0, left = 0, right = 0, beyond = 0;
 
   double relative_difference() const
   {
@@ -238,7 +238,7 @@ struct Lengths_by_side
   }
 };
 
-/// Sides are cut apart by the library; what belongs to no side is what the sides have in common with round ends.
+/// The library cuts the sides separately; curves without side are those that both sides with round ends have in common.
 inline Lengths_by_side lengths_by_side(const Geodesic& geodesic, double level)
 {
   using CGAL::Offset_end;

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compares what the tracer makes of one level in one face with the exact arrangement of the same windows: the same gates are
-// connected, there are the same loops, and the Hausdorff distance of the chains is rounding.
+// Comparison of the tracer's result for one level in one face with the exact arrangement of the same windows: the same
+// gates are connected, the same loops exist, and the Hausdorff distance of the chains is within rounding.
 //
-// The tracer must have the topology of the exact level. Otherwise it must have that of the exact level lowered or raised by
-// `Oracle_unit::margin`: then the topology changes within that multiple of rounding, and either one is right. Where several
-// events are so near to one level, or it runs along an edge, its chains must bound the region nearer than the level of some
-// distance that differs from the exact one by no more than the margin: no point of them is farther off the level, and all
-// points that are nearer, or farther, by more than twice the margin are on the right side of them. Chains of the size of
-// rounding prove themselves that the topology changes within rounding, and are not compared. Everything else is a difference.
+// The tracer's topology must be that of the exact level, or of the exact level lowered or raised by `Oracle_unit::margin`:
+// then the topology changes within that multiple of rounding, and both results are correct. If several events are that
+// close to one level, or the level runs along an edge, the chains must bound the region nearer than the level of some
+// distance that differs from the exact one by at most the margin: no point of the chains is farther from the level, and all
+// points that are nearer, or farther, by more than twice the margin are on the correct side. Chains of the size of rounding
+// prove that the topology changes within rounding, and are not compared. Any other deviation is a difference.
 
 #ifndef GEODESIC_OFFSET_TEST_OFFSET_ORACLE_H
 #define GEODESIC_OFFSET_TEST_OFFSET_ORACLE_H
@@ -31,22 +31,22 @@
 
 namespace test {
 
-/// Lengths in units of the level plus the longest edge of the face and of its neighbours: an upper bound of the coordinates of
+/// Lengths in units of the level plus the longest edge of the face and its neighbours. The unit bounds the coordinates of
 /// all images whose circles cross the face, and of those in the neighbours, which share the crossings of the edges.
 struct Oracle_unit
 {
-  /// Strips that start in the face are widened by this, so that those of both sides of a source meet: 2^9 units in the last
+  /// Widening of strips that start in the face, so that the strips on both sides of a source meet: 2^9 units in the last
   /// place.
   static constexpr double widening = 1.2e-13;
-  /// Levels this near to a change of topology are undecided: 2^11 units in the last place, two shifts of the level by which
-  /// levels are cut below themselves (see the manual).
+  /// Levels within this of a change of topology are undecided: 2^11 units in the last place, twice the shift of level cuts
+  /// (see the manual).
   static constexpr double margin = 4.6e-13;
-  /// Chains this near to each other are the same: 2^14 units in the last place, the size of cells that the tracer does not
-  /// divide. Chains that are not must be as near as the exact chains of levels that differ by the margin.
+  /// Chains within this distance are equal: 2^14 units in the last place, the size of cells that the tracer does not
+  /// divide. Other chains must be as close as exact chains of levels that differ by the margin.
   static constexpr double apart = 3.7e-12;
 };
 
-/// A geodesic object whose faces can be cut one by one.
+/// Geodesic object whose faces can be cut one by one.
 class Cut_geodesic : public Open_geodesic
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh> Traits;
@@ -60,7 +60,7 @@ public:
   const auto& field() const { return Distance::built().field; }
 };
 
-/// The chains of single levels in single faces, by the tracer.
+/// The tracer's chains of single levels in single faces.
 class Face_tracing
 {
 public:
@@ -107,7 +107,7 @@ public:
     return chains;
   }
 
-  /// The windows of the face that was cut last, or that is set now.
+  /// Windows of the face, which becomes the current one.
   const Face_field& windows_of(Index face)
   {
     cut_.field.set_face(face);
@@ -115,7 +115,7 @@ public:
   }
   const Face_field& windows() const { return cut_.field; }
 
-  /// The longest edge of a face and of its neighbours.
+  /// The longest edge of a face and its neighbours.
   double size_about(Index face) const
   {
     double size = 0;
@@ -149,19 +149,20 @@ private:
 
 struct Oracle_counts
 {
-  std::size_t faces = 0;    // compared, each at one level
-  std::size_t empty = 0;    // of these, the level does not pass
-  std::size_t chains = 0, loops = 0, arcs = 0, windows = 0; // in them; arcs are the tracer's
-  std::size_t with_points = 0; // chains of the size of rounding are not compared
-  std::size_t near_event = 0; // the topology is that of a level within the margin
-  std::size_t within_band = 0; // chains bound the level of a distance that differs by no more than the margin
-  std::size_t ill_conditioned = 0; // the distance of chains exceeds rounding, and so does that of exact levels within the margin
+  std::size_t faces = 0; // compared faces, each at one level
+  std::size_t empty = 0; // of these, not crossed by the level
+  std::size_t chains = 0, loops = 0, arcs = 0, windows = 0; // in these; arcs are the tracer's
+  std::size_t with_points = 0; // with chains of the size of rounding, which are not compared
+  std::size_t near_event = 0; // with the topology of a level within the margin
+  std::size_t within_band = 0; // with chains that bound the level of a distance within the margin
+  // Chains deviate by more than rounding, and so do those of exact levels within the margin.
+  std::size_t ill_conditioned = 0;
   std::size_t left_out = 0; // faces with too many windows
-  std::size_t topology = 0; // differences: other gates are connected, or loops are missing
-  std::size_t apart = 0;    // differences: chains are too far from each other
+  std::size_t topology = 0; // differences: connections of gates, or loops
+  std::size_t apart = 0; // differences: distance of chains
   std::size_t forced = 0;   // joints
   std::size_t thrown = 0;   // exceptions
-  double worst_distance = 0; // of chains that are not ill-conditioned, in the unit
+  double worst_distance = 0; // of chains that are not ill-conditioned, in units
 
   void add(const Oracle_counts& o)
   {
@@ -191,11 +192,11 @@ public:
   typedef Face_tracing::Index Index;
   typedef std::vector<Level_chain> Chains;
 
-  std::size_t most_windows = 80; // faces with more are left out: exact unions take long
+  std::size_t most_windows = 80; // faces with more are skipped: exact unions are slow
 
   Oracle_counts counts;
 
-  /// Compares one level in one face. `report(text)` is called for differences.
+  /// Compares one level in one face. Calls `report(text)` for differences.
   template <class Function>
   void compare(Face_tracing& tracing, Index face, double level, const Function& report)
   {
@@ -229,7 +230,7 @@ public:
     }
   }
 
-  /// The same for chains of any origin. `unit`: see Oracle_unit.
+  /// Overload for given chains. `unit`: see Oracle_unit.
   template <class Function>
   void compare(const Face_field& field, double cut, double unit, const Chains& all_actual, const Function& report)
   {
@@ -245,7 +246,7 @@ public:
       const Chains exact = without_points(oracle.chains(oracle.nearer_than(cut)), apart);
       if (topology == Chain_topology(exact) && note(farthest_chain(actual, exact), unit)) return;
     }
-    // what rounding decides is decided with all paths
+    // include all paths if rounding matters
     const Face_oracle oracle(field, Oracle_unit::widening * unit, true);
     const auto moved = [&](double margins) {
       return without_points(oracle.chains(oracle.nearer_than(cut + margins * margin)), apart);
@@ -253,8 +254,8 @@ public:
     const Chains exact[] = {moved(-2), moved(-1), moved(0), moved(1), moved(2)};
     bool fits[5];
     for (int i = 0; i < 5; ++i) fits[i] = topology == Chain_topology(exact[i]);
-    // Near an event chains move by square roots: from the event to the margin they move 1 / (sqrt(2) - 1) times as far as from
-    // the margin to twice the margin.
+    // Near an event chains move with square roots: from the event to the margin they move 1 / (sqrt(2) - 1) times as far as
+    // from the margin to twice the margin.
     double allowed = apart;
     for (int i = 0; i < 4; ++i)
       if (Chain_topology(exact[i]) == Chain_topology(exact[i + 1]))
@@ -292,11 +293,11 @@ public:
   }
 
 private:
-  // Do chains bound the region nearer than the level of a distance that differs by no more than the margin? They do exactly if
-  // no point of them is off the level by more than that, and if each part of the region that is nearer for sure is on their
-  // left, and each part of the rest that is farther for sure on their right: no part can be on both sides, and each has a chain
-  // of the lowered, or raised, level on its boundary. So rounding decides each of several events on its own, and a level along
-  // an edge may leave it anywhere; but no chain can be missing, shifted, or lead to a wrong gate.
+  // Whether chains bound the region nearer than the level of a distance within the margin. They do if and only if no point
+  // of them is off the level by more than the margin, each part of the region that is certainly nearer is on their left,
+  // and each part that is certainly farther is on their right: no part can be on both sides, and the boundary of each part
+  // contains a chain of the lowered or raised level. So rounding decides each of several events separately, and a level
+  // along an edge may leave it anywhere, but no chain can be missing, displaced, or connected to a wrong gate.
   bool lies_between(const Face_field& field, double cut, double margin, const Chains& chains, const Chains& lowered,
                     const Chains& raised, double apart) const
   {
@@ -316,7 +317,7 @@ private:
     }
     const double at_corner = field.distance(field.frame().corner(0), nearest) - cut;
     for (const bool is_near : {true, false})
-    { // of the corner where positions begin
+    { // of the corner at position 0
       if (is_near ? at_corner > margin : at_corner < -margin) continue;
       const auto have_winding = [&](const Chains& samples, double expected) {
         bool result = true;
@@ -337,14 +338,14 @@ private:
     return field.frame().on_edge(k, (position - k) * field.frame().edge_length(k));
   }
 
-  // How often the boundary of the region on the left of the chains goes round q, a point inside the face: the chains, and
-  // from their ends to the next starts along the face.
+  // Winding number of the boundary of the region on the left of the chains around q, a point inside the face. The boundary
+  // consists of the chains and, from their ends to the next starts, parts of the boundary of the face.
   static double winding(const Face_field& field, const Chains& chains, bool is_near_at_corner, const Point_in_face& q)
   {
     const auto angle = [&](const Point_in_face& a, const Point_in_face& b) {
       return std::atan2(cross(a - q, b - q), dot(a - q, b - q));
     };
-    const auto along_border = [&](double position) { // from the corner where positions begin
+    const auto along_border = [&](double position) { // from the corner at position 0
       double sum = 0;
       const int k = (std::min)(2, int(position));
       for (int i = 0; i < k; ++i) sum += angle(field.frame().corner(i), field.frame().corner(i + 1));
@@ -379,7 +380,7 @@ private:
       for (const double t : {0., 0.25, 0.5, 0.75, 1.}) f(arc.at(t));
   }
 
-  // How far samples of one chain are from another one.
+  // Largest distance of samples of one chain from another chain.
   static double farthest(const Level_chain& from, const Level_chain& to)
   {
     double worst = 0;
@@ -387,7 +388,8 @@ private:
     return worst;
   }
 
-  // The largest Hausdorff distance of two chains, if each is paired with the nearest one. As many on both sides.
+  // Largest Hausdorff distance of paired chains, each paired with the nearest one. Precondition: a and b have the same
+  // size.
   static double farthest_chain(const Chains& a, const Chains& b)
   {
     double worst = 0;
@@ -409,7 +411,7 @@ private:
     return worst;
   }
 
-  // Keeps the distance of chains if it is rounding.
+  // Records the distance of chains; returns whether it is within rounding.
   bool note(double distance, double unit)
   {
     if (!(distance <= Oracle_unit::apart * unit)) return false;
@@ -417,8 +419,8 @@ private:
     return true;
   }
 
-  // Chains without those of the size of rounding. Distances do not change faster than the way, so a level that is moved by the
-  // size of a chain does not have it any more: its topology changes within that multiple of rounding.
+  // Removes chains of the size of rounding. Distances are 1-Lipschitz, so such a chain does not exist on a level that
+  // differs by its size: the topology changes within that multiple of rounding.
   static Chains without_points(const Chains& chains, double size)
   {
     Chains result;

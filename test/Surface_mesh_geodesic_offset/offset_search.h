@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A search for wrong offset curves: random cases of `search_cases.h`, judged by `level_judge.h`.
+// Search for wrong offset curves: random cases of `search_cases.h`, judged by `level_judge.h`.
 
 #ifndef GEODESIC_OFFSET_TEST_OFFSET_SEARCH_H
 #define GEODESIC_OFFSET_TEST_OFFSET_SEARCH_H
@@ -9,8 +9,7 @@
 #include "level_judge.h"
 #include "offset_tools.h"
 #include "search_cases.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include "validation/Offset_validation.h"
 
 #include <atomic>
 #include <chrono>
@@ -24,25 +23,25 @@ namespace test {
 
 struct Search_options
 {
-  unsigned seed = 1;            // of the first case; the next ones follow
+  unsigned seed = 1; // of the first case; consecutive
   std::size_t meshes = 1000;    // cases
-  double seconds = 1e9;         // no case starts later
+  double seconds = 1e9; // no case starts later
   std::size_t levels = 16;      // per mesh
   std::string kind;             // of meshes; all if empty
-  double level = 0;             // if not 0, only this level is cut
-  std::size_t validate = 10;    // every so manyth mesh is validated by Offset_validation, too; 0: none
-  std::size_t printed = 100;    // wrong cases are printed up to this number
+  double level = 0; // if nonzero, the only level
+  std::size_t validate = 10; // period of validations by Offset_validation; 0: none
+  std::size_t printed = 100; // maximum number of printed failures
   bool verbose = false;         // print each case
-  std::string write;            // prefix of the files that wrong cases are written to
+  std::string write; // prefix of the files of wrong cases
 };
 
-/// What was found, for a kind of meshes or in total.
+/// Results for a kind of meshes or in total.
 struct Search_counts
 {
   std::size_t meshes = 0, levels = 0, pieces = 0;
   std::size_t wrong = 0;  // levels whose curves are wrong
   std::size_t faults[NUMBER_OF_FAULTS] = {}; // levels with this fault
-  std::size_t critical = 0; // levels that are cut differently in one pass, within rounding of a change of topology
+  std::size_t critical = 0; // levels whose topology differs in one pass, within rounding of an event
   std::size_t forced_joints = 0, exceptions = 0;
   std::size_t validated = 0, invalid = 0; // meshes, by Offset_validation
   double worst_gap = 0, worst_outside = 0, worst_off = 0;
@@ -78,7 +77,7 @@ public:
       run_case(options_.seed + static_cast<unsigned>(i));
   }
 
-  /// The seed of the case that runs, and when it has started; for watchdogs in other threads.
+  /// Seed and start time of the current case, for watchdogs in other threads.
   unsigned running_seed() const { return running_seed_; }
   double seconds_of_running_case() const { return now() - started_; }
 
@@ -212,7 +211,7 @@ private:
     for (const std::string& text : one_pass.texts) verdict.add(ONE_PASS, "%s", text.c_str());
     const double tolerance = Search_tolerances::length * (verdict.length + level + diagonal);
     if (std::abs(one_pass.length - verdict.length) <= tolerance) return;
-    // Where the topology changes, rounding decides: the lengths of neighbouring levels tell.
+    // At changes of topology rounding decides: compare with the lengths of neighbouring levels.
     double shortest = verdict.length, longest = verdict.length;
     for (const double step : Search_tolerances::level_steps)
       for (const double off : {-step, step})
@@ -225,7 +224,7 @@ private:
     else verdict.add(ONE_PASS, "length %.17g, from kept windows %.17g", one_pass.length, verdict.length);
   }
 
-  // The pieces of each side are those of the whole, and so are their lengths.
+  // The pieces of both sides together are those of the whole, and so are their lengths.
   static void check_sides(const Geodesic& geodesic, const std::vector<double>& levels, const Offset_curves& whole,
                           double diagonal, std::vector<Verdict>& verdicts)
   {
@@ -248,7 +247,7 @@ private:
     }
   }
 
-  // The area grows with the level, and as fast as the curves are long.
+  // The area grows with the level, at the rate of the length of the curves.
   static void check_growth(const std::vector<double>& levels, double diagonal, std::vector<Verdict>& verdicts)
   {
     for (std::size_t i = 1; i < levels.size(); ++i)

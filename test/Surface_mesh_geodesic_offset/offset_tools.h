@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets at a level, and what can be compared of two sets of offset curves.
+// Offsets at a level, and comparisons of two sets of offset curves.
 
 #ifndef GEODESIC_OFFSET_TEST_OFFSET_TOOLS_H
 #define GEODESIC_OFFSET_TEST_OFFSET_TOOLS_H
@@ -23,7 +23,7 @@ typedef Offset_curve::Piece Offset_piece;
 typedef Geodesic::Face_location Face_location;
 typedef std::vector<Offset_curve> Offset_curves;
 
-/// The offset curves at a distance, or at several.
+/// Offset curves at one or several distances.
 template <class Levels>
 Offset_curves offsets(const Geodesic& geodesic, const Levels& levels,
                       const CGAL::Offset_selection& selection = CGAL::Offset_selection())
@@ -46,7 +46,7 @@ inline std::size_t number_of_closed(const Offset_curves& curves)
     curves.begin(), curves.end(), [](const Offset_curve& c) { return c.is_closed(); }));
 }
 
-/// All that tells one piece from another: where it lies, its ends, its circle or line, its source.
+/// Key of a piece: its face, ends, circle or line, and source.
 typedef std::tuple<std::size_t, double, double, double, double, double, bool, std::size_t,
                    std::size_t, int>
   Piece_key;
@@ -58,7 +58,7 @@ inline Piece_key key_of(const Offset_piece& p)
                    p.source_part(), int(p.side()));
 }
 
-/// The pieces of all curves, in an order of their own.
+/// Pieces of all curves, in a canonical order.
 inline std::vector<Piece_key> sorted_pieces(const Offset_curves& curves)
 {
   std::vector<Piece_key> result;
@@ -68,7 +68,7 @@ inline std::vector<Piece_key> sorted_pieces(const Offset_curves& curves)
   return result;
 }
 
-/// Distance, closedness, length of each curve, in an order of their own.
+/// Distance, closedness and length of each curve, in a canonical order.
 inline std::vector<std::tuple<double, bool, double>> sorted_curves(const Offset_curves& curves)
 {
   std::vector<std::tuple<double, bool, double>> result;
@@ -78,8 +78,8 @@ inline std::vector<std::tuple<double, bool, double>> sorted_curves(const Offset_
   return result;
 }
 
-/// Whether two sets of curves agree in all distances, in closedness, and in length to 1e-12 of the
-/// sum of the length and `scale`. The largest difference goes to `worst`.
+/// Whether two sets of curves agree in all distances, in closedness, and in length to 1e-12 of the sum of the length and
+/// `scale`. `worst` receives the largest difference.
 inline bool same_curves(const Offset_curves& a, const Offset_curves& b, double scale, double& worst)
 {
   const auto p = sorted_curves(a), q = sorted_curves(b);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs of the oracle of `offset_oracle.h`: on random windows, and on faces of generated meshes.
+// Runs of the oracle of `offset_oracle.h` on random windows, and on faces of generated meshes.
 
 #ifndef GEODESIC_OFFSET_TEST_ORACLE_RUN_H
 #define GEODESIC_OFFSET_TEST_ORACLE_RUN_H
@@ -20,12 +20,12 @@ namespace test {
 
 struct Oracle_options
 {
-  unsigned seed = 1;         // of the first case; the next ones follow
+  unsigned seed = 1; // of the first case; consecutive
   std::size_t faces = 1000;
-  std::size_t each = 20;     // faces of a mesh, at most
-  std::size_t windows = 80;  // of a face; faces with more are left out
-  std::size_t printed = 20;  // differences are printed up to this number
-  double seconds = 1e9;      // no case starts later
+  std::size_t each = 20; // maximum number of faces per mesh
+  std::size_t windows = 80; // maximum number of windows per face; others are skipped
+  std::size_t printed = 20; // maximum number of printed differences
+  double seconds = 1e9; // no case starts later
 };
 
 class Oracle_run
@@ -115,7 +115,7 @@ private:
     Face_tracing tracing(geodesic.mesh(), geodesic.initial(), geodesic.field());
     for (const double level : levels)
     {
-      // the faces that the level passes through by the distances of their corners
+      // faces crossed by the level, according to the distances of their corners
       std::vector<Surface_mesh::Face_index> crossed;
       for (const auto f : mesh.faces())
       {

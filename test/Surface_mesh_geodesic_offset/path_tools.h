@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Shortest paths in all forms in which they are handed out, and what must hold for each of them.
+// Checks of shortest paths in all forms of output.
 
 #ifndef GEODESIC_OFFSET_TEST_PATH_TOOLS_H
 #define GEODESIC_OFFSET_TEST_PATH_TOOLS_H
@@ -36,7 +36,7 @@ inline Vector_3 unit(const Vector_3& v)
   return v / std::sqrt(v.squared_length());
 }
 
-/// The sum of the lengths of the segments.
+/// Sum of the lengths of the segments.
 inline double length_of(const Mesh_locations& locations, const Path_locations& path)
 {
   double sum = 0;
@@ -84,7 +84,7 @@ inline Face_location random_location(const Mesh_locations& locations, const Surf
   return locations.at_vertex(target(h, mesh), uniform_index(random, 8));
 }
 
-/// Coordinates that are zero up to rounding are made zero: on an edge means on an edge.
+/// Replaces coordinates that are zero up to rounding by zero: such a location is on an edge.
 inline Face_location snapped(Face_location location)
 {
   for (double& weight : location.second)
@@ -97,7 +97,7 @@ inline bool is_at_vertex(const Face_location& location)
   return std::count(location.second.begin(), location.second.end(), 0.) == 2;
 }
 
-/// Takes what a path passes, as a visitor of SMSP does, and makes a location of each.
+/// Visitor as for SMSP that makes a location of each element of a path.
 class Sequence_collector
 {
 public:
@@ -129,14 +129,14 @@ private:
   Mesh_locations locations_;
 };
 
-/// What was seen of all paths of a test.
+/// Figures of all paths of a test.
 struct Path_totals
 {
   std::size_t paths = 0, points = 0, unreachable = 0;
-  double worst_length = 0; // difference from the distance, relative to it or to an edge
+  double worst_length = 0; // difference from the distance, relative to the distance or to an edge
 };
 
-/// Checks everything that must hold for paths on one mesh.
+/// Checks of paths on one mesh.
 class Path_checker
 {
 public:
@@ -151,9 +151,8 @@ public:
   Point_3 point(Vertex_index v) const { return mesh_.point(v); }
   Point_3 point(const Face_location& l) const { return locations.point(l); }
 
-  /// The path from `query`, after all checks: its forms agree, it starts at the query point and
-  /// ends at the nearest source point, it is connected and as long as the distance, and starts
-  /// against the gradient.
+  /// Returns the path from `query` after all checks: its forms agree, it starts at the query point and ends at the nearest
+  /// source point, it is connected, its length is the distance, and its first direction is opposite to the gradient.
   template <class Query>
   Path_locations operator()(const Geodesic& geodesic, const Query& query, bool has_windows = true)
   {
@@ -190,7 +189,7 @@ public:
     return path;
   }
 
-  /// Whether a path is one: valid coordinates, and each point has a face in common with the next.
+  /// Whether coordinates are valid and consecutive points share a face.
   bool is_connected(Path_locations path) const
   {
     for (Face_location& l : path)
@@ -204,8 +203,8 @@ public:
     return true;
   }
 
-  /// Whether two locations are one, whatever faces they name. In a tiny or needle face two points may
-  /// have the same coordinates in space and be different ones of the surface.
+  /// Whether two locations are the same point, possibly in different faces. In a tiny or needle face, two different points
+  /// of the surface may have the same coordinates in space.
   bool is_same(const Face_location& a, const Face_location& b) const
   {
     const Face_index f = locations.common_face(a, b);
@@ -214,7 +213,7 @@ public:
            locations.express(b, f, v) && u == v;
   }
 
-  /// The largest part of the unit vector that leaves the plane of the face.
+  /// Component of the unit vector orthogonal to the face.
   double out_of_plane(const Vector_3& v, Face_index f) const
   {
     return std::abs(CGAL::Polygon_mesh_processing::compute_face_normal(f, mesh_) * v);
@@ -266,7 +265,7 @@ private:
     const double length = std::sqrt(start.squared_length());
     if (length < 1e-5 * scale) return;
     const double error = std::sqrt((gradient + start / length).squared_length());
-    // a path that passes a vertex within some 1e-9 of an edge may go by way of it
+    // a path within about 1e-9 edges of a vertex may pass through the vertex
     const double allowed = is_at_vertex(snapped(path[1])) ? 1e-9 + 4e-9 * mean_edge / length : 1e-9;
     CHECK_DETAIL(error <= allowed, values(error, 0));
   }
@@ -274,10 +273,10 @@ private:
   const Surface_mesh& mesh_;
 };
 
-/// A source of any kind, to be added to several objects.
+/// Source of any kind, which can be added to several objects.
 struct Any_source
 {
-  Path_locations locations; // one: a point
+  Path_locations locations; // one location: a point
   bool closed;
 
   std::size_t add_to(Geodesic& geodesic) const

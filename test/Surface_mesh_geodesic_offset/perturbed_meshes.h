@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes as people damage them: other coordinates, other faces of the same surface, faces that are missing.
+// Damaged meshes: perturbed coordinates, other faces of the same surface, missing faces.
 
 #ifndef GEODESIC_OFFSET_TEST_PERTURBED_MESHES_H
 #define GEODESIC_OFFSET_TEST_PERTURBED_MESHES_H
@@ -25,7 +25,7 @@
 
 namespace test {
 
-/// The points and triangles of a mesh. A mesh that adds these triangles in their order has the same first halfedges.
+/// Points and triangles of a mesh. A mesh to which these triangles are added in their order has the same first halfedges.
 inline Soup soup_of(const Surface_mesh& mesh)
 {
   Soup soup;
@@ -43,7 +43,7 @@ inline Soup soup_of(const Surface_mesh& mesh)
   return soup;
 }
 
-/// A mesh of a soup; vertices where the soup is no manifold are doubled.
+/// Mesh of a soup; non-manifold vertices are duplicated.
 inline Surface_mesh manifold_of(Soup soup)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -53,7 +53,7 @@ inline Surface_mesh manifold_of(Soup soup)
   return mesh;
 }
 
-/// Whether the sine of an angle of a triangle is below 2^-20: a flip that makes such triangles makes needles from rounding.
+/// Whether the sine of an angle of a triangle is below 2^-20: flips with such triangles turn rounding errors into needles.
 inline bool is_thin(const Point_3& p, const Point_3& q, const Point_3& r)
 {
   const Vector_3 u = q - p, v = r - q, w = p - r;
@@ -61,9 +61,9 @@ inline bool is_thin(const Point_3& p, const Point_3& q, const Point_3& r)
   return !(CGAL::cross_product(u, v).squared_length() > 0x1p-40 * longest * longest);
 }
 
-/// Other triangles of the same surface: faces and edges are divided at random points, and edges between coplanar faces are
-/// flipped. Exact but for the rounding of the new points; those on edges lie on them where `only_middles`, and no point is new
-/// inside a face then. `part`: the part of faces and edges that is divided. Returns the number of flips.
+/// Other triangulation of the same surface: faces and edges are divided at random points, and edges between coplanar faces
+/// are flipped. Exact except for the rounding of new points. With `only_middles`, new points are exactly on edges, and none
+/// is inside a face. `part`: fraction of faces and edges to divide. Returns the number of flips.
 inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part, bool only_middles)
 {
   const std::vector<Surface_mesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
@@ -90,7 +90,7 @@ inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part
     for (const auto side : {n, mesh.prev(mesh.opposite(n))})
       if (!mesh.is_border(side)) CGAL::Euler::split_face(side, mesh.next(mesh.next(side)), mesh);
   }
-  // where the two faces are one convex quadrangle in a plane
+  // where two faces form a convex quadrangle in a plane
   std::size_t flips = 0;
   for (const auto e : std::vector<Surface_mesh::Edge_index>(mesh.edges().begin(), mesh.edges().end()))
   {
@@ -112,7 +112,7 @@ inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part
   return flips;
 }
 
-/// The perturbations of the corpus, by name. Each changes a soup of triangles.
+/// Named perturbations of the corpus. Each changes a triangle soup.
 class Perturbations
 {
 public:
@@ -128,18 +128,18 @@ public:
   }
 
 private:
-  // The longest side of the bounding box
+  // The longest side of the bounding box.
   static double size_of(const Soup& soup)
   {
     const CGAL::Bbox_3 box = CGAL::bbox_3(soup.points.begin(), soup.points.end());
     return (std::max)({box.x_span(), box.y_span(), box.z_span()});
   }
 
-  // Coordinates on some of the axes are multiples of a step, so that faces become coplanar, or have no area.
+  // Rounds coordinates on some of the axes to multiples of a step, so that faces become coplanar, or have no area.
   static void snap(Soup& soup, Random& random)
   {
     const double step = size_of(soup) / uniform(random, 10, 200);
-    const std::size_t axes = 1 + uniform_index(random, 7); // a bit for each
+    const std::size_t axes = 1 + uniform_index(random, 7); // one bit per axis
     for (Point_3& p : soup.points)
     {
       double x[3] = {p.x(), p.y(), p.z()};
@@ -167,14 +167,14 @@ private:
   {
     namespace SMS = CGAL::Surface_mesh_simplification;
     Surface_mesh mesh = manifold_of(soup);
-    const double part = uniform(random, 0.05, 0.8); // of the edges that are left
+    const double part = uniform(random, 0.05, 0.8); // fraction of edges to collapse
     SMS::edge_collapse(mesh, [part](const auto&, const auto&, std::size_t before, std::size_t now) {
       return double(now) < part * double(before);
     });
     soup = soup_of(mesh);
   }
 
-  // Some faces are missing.
+  // Removes some faces.
   static void ragged(Soup& soup, Random& random)
   {
     const double part = uniform(random, 0.01, 0.5);
@@ -192,7 +192,7 @@ private:
     soup = soup_of(mesh);
   }
 
-  // So far that coordinates have 9 digits left
+  // Translates so far that coordinates have 9 digits left.
   static void move(Soup& soup, Random& random)
   {
     double shift[3];

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The offset of segments and points in a rectangle of the plane, without any mesh: from all lines
-// beside the segments and all circles round their ends, cut where they meet.
+// Offset of segments and points in a rectangle of the plane, without a mesh: from all lines beside the segments and all
+// circles around their ends, divided at their intersections.
 
 #ifndef GEODESIC_OFFSET_TEST_PLANAR_OFFSET_H
 #define GEODESIC_OFFSET_TEST_PLANAR_OFFSET_H
@@ -31,12 +31,10 @@ struct Rectangle
   }
 };
 
-/// All points of the rectangle at distance d from the legs. Each segment gives two parallel
-/// segments, each end of a leg a circle. Each is cut where it meets another one or the border; of
-/// the parts, those stay whose middle has distance d, by brute force, and they are linked where
-/// they meet. The smaller distances are on the left. Throws if the offset touches itself, which is
-/// so for single values of d. Loops without extent, as there are just below the largest distance,
-/// are left out.
+/// Points of the rectangle at distance d from the legs. Each segment contributes two parallel segments, each end of a leg a
+/// circle. All are divided at intersections with each other and the border; parts whose midpoint has distance d, by brute
+/// force, remain, and are linked at common ends. The smaller distances are on the left. Throws if the offset touches
+/// itself, which happens for isolated values of d. Loops without extent, just below the largest distance, are omitted.
 class Planar_offset
 {
 public:
@@ -76,7 +74,7 @@ public:
     return result;
   }
 
-  /// How far the corners and the ends on the border move when d changes, for a unit of d.
+  /// Speed of corners and ends on the border per unit of d.
   double speed_of_joints() const { return speed_; }
 
 private:
@@ -88,7 +86,7 @@ private:
   struct Primitive
   {
     bool is_circle;
-    Point_2 a, b; // of a segment; a: center of a circle
+    Point_2 a, b; // ends of a segment; a: center of a circle
     std::vector<Cut> cuts;
   };
   struct Node
@@ -200,7 +198,7 @@ private:
     const double foot = along * (center - line.a), height = std::abs(cross(along, center - line.a));
     if (height > d_ + rounding_) return {};
     std::vector<double> positions;
-    if (height > d_ - rounding_) positions = {foot}; // a tangent
+    if (height > d_ - rounding_) positions = {foot}; // tangent
     else
     {
       const double half = std::sqrt((d_ - height) * (d_ + height));
@@ -236,7 +234,7 @@ private:
     return result;
   }
 
-  // Nodes where three or more primitives meet have been found several times.
+  // Nodes where three or more primitives meet were found several times.
   void merge_nodes()
   {
     std::vector<std::size_t> order(nodes_.size());
@@ -267,7 +265,7 @@ private:
       std::sort(p.cuts.begin(), p.cuts.end(),
                 [](const Cut& a, const Cut& b) { return a.position < b.position; });
       const std::size_t n = p.cuts.size();
-      if (n == 0) // a circle that meets nothing
+      if (n == 0) // a circle without intersections
       {
         const Point_2 point = p.a + Vector_2(d_, 0);
         keep(Planar_piece::arc(p.a, d_, 2 * CGAL_PI, point, point), none, none);
@@ -296,7 +294,7 @@ private:
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       if (ends_[i] == std::make_pair(from, to) &&
           distance(pieces_[i].at(0.5), middle) <= 4 * rounding_)
-        return; // of lines that run upon each other
+        return; // overlapping lines
     pieces_.push_back(piece);
     ends_.push_back({from, to});
   }

@@ -31,14 +31,7 @@ inline Vector_2 turned(const Vector_2& v, double angle)
   return std::cos(angle) * v + std::sin(angle) * quarter_turn(v);
 }
 
-/// The angle in [0, 2 pi) from u counterclockwise to v.
-inline double ccw_angle(const Vector_2& u, const Vector_2& v)
-{
-  const double angle = std::atan2(cross(u, v), u * v);
-  return angle < 0 ? angle + 2 * CGAL_PI : angle;
-}
-
-/// A segment, or an arc that runs counterclockwise round its center by an angle of up to 2 pi.
+/// Segment, or counterclockwise arc around its center by an angle of up to 2 pi.
 struct Planar_piece
 {
   bool is_arc;
@@ -74,7 +67,7 @@ struct Planar_piece
     return (std::min)(distance(p, start), distance(p, end));
   }
 
-  /// Not more than `distance_to`.
+  /// Lower bound of `distance_to`.
   double lower_bound(const Point_2& p) const
   {
     if (is_arc) return std::abs(std::hypot(p.x() - center.x(), p.y() - center.y()) - radius);
@@ -102,8 +95,7 @@ inline double distance_to_pieces(const Point_2& p, const std::vector<Planar_piec
   return result;
 }
 
-/// The largest distance of `samples` + 1 points on each piece of `from` to the nearest point of
-/// `to`.
+/// Largest distance of `samples` + 1 points on each piece of `from` from the nearest point of `to`.
 inline double directed_hausdorff_distance(const std::vector<Planar_piece>& from,
                                           const std::vector<Planar_piece>& to, int samples)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Polylines on a flat convex mesh, and the closed form of the signed distance from them.
+// Polylines on a flat convex mesh, with the signed distance in closed form.
 
 #ifndef GEODESIC_OFFSET_TEST_PLANAR_POLYLINE_H
 #define GEODESIC_OFFSET_TEST_PLANAR_POLYLINE_H
@@ -16,7 +16,7 @@
 
 namespace test {
 
-/// A flat convex mesh with points of the plane as locations.
+/// Flat convex mesh with points of the plane as locations.
 class Planar_mesh
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   explicit Planar_mesh(const Soup& soup, unsigned seed = 1) : data(soup), generator(data, seed) {}
 
-  /// The location of a point of the plane; at a vertex or on an edge if it is exactly there.
+  /// Location of a point of the plane; exactly at a vertex or on an edge if the point is.
   Face_location location(const Point_2& p) const
   {
     Face_location best;
@@ -50,8 +50,8 @@ public:
 
   Point_2 uv(const Face_location& l) const { return generator.uv(l, 0); }
 
-  /// The polyline through points of the plane, with a location wherever it meets an edge or a
-  /// vertex, and its legs. A closed one does not repeat its first location.
+  /// Polyline through points of the plane, with a location at each intersection with an edge or a vertex, and its legs. A
+  /// closed polyline does not repeat its first location.
   Path path(const std::vector<Point_2>& points, bool closed) const
   {
     Path result;
@@ -75,7 +75,7 @@ public:
   Flat_path_generator<test::Surface_mesh> generator;
 
 private:
-  // Where the leg from a to b meets vertices and edges on its way.
+  // Intersections of the leg from a to b with vertices and edges.
   void add_between(const Point_2& a, const Point_2& b, std::vector<Face_location>& out) const
   {
     std::vector<std::pair<double, Face_location>> met;
@@ -111,7 +111,7 @@ private:
   }
 };
 
-/// The signed distance from legs in the plane: the end of one is the start of the next.
+/// Signed distance from legs in the plane: each leg starts at the end of the previous one.
 struct Signed_distance
 {
   enum Side
@@ -124,8 +124,8 @@ struct Signed_distance
   explicit Signed_distance(const std::vector<Leg>& legs, bool closed) : legs(legs), closed(closed)
   {}
 
-  /// The distance, and the side, or 0 where the nearest source points of two sides are too near to
-  /// each other in distance to tell, or p is on a line between two sides.
+  /// Distance and side. The side is 0 if the nearest source points of two sides are equally far within the margin, or p is
+  /// on a line between two sides.
   std::pair<double, int> operator()(const Point_2& p, double margin) const
   {
     std::vector<std::pair<double, int>> candidates;
@@ -163,13 +163,13 @@ private:
     return a.x() * b.y() - a.y() * b.x();
   }
 
-  // Shortest paths end at a joint on its reflex side only.
+  // Shortest paths end at a joint only on its reflex side.
   static int side_at_joint(const Point_2& p, const Leg& in, const Leg& out)
   {
     const Vector_2 u = in.b - in.a, v = out.b - out.a;
     const double turn = cross(u, v);
     if (std::abs(turn) <= 1e-12 * std::sqrt(u.squared_length() * v.squared_length()))
-      return u * v < 0 ? 0 : cross(v, p - out.a) > 0 ? LEFT : RIGHT; // back, or straight on
+      return u * v < 0 ? 0 : cross(v, p - out.a) > 0 ? LEFT : RIGHT; // reversal, or straight
     return turn < 0 ? LEFT : RIGHT;
   }
 };

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The section of a mesh by a plane in general position, as polylines of face locations.
+// Section of a mesh by a plane in general position, as polylines of face locations.
 
 #ifndef GEODESIC_OFFSET_TEST_PLANE_SECTION_H
 #define GEODESIC_OFFSET_TEST_PLANE_SECTION_H
@@ -21,11 +21,11 @@ struct Section
 
   bool closed;                          // closed sections do not repeat their first location
   std::vector<Face_location> locations; // one on each crossed edge
-  std::vector<typename Locations::face_descriptor> faces; // the face of each segment
+  std::vector<typename Locations::face_descriptor> faces; // face of each segment
 
   std::size_t number_of_segments() const { return faces.size(); }
 
-  /// The point at `t` of segment i, in the face of the segment.
+  /// Point at parameter `t` of segment i, in the face of the segment.
   Face_location between(const Locations& on_mesh, std::size_t i, double t) const
   {
     typename Locations::Barycentric_coordinates a, b;
@@ -36,9 +36,8 @@ struct Section
   }
 };
 
-/// All curves of the section by the plane through `p` with the given normal. Vertices exactly on
-/// the plane count as above it, so every curve crosses edges at inner points (possibly at distance
-/// zero from an end).
+/// All curves of the section by the plane through `p` with the given normal. Vertices on the plane count as above it, so
+/// every curve crosses edges at inner points (possibly at distance zero from an end).
 template <class TriangleMesh>
 std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const Point_3& p,
                                                  const Vector_3& normal)
@@ -51,8 +50,8 @@ std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const
   { return (get(points, v) - p) * normal; };
   const auto is_upward = [&](halfedge_descriptor h)
   { return height(source(h, mesh)) < 0 && height(target(h, mesh)) >= 0; };
-  // Walking with the upper side on the left, a curve enters each face over an edge that goes down
-  // in that face and leaves it over the one that goes up.
+  // With the upper side on its left, a curve enters each face over an edge that goes down in that face, and leaves it over
+  // the one that goes up.
   const auto location = [&](halfedge_descriptor h)
   {
     const double a = std::abs(height(source(h, mesh))), b = std::abs(height(target(h, mesh)));
@@ -60,7 +59,7 @@ std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const
     return on_mesh.on_edge(inner, (inner == h ? a : b) / (a + b));
   };
   std::vector<Section<TriangleMesh>> result;
-  std::set<halfedge_descriptor> done; // the downward halfedges by which faces were entered
+  std::set<halfedge_descriptor> done; // downward halfedges through which faces were entered
   const auto follow = [&](halfedge_descriptor entry)
   {
     Section<TriangleMesh> section;
@@ -90,7 +89,7 @@ std::vector<Section<TriangleMesh>> plane_section(const TriangleMesh& mesh, const
   return result;
 }
 
-/// A plane in general position through a point near the middle of the mesh.
+/// Plane in general position through a point near the center of the mesh.
 template <class TriangleMesh>
 std::vector<Section<TriangleMesh>> random_plane_section(const TriangleMesh& mesh, unsigned seed)
 {

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the program's files share: counted checks, meshes in a plane, closed forms, and runs of the program.
+"""Shared parts of the tests of output files: counted checks, meshes in a plane, closed forms, and runs of the program.
 
 A test is a function that takes a `Bench`. The scripts are called with the path of the program and, if they hold several
 tests, the name of one. Their exit code is 77, for "skipped", where a reader is not installed.
@@ -57,7 +57,7 @@ TILTED = Plane((0.5, -2, 1), (2 / 3, 2 / 3, 1 / 3), (-2 / 3, 1 / 3, 2 / 3))
 
 
 def write_grid(path, embed, n=12, is_turned=False, is_two_sided=False):
-    """n x n squares of side 1 with moved vertices, in the plane. Of two sides, the second looks the other way."""
+    """n x n squares of side 1 with moved vertices, in the plane. With two sides, the second has the opposite orientation."""
     generator = random.Random(7)
 
     def moved(i, inside):
@@ -99,7 +99,7 @@ C = (6.3, 5.6)  # the center of the circles
 
 
 def from_segment(p):
-    """The distance from the segment, and the side: 1 left, 2 right, 3 beyond an end; None close to where it changes."""
+    """The distance from the segment, and the side: 1 left, 2 right, 3 beyond an end; None near a change of side."""
     ab, ap = (B[0] - A[0], B[1] - A[1]), (p[0] - A[0], p[1] - A[1])
     length = math.hypot(*ab)
     t = (ab[0] * ap[0] + ab[1] * ap[1]) / length

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs the programs of the examples in a scratch directory (POSIX).
+// Runs the example programs in a scratch directory (POSIX).
 
 #ifndef GEODESIC_OFFSET_TEST_PROGRAM_RUNNER_H
 #define GEODESIC_OFFSET_TEST_PROGRAM_RUNNER_H
@@ -19,7 +19,8 @@
 #include <string>
 #include <vector>
 
-// AddressSanitizer needs terabytes of address space, so a limit of it ends every program. The programs are built as the tests.
+// AddressSanitizer needs terabytes of address space, so no limit is set. The programs have the same build options as the
+// tests.
 #if defined(__SANITIZE_ADDRESS__)
 #define GEODESIC_OFFSET_TEST_ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -42,7 +43,7 @@ inline void write_file(const std::filesystem::path& path, const std::string& byt
   out << bytes;
 }
 
-/// A temporary directory, removed with all it contains at the end.
+/// Temporary directory, removed with its contents at the end.
 class Scratch_directory
 {
 public:
@@ -83,7 +84,7 @@ struct Program_result
 
 namespace internal {
 
-/// Runs the program in a child process with this stream of errors, and its output in a file.
+/// Starts the program in a child process with a given error stream, and its output in a file.
 inline pid_t start_program(const std::string& program, const std::vector<std::string>& arguments,
                            const std::string& output, int errors)
 {
@@ -101,7 +102,7 @@ inline pid_t start_program(const std::string& program, const std::vector<std::st
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
-  alarm(120); // a run that hangs ends with a signal
+  alarm(120); // ends a hanging run
   execv(program.c_str(), argv.data());
   _exit(127);
 }
@@ -115,8 +116,7 @@ inline int exit_code_of(pid_t child)
 
 } // namespace internal
 
-/// Runs the program and waits for it. Its output and errors go through files outside of the scratch
-/// directory.
+/// Runs the program and waits for it. Its output and errors are in files outside of the scratch directory.
 inline Program_result run_program(const std::string& program,
                                   const std::vector<std::string>& arguments)
 {
@@ -129,7 +129,7 @@ inline Program_result run_program(const std::string& program,
   return {exit_code, read_file(output), read_file(errors)};
 }
 
-/// The same with a terminal as stream of errors.
+/// Version with a terminal as error stream.
 inline Program_result run_program_on_terminal(const std::string& program,
                                               const std::vector<std::string>& arguments)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes with random sources and random points to ask at.
+// Meshes with random sources and random query points.
 
 #ifndef GEODESIC_OFFSET_TEST_QUERY_CASES_H
 #define GEODESIC_OFFSET_TEST_QUERY_CASES_H
@@ -18,7 +18,7 @@
 
 namespace test {
 
-/// A mesh, points of it to ask at, and sources to draw from.
+/// Mesh with query points and candidates for sources.
 struct Query_case
 {
   Query_case(const std::string& name, const Soup& soup)
@@ -29,13 +29,13 @@ struct Query_case
   {}
   Query_case(const Query_case&) = delete;
 
-  /// A point of any kind, or a plane section, or a part of one.
+  /// Point of any kind, plane section, or part of a section.
   Any_source random_source(Random& random) const
   {
     const std::size_t kind = uniform_index(random, 5);
     if (kind < 3) return {{random_location(checker.locations, mesh, random, kind)}, false};
     const auto sections = random_plane_section(mesh, random());
-    if (sections.empty()) // the plane has missed the mesh
+    if (sections.empty()) // the plane missed the mesh
       return {{random_location(checker.locations, mesh, random, 0)}, false};
     const auto& section = sections[uniform_index(random, sections.size())];
     if (kind == 4) return {section.locations, section.closed};
@@ -62,7 +62,7 @@ struct Query_case
 
 typedef std::vector<std::unique_ptr<Query_case>> Query_cases;
 
-/// Eight small generated meshes
+/// Eight small generated meshes.
 inline Query_cases generated_query_cases()
 {
   Query_cases cases;
@@ -80,7 +80,7 @@ inline Query_cases generated_query_cases()
   return cases;
 }
 
-/// Two small meshes of the data directory
+/// Two small meshes of the data directory.
 inline Query_cases data_query_cases()
 {
   Query_cases cases;
@@ -95,7 +95,7 @@ inline Query_cases data_query_cases()
   return cases;
 }
 
-/// Calls f(case, seed, whether windows are kept) for all cases of the wanted kinds, with each of the seeds from 1 on.
+/// Calls f(case, seed, whether windows are kept) for all cases of the requested kinds, with each of the seeds from 1 on.
 template <class Function>
 void for_each_query_case(unsigned seeds, const Function& f)
 {

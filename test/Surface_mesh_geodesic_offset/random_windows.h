@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A face with random windows, as a front may leave them: point and parallel windows with images near and far, tangent circles,
-// ties, and sources in the face. The windows of each edge are the lower envelope of the images beyond it, so that they
-// partition the edge; and paths bend at all three corners, so that the distance is continuous.
+// A face with random windows, as a front may leave them: point and parallel windows with near and distant images, tangent
+// circles, ties, and sources in the face. The windows of each edge are the lower envelope of the images beyond it, so they
+// partition the edge; paths bend at all three corners, so the distance is continuous.
 
 #ifndef GEODESIC_OFFSET_TEST_RANDOM_WINDOWS_H
 #define GEODESIC_OFFSET_TEST_RANDOM_WINDOWS_H
@@ -51,8 +51,8 @@ public:
   const Face_tracing::Field& field() const { return field_; }
   Index face() const { return face_; }
 
-  /// A level that passes through the face, unless rounding decides that: general, on a grid, or at or near a distance where
-  /// the topology changes. None is the rounding of 0.
+  /// A level that passes through the face, unless rounding decides: general, on a grid, or at or near a distance where the
+  /// topology changes. Never as small as the rounding of 0.
   double level()
   {
     double result = 0;
@@ -80,7 +80,7 @@ private:
 
   typedef CGAL::Geodesic_offset::internal::Window<double> Window;
 
-  // The distance along an edge by way of an image beyond it, in the frame of the edge.
+  // Distance along an edge via an image beyond it, in the frame of the edge.
   struct Image
   {
     bool is_parallel;
@@ -90,7 +90,7 @@ private:
     double slope(double t) const { return is_parallel ? -x : (t - x) / std::hypot(t - x, y); }
   };
 
-  // The face, and at each of its corners another one that shares only this vertex: so paths bend there.
+  // The face, and at each of its corners another face that shares only this vertex, so that paths bend there.
   Surface_mesh random_mesh()
   {
     std::array<Point_3, 3> p = {{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.5, 0)}};
@@ -120,7 +120,7 @@ private:
     return mesh;
   }
 
-  // In the face, or only somewhere else.
+  // In the face, or only elsewhere.
   void add_sources()
   {
     const auto face = [&](std::size_t i) { return Surface_mesh::Face_index(static_cast<Surface_mesh::size_type>(i)); };
@@ -150,7 +150,7 @@ private:
       return on_grid_ && uniform(random_) < 0.5 ? Image{true, 0.6, -0.8, 0} : Image{true, std::cos(a), -std::sin(a), 0};
     }
     if (kind < 0.4 && !known.empty() && !known.back().is_parallel)
-    { // a mirror image: a tie in the middle of the edge
+    { // mirror image: a tie in the middle of the edge
       Image m = known.back();
       m.x = l - m.x;
       return m;
@@ -197,13 +197,13 @@ private:
       }
     }
     if (number == 0) return;
-    // corners at the distance 0 would be sources
+    // corners at distance 0 would be sources
     const double start = grid(size_ * (uniform(random_) < 0.5 ? 0.125 : uniform(random_, 0.125, 1)));
     for (auto& of_edge : images_)
       for (Image& i : of_edge) i.sigma += start - lowest;
   }
 
-  // The parts of an edge that each image is nearest to; neighbours share their ends.
+  // Parts of an edge by nearest image; neighbours share their ends.
   void add_envelope(std::size_t k)
   {
     const std::vector<Image>& images = images_[k];
@@ -222,7 +222,7 @@ private:
       std::size_t nearest = 0;
       for (std::size_t j = 1; j < images.size(); ++j)
         if (images[j].at(middle) < images[nearest].at(middle)) nearest = j;
-      if (nearest != last || uniform(random_) < 0.2) // or the same image again, as behind a flat vertex
+      if (nearest != last || uniform(random_) < 0.2) // or repeat the image, as behind a flat vertex
       {
         const Image& m = images[nearest];
         Window w{m.x, m.y, m.sigma, b0, b1, m.at(b0), m.at(b1), root(), Window::make_bits(m.is_parallel,
@@ -240,8 +240,8 @@ private:
     list.taken = list.size;
   }
 
-  // Adds the points of an edge where two images are equally far: their difference changes its sign there. It is the
-  // difference of convex functions with monotone slopes, so it has two zeros at most, found from a fine subdivision.
+  // Adds the points of an edge where two images are equally far, that is where their difference changes its sign. It is the
+  // difference of convex functions with monotone slopes, so it has at most two zeros, found by fine subdivision.
   static void meet(const Image& a, const Image& b, double l, std::vector<double>& ends)
   {
     const auto difference = [&](double t) { return a.at(t) - b.at(t); };
@@ -268,7 +268,7 @@ private:
     }
   }
 
-  // Distances of the corners, by all windows.
+  // Distances of the corners from all windows.
   void set_corners()
   {
     const Face_field field(mesh(), initial(), field_, face_);
@@ -278,7 +278,7 @@ private:
     {
       d[k] = field.distance(field.frame().corner(int(k)), nearest);
       for (const Face_window& w : field.windows())
-        for (const Point_in_face& end : {w.left, w.right}) // windows of other corners are not there yet
+        for (const Point_in_face& end : {w.left, w.right}) // windows of other corners do not exist yet
           d[k] = (std::min)(d[k], w.distance_at(end) + length(field.frame().corner(int(k)) - end));
     }
     for (std::size_t k = 0; k < 3; ++k)
@@ -332,7 +332,7 @@ private:
         {&w[uniform_index(random_, w.size())], &w[uniform_index(random_, w.size())], &w[uniform_index(random_, w.size())]}};
       Point_in_face p = frame.point(random_barycentric(random_));
       for (int step = 0; step < 20; ++step)
-      { // Newton: the differences of the distances vanish
+      { // Newton's method: the differences of the distances vanish
         const auto gradient = [&](const Face_window& a) {
           const Point_in_face v = a.ray_direction(p);
           const double n = length(v);
@@ -350,7 +350,7 @@ private:
   }
 
   Random& random_;
-  const bool on_grid_; // coordinates are multiples of 1/8, where that is possible
+  const bool on_grid_; // coordinates are multiples of 1/8 if possible
   Surface_mesh mesh_;
   Cut_geodesic geodesic_;
   bool has_sources_ = false; // in the face

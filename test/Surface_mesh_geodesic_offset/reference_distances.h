@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesic distances from their definition, for small meshes: a reference for certified bounds, and for everything else. It
-// includes no header of the package and shares no idea with it.
+// Geodesic distances by definition, for small meshes: a reference for certified bounds and other results. It includes no
+// header of the package and shares no idea with it.
 //
-// A shortest path is a sequence of straight pieces between vertices and sources. Each piece crosses a sequence of faces, none
-// of them twice, and is a straight segment in the plane into which these faces are unfolded one after the other. So from
-// each start the search unfolds all such sequences, with the cone of directions that can be seen through all edges
-// crossed, and takes down the vertices and the query points inside the cone. Dijkstra's algorithm joins the pieces.
+// A shortest path is a sequence of straight pieces between vertices and sources. Each piece crosses a sequence of distinct
+// faces and is a straight segment in the plane into which these faces are unfolded. So from each start the search unfolds
+// all such sequences with the cone of directions visible through all crossed edges, and records the vertices and query
+// points in the cone. Dijkstra's algorithm joins the pieces.
 //
-// Numbers have 113 bits: unfolding is exact to some 1e-32 of the size of the faces.
+// Numbers have 113 bits: unfolding is exact to about 1e-32 of the size of the faces.
 
 #ifndef GEODESIC_OFFSET_TEST_REFERENCE_DISTANCES_H
 #define GEODESIC_OFFSET_TEST_REFERENCE_DISTANCES_H
@@ -40,18 +40,18 @@ public:
   typedef std::array<double, 3> Point;
   typedef std::array<std::size_t, 3> Triangle;
 
-  /// A point of a triangle, by weights of its corners, which are divided by their sum. Weights of zero put it on an edge or at
-  /// a corner.
+  /// Point of a triangle by weights of its corners, which are divided by their sum. Zero weights put it on an edge or at a
+  /// corner.
   struct Location
   {
     std::size_t triangle;
     std::array<double, 3> weights;
   };
 
-  /// Vertices at infinity have this distance.
+  /// Distance of unreachable vertices.
   static Number infinity() { return Number(std::numeric_limits<double>::max()); }
 
-  /// The triangles form a manifold with borders, each pair of neighbours with one orientation.
+  /// The triangles form a manifold with border and consistent orientation.
   Reference_distances(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
     : triangles_(triangles), sides_(triangles.size()), number_of_vertices_(points.size())
   {
@@ -71,7 +71,7 @@ public:
       }
   }
 
-  /// computes the distances of all vertices and of the queries from the nearest source.
+  /// Computes the distances of all vertices and queries from the nearest source.
   void solve(const std::vector<std::size_t>& source_vertices, const std::vector<Location>& sources,
              const std::vector<Location>& queries)
   {
@@ -106,8 +106,8 @@ private:
     Number x, y;
   };
 
-  // The side from corner k to the next one: the third corner in the plane where the side is the x axis, and the triangle on
-  // the other side with the number of its side there.
+  // Side from corner k to the next one: the third corner in the plane with the side as x axis, and the adjacent triangle
+  // with the number of its side.
   struct Side
   {
     Number length;
@@ -140,7 +140,7 @@ private:
   }
   static Number length(const Planar& p) { return root(p.x * p.x + p.y * p.y); }
 
-  // Square of twice the area, from the two shortest sides, which lose fewest digits.
+  // Square of twice the area, from the two shortest sides, which lose the fewest digits.
   static Number square_of_area(const Point& p, const Point& q, const Point& r)
   {
     const std::array<Vector, 3> u = {difference(q, p), difference(r, q), difference(p, r)};
@@ -158,7 +158,7 @@ private:
     return {Number(l.weights[0]) / sum, Number(l.weights[1]) / sum, Number(l.weights[2]) / sum};
   }
 
-  // The corners of a triangle where its side k runs from a to b.
+  // Corners of a triangle whose side k runs from a to b.
   std::array<Planar, 3> placed(std::size_t triangle, int k, const Planar& a, const Planar& b) const
   {
     const Side& s = sides_[triangle][k];
@@ -176,14 +176,14 @@ private:
             weights[0] * corners[0].y + weights[1] * corners[1].y + weights[2] * corners[2].y};
   }
 
-  // Paths along edges: upper bounds that end the search where nothing new can be found.
+  // Paths along edges: upper bounds that terminate the search.
   void bound_edges(const std::vector<std::size_t>& source_vertices, const std::vector<Location>& sources)
   {
     bounds_.assign(number_of_vertices_, infinity());
     for (std::size_t v : source_vertices) bounds_[v] = 0;
     for (const Location& s : sources)
       for (int k = 0; k < 3; ++k)
-      { // no farther than the longer side at the corner
+      { // no farther than via the longer side at the corner
         const Number d = (std::max)(sides_[s.triangle][k].length, sides_[s.triangle][(k + 2) % 3].length);
         lower(bounds_[triangles_[s.triangle][k]], d);
       }
@@ -229,7 +229,7 @@ private:
         }
   }
 
-  // Straight pieces from a source, into its triangle and those on the other side of the edges that it lies on.
+  // Straight pieces from a source, into its triangle and adjacent triangles of edges that contain it.
   void leave(const Location& s)
   {
     start_ = 0;
@@ -253,7 +253,7 @@ private:
   void start_around(std::size_t f, const std::array<Number, 3>& weights, unsigned exits)
   {
     std::array<Planar, 3> corners = placed(f, 0, {0, 0}, {sides_[f][0].length, 0});
-    // from the nearest corner: others are far away in graded triangles
+    // from the nearest corner: other corners are far away in graded triangles
     const int near = int(std::max_element(weights.begin(), weights.end()) - weights.begin());
     const std::array<Number, 3>& w = weights;
     const int p = (near + 1) % 3, q = (near + 2) % 3;
@@ -300,15 +300,15 @@ private:
     visited_[f] = false;
   }
 
-  // Whether b is to the left of the ray to a, or on it up to 1e-30 of the ray's length: a path by way of a point of the ray is
-  // as long then.
+  // Whether b is to the left of the ray to a, or on it up to 1e-30 of the ray's length; then a path via a point of the ray
+  // is as long.
   static bool is_to_the_left(const Planar& a, const Planar& b)
   {
     const Number p = a.x * b.y, q = a.y * b.x;
     return p - q >= Number(-1e-30) * (absolute(p) + absolute(q));
   }
 
-  // Of the origin from the segment from a to b.
+  // Distance of the origin from the segment from a to b.
   static Number distance_of_line(const Planar& a, const Planar& b)
   {
     const Planar u = {b.x - a.x, b.y - a.y};
@@ -322,7 +322,7 @@ private:
   std::vector<std::array<Side, 3>> sides_;
   std::size_t number_of_vertices_;
   std::vector<Query> queries_;
-  std::vector<Number> distances_, bounds_; // of vertices, and of queries behind them
+  std::vector<Number> distances_, bounds_; // of vertices, followed by those of queries
   std::vector<bool> done_, visited_;
   Number farthest_ = 0, start_ = 0;
 };

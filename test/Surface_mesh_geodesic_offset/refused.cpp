@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What must not compile: certified bounds with flags that change the arithmetic, and traits of the user's with numbers of
-// CORE. ctest checks the messages.
+// Code that must not compile: certified bounds with flags that change the arithmetic, and user traits with numbers of CORE.
+// ctest checks the messages.
 
 #ifdef REFUSED_TRAITS
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;

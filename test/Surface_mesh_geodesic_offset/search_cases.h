@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes, sources and levels on which offsets are hard to cut: ties, noise far below the size of the faces, needles, levels
-// within rounding of the distances where their topology changes. All of them are determined by a seed.
+// Meshes, sources and levels for which cutting offsets is difficult: ties, noise far below the size of the faces, needles,
+// levels within rounding of events. A seed determines each.
 
 #ifndef GEODESIC_OFFSET_TEST_SEARCH_CASES_H
 #define GEODESIC_OFFSET_TEST_SEARCH_CASES_H
@@ -20,13 +20,13 @@
 
 namespace test {
 
-/// 10 to the power of a number uniform between the exponents.
+/// Log-uniform number, between two powers of 10.
 inline double log_uniform(Random& random, double low, double high)
 {
   return std::pow(10, uniform(random, low, high));
 }
 
-/// Moves all points by up to `noise` in each of the coordinates of which `along` is true.
+/// Displaces all points by up to `noise` in each coordinate of which `along` is true.
 inline void add_noise(Soup& soup, Random& random, double noise, std::array<bool, 3> along)
 {
   for (Point_3& p : soup.points)
@@ -38,10 +38,10 @@ inline void add_noise(Soup& soup, Random& random, double noise, std::array<bool,
   }
 }
 
-/// Coordinates as a file with single precision keeps them.
+/// Rounds coordinates to single precision, as in some files.
 inline void round_to_float(Soup& soup)
 {
-  // volatile: g++ 12 with -O2 leaves out conversions to float and back when it vectorizes them
+  // volatile: g++ 12 with -O2 omits conversions to float and back when it vectorizes
   const auto rounded = [](double x) {
     const volatile float result = static_cast<float>(x);
     return double(result);
@@ -49,7 +49,7 @@ inline void round_to_float(Soup& soup)
   for (Point_3& p : soup.points) p = Point_3(rounded(p.x()), rounded(p.y()), rounded(p.z()));
 }
 
-/// A tube of n flat sides, m rows of height `height`, open at both ends.
+/// Tube of n flat sides and m rows of height `height`, open at both ends.
 inline Soup tube(std::size_t n, std::size_t m, double radius, double height)
 {
   Soup soup;
@@ -70,7 +70,7 @@ inline Soup tube(std::size_t n, std::size_t m, double radius, double height)
   return soup;
 }
 
-/// The meshes of the search, by kind.
+/// Meshes of the search, by kind.
 class Search_meshes
 {
 public:
@@ -248,7 +248,7 @@ private:
              ? turned(random, marching_sphere(4 + 2 * uniform_index(random, 2)), 0.5)
              : turned(random, random_mixture(random), 0.5);
   }
-  // Points in two clusters, one a millionth as large as the other.
+  // Points in two clusters, one smaller by a factor of a million.
   static Soup random_mixture(Random& random)
   {
     std::vector<Point_2> plane;
@@ -267,7 +267,7 @@ private:
   }
 };
 
-/// The sources of a case, so that they can be added to several objects, and written.
+/// Sources of a case, which can be added to several objects, and written.
 struct Search_sources
 {
   typedef Geodesic::Face_location Face_location;
@@ -283,7 +283,7 @@ struct Search_sources
     return vertices.empty() && points.empty() && polylines.empty() && edges.empty();
   }
 
-  /// `Solver`: Geodesic, or another class that takes sources
+  /// `Solver`: Geodesic, or another class with sources
   template <class Solver>
   void add_to(Solver& geodesic) const
   {
@@ -316,7 +316,7 @@ struct Search_sources
   }
 };
 
-/// Draws sources on a mesh.
+/// Random sources on a mesh.
 class Source_drawing
 {
 public:
@@ -406,9 +406,9 @@ private:
 
   Surface_mesh::Vertex_index vertex()
   {
-    return mesh_.source(halfedge()); // not an isolated one
+    return mesh_.source(halfedge()); // not an isolated vertex
   }
-  // Not of the border.
+  // Not a border halfedge.
   Surface_mesh::Halfedge_index halfedge()
   {
     return mesh_.next(mesh_.halfedge(face()));
@@ -465,7 +465,7 @@ private:
     const Vector_3 normal(uniform(random_, -1, 1), uniform(random_, -1, 1), uniform(random_, -1, 1));
     return Geodesic::Plane_3(locations_.point(in_face()), normal);
   }
-  // Through a vertex; on regular meshes through many.
+  // Through a vertex; on regular meshes through many vertices.
   Geodesic::Plane_3 plane_along_axis()
   {
     const double axis = uniform(random_);
@@ -488,7 +488,7 @@ private:
   Locations<Surface_mesh> locations_;
 };
 
-/// Draws levels at and next to the features of a field, and plain ones.
+/// Random levels, at and near features of a field and elsewhere.
 class Level_drawing
 {
 public:
@@ -499,7 +499,7 @@ public:
     for (const double d : features.maxima) largest_ = (std::max)(largest_, d);
   }
 
-  /// `count` levels, increasing, less those that fall together.
+  /// At most `count` levels, increasing and distinct.
   std::vector<double> operator()(std::size_t count)
   {
     std::vector<double> levels;
@@ -545,7 +545,7 @@ private:
     return uniform(random_) < 0.5 ? d - off : d + off;
   }
 
-  // Small loops round maxima.
+  // Small loops around maxima.
   double below(double d) { return d - log_uniform(random_, -11, -3) * diagonal_; }
 
   const Field_features& features_;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// On which side a shortest path arrives at a polyline: by the angles between the path's last
-// segment and the polyline, measured round the point where it arrives.
+// Side on which a shortest path arrives at a polyline: by the angles at its end point between the path's last segment and
+// the polyline.
 
 #ifndef GEODESIC_OFFSET_TEST_SIDE_ORACLE_H
 #define GEODESIC_OFFSET_TEST_SIDE_ORACLE_H
@@ -15,7 +15,7 @@
 
 namespace test {
 
-/// A polyline without repeated points, as it was added to the sources.
+/// Polyline without repeated points, as added to the sources.
 struct Oriented_polyline
 {
   std::vector<Face_location> locations;
@@ -37,9 +37,8 @@ public:
       diagonal_(bounding_box_diagonal(mesh))
   {}
 
-  /// The side from which a shortest path from the piece's middle arrives; also checks that it ends
-  /// on the part of the source that the piece names, and makes no acute angle with the polyline
-  /// there.
+  /// Side from which a shortest path from the middle of the piece arrives. Also checks that the path ends on the part of
+  /// the source given by the piece, and makes no acute angle with the polyline there.
   Side side_of(const Offset_piece& piece)
   {
     std::vector<Face_location> path;
@@ -60,7 +59,7 @@ public:
              : side_of_point(polyline, piece.source_part(), arrival, face, away);
   }
 
-  /// Checks the sides of at most about `number` pieces of the curves; the number of those.
+  /// Checks the sides of at most about `number` pieces of the curves; returns the number of checked pieces.
   std::size_t check(const Offset_curves& curves, std::size_t number)
   {
     std::size_t count = 0, pieces = 0, i = 0;
@@ -99,14 +98,14 @@ private:
     return polyline.locations[i % polyline.locations.size()];
   }
 
-  // How far a point is from being on segment i.
+  // Distance of a point from segment i.
   double excess(const Oriented_polyline& polyline, std::size_t i, const Face_location& p) const
   {
     const Face_location &a = vertex(polyline, i), &b = vertex(polyline, i + 1);
     return gap(a, p) + gap(p, b) - gap(a, b);
   }
 
-  // Whether the polyline goes straight on at its vertex i.
+  // Whether the polyline is straight at its vertex i.
   bool is_straight(const Oriented_polyline& polyline, std::size_t i) const
   {
     const std::size_t n = polyline.locations.size();
@@ -121,7 +120,7 @@ private:
   Side side_of_segment(const Oriented_polyline& polyline, std::size_t part,
                        const Face_location& arrival, Face_index face, const Vector_3& away) const
   {
-    // Segments that continue each other straight may go by one name.
+    // collinear consecutive segments may have one name
     const std::size_t n = polyline.locations.size();
     std::size_t i = part;
     const double tolerance = 1e-9 * diagonal_;
@@ -152,13 +151,13 @@ private:
     const double path_angle = angle_of(p, face, away, total);
     const double out = angle_of(p, vertex(polyline, is_last ? i - 1 : i + 1), total);
     const double in = angle_of(p, vertex(polyline, is_first ? 1 : i + n - 1), total);
-    // left of the direction of travel is what lies counterclockwise between `out` and `in`
+    // the left of the direction of travel is counterclockwise between `out` and `in`
     const double after_out = turn(out, path_angle, total), before_in = turn(path_angle, in, total);
     const double before_out = turn(path_angle, out, total), after_in = turn(in, path_angle, total);
     const bool left = is_first || is_last || after_out < turn(out, in, total);
     const double smaller =
       left ? (std::min)(after_out, before_in) : (std::min)(after_in, before_out);
-    if (!is_border_point(p)) // else one of these is across the border
+    if (!is_border_point(p)) // otherwise one of these is across the border
       CHECK_DETAIL(smaller >= 0.5 * CGAL_PI - 1e-6, values(smaller, 0.5 * CGAL_PI));
     if (is_first || is_last) return Side::CAP;
     return left ? Side::LEFT : Side::RIGHT;
@@ -172,7 +171,7 @@ private:
     return mesh_.is_border(mesh_.edge(mesh_.halfedge(support[0].first, support[1].first)));
   }
 
-  // The way counterclockwise from a to b.
+  // Counterclockwise angle from a to b.
   static double turn(double a, double b, double total)
   {
     double t = std::fmod(b - a, total);
@@ -185,15 +184,15 @@ private:
     return std::atan2(length(CGAL::cross_product(a, b)), a * b);
   }
 
-  // The direction from p to q, which have a face in common.
+  // Direction from p to q, which have a common face.
   double angle_of(const Face_location& p, const Face_location& q, double& total) const
   {
     return angle_of(p, locations_.common_face(p, q), locations_.point(q) - locations_.point(p),
                     total);
   }
 
-  // A direction at p, which lies in the plane of a face at p, counterclockwise from a first one;
-  // and the sum of all angles round p.
+  // Angle of a direction at p, in the plane of a face at p, counterclockwise from a first direction; `total` is the sum of
+  // all angles around p.
   double angle_of(const Face_location& p, Face_index face, const Vector_3& direction,
                   double& total) const
   {
@@ -213,7 +212,7 @@ private:
       const double angle = angle_between(along, direction); // 0 to pi on either side
       return mesh_.face(h) == face ? angle : 2 * CGAL_PI - angle;
     }
-    // round the vertex, from one halfedge that leaves it to the next
+    // around the vertex, from each outgoing halfedge to the next
     Halfedge_index first = mesh_.opposite(mesh_.halfedge(support[0].first));
     if (mesh_.is_border(support[0].first)) // the first in counterclockwise order
       while (!mesh_.is_border(mesh_.opposite(first))) first = mesh_.next(mesh_.opposite(first));

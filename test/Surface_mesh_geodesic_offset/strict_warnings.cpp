@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The headers of the package, and what tests instantiate of them, for the target strict_warnings: -Wall -Wextra -pedantic
-// -Wconversion -Wsign-conversion -Wshadow -Werror. The tests themselves are compiled without the last three.
+// The headers of the package, with the instantiations of some tests, for the target strict_warnings: -Wall -Wextra
+// -pedantic -Wconversion -Wsign-conversion -Wshadow -Werror. The tests themselves are compiled without the last three.
+
+#include "validation/Offset_validation.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 
 #if defined(__GNUC__)

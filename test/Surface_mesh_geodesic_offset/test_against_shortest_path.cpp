@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Vertex distances from points against CGAL::Surface_mesh_shortest_path, 1e-10 relative, on
-// generated meshes and on the manifold triangle meshes of the data directory.
+// Vertex distances from points against CGAL::Surface_mesh_shortest_path, 1e-10 relative, on generated meshes and on the
+// manifold triangle meshes of the data directory.
 //
-// Where ours is smaller, the path that it traces must prove it: valid on the mesh, from the vertex
-// to a source, and of the length we say. (Surface_mesh_shortest_path 5.5 is wrong at some vertices
-// of blade.off.)
+// If our distance is smaller, its path must prove it: valid on the mesh, from the vertex to a source, and as long as the
+// distance. (Surface_mesh_shortest_path 5.5 is wrong at some vertices of blade.off.)
 //
 //   test_against_shortest_path [MAXIMUM_FACES [NAME_PART]]     default 20000 faces, all names
 
@@ -31,7 +30,7 @@ typedef CGAL::Surface_mesh_shortest_path<Shortest_path_traits> Shortest_path;
 typedef Geodesic::Face_location Face_location;
 typedef test::Surface_mesh::Vertex_index Vertex_index;
 
-// Surface_mesh_shortest_path returns -1 where nothing reaches.
+// Surface_mesh_shortest_path returns -1 for unreachable vertices.
 double as_distance(double answer)
 {
   return answer < 0 ? infinity : answer;
@@ -67,8 +66,7 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
   }
 }
 
-// Whether a path traced from v is a path on the mesh that ends at distance 0 and is no longer than
-// `length`.
+// Whether the path traced from v is a path on the mesh that ends at distance 0 and is no longer than `length`.
 bool is_proved_by_path(const test::Surface_mesh& mesh, const Geodesic& geodesic, Vertex_index v,
                        double length)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds with a tolerance against exact ones and against certified bounds: no distance is larger, none is smaller by more
-// than the bound that is reported, and the bound is within the tolerance.
+// Builds with a tolerance against exact builds and certified bounds: no distance is larger, none is smaller by more than
+// the reported bound, and the bound is within the tolerance.
 
 #include "query_cases.h"
 
@@ -22,7 +22,7 @@ namespace parameters = CGAL::parameters;
 
 const double tolerances[] = {1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.3};
 
-// Rounding of either distance, which the bounds do not contain.
+// Rounding of either distance, which the bounds exclude.
 double rounding(double distance, double scale) { return 1e-12 * distance + 1e-14 * scale; }
 
 std::string text_of(double x)
@@ -38,7 +38,7 @@ struct Totals
 };
 std::map<double, Totals> totals; // per tolerance
 
-// `largest`: what the tolerance allows at a distance.
+// `largest`: error allowed by the tolerance at a distance.
 template <class Function>
 void check_distances(const Query_case& c, const Geodesic& exact, const Geodesic& g, const Path_locations& points,
                      const Function& largest)
@@ -97,7 +97,7 @@ void check_with_all_tolerances(const Query_case& c, const std::vector<Any_source
   Report::instance().set_context(context);
 }
 
-// Several kinds of sources at once
+// Several kinds of sources together.
 void random_sources_of(const Query_cases& cases)
 {
   for (const auto& c : cases)
@@ -121,7 +121,7 @@ void with_one_point(const std::string& name, const Soup& soup)
   check_with_all_tolerances(c, {{{random_location(c.checker.locations, c.mesh, random, 0)}, false}}, random);
 }
 
-// Up to `noise` in z, and up to `across` in x and y.
+// Noise of up to `noise` in z, and up to `across` in x and y.
 Soup with_noise(Soup soup, double noise, unsigned seed, double across = 0)
 {
   Random random(seed);
@@ -173,7 +173,7 @@ void data_meshes()
   }
 }
 
-// Against what is certain.
+// Against certified bounds.
 void certified()
 {
   typedef CGAL::Surface_mesh_geodesic_enclosure<
@@ -204,7 +204,7 @@ void certified()
   }
 }
 
-// Planes that are flat up to noise: exactly, each vertex splits windows; within a tolerance, they merge again.
+// Planes with noise: in exact builds, each vertex splits windows; within a tolerance, they merge again.
 void noise()
 {
   const auto run = [](const std::string& name, const Soup& soup, std::size_t source, double most, double least_of_exact,
@@ -239,7 +239,7 @@ void noise()
   run("box with noise", with_noise(cube_grid(30), 1e-8, 1, 1e-8), 17, 4.5, 20, 1e-8);
 }
 
-// Ten tolerances, from one below rounding to a large one. Never many more windows than exactly.
+// Ten tolerances, from below rounding to large. Never many more windows than in exact builds.
 void check_degenerate(const Query_case& c, const std::vector<Any_source>& sources, Random& random)
 {
   Geodesic exact(c.mesh), g(c.mesh);
@@ -269,7 +269,7 @@ void check_degenerate(const Query_case& c, const std::vector<Any_source>& source
   Report::instance().set_context(context);
 }
 
-// Of bending needles; up to `noise` of the height in z.
+// Bending needles, with noise in z of up to `noise` times the height.
 Soup bent(Soup soup, double height, double noise, unsigned seed)
 {
   Random random(seed);
@@ -278,8 +278,8 @@ Soup bent(Soup soup, double height, double noise, unsigned seed)
   return soup;
 }
 
-// Needles thinner than the square root of rounding, where distances do not tell directions; slits. Rotated, their
-// coordinates have the rounding of the longest edges.
+// Needles thinner than the square root of rounding, where distances do not determine directions; slits. After a rotation,
+// their coordinates have the rounding errors of the longest edges.
 void degenerate_meshes()
 {
   const auto run = [](const std::string& name, const Soup& soup, unsigned seed)
@@ -318,7 +318,7 @@ void degenerate_meshes()
   run("strip, rotated", rotated(planar_grid(3, 400, Diagonals::random, 1, 0.2, 4), 4), 4);
 }
 
-// Larger ones, where rays were lost, or where windows that had one image did not merge any more.
+// Larger meshes on which rays were lost, or windows with one image no longer merged.
 void lost_rays_and_split_windows()
 {
   const auto run = [](const std::string& name, const Soup& soup, double most, double most_from_curve)
@@ -351,7 +351,7 @@ void lost_rays_and_split_windows()
   run("rotated strip", rotated(planar_grid(4, 2500), 3), 3, 3);
 }
 
-// What else can be asked, and what cannot.
+// Valid and invalid queries.
 void queries()
 {
   const Query_case c("", wavy(30));
@@ -401,7 +401,7 @@ void queries()
   CHECK_THROWS(g.offset_curves(0.1, std::back_inserter(curves)), std::logic_error);
   CHECK_THROWS(g.build_with_offset_curves(0.1, std::back_inserter(curves), parameters::relative_tolerance(1e-6)),
                std::invalid_argument);
-  CHECK(g.statistics().relative_error_bound > 1e-6); // the last build is still there
+  CHECK(g.statistics().relative_error_bound > 1e-6); // the last build still exists
   g.build(parameters::relative_tolerance(0.));       // exact
   g.shortest_path_to_sources(v, std::back_inserter(path));
   g.build_with_offset_curves(0.1, std::back_inserter(curves), parameters::relative_tolerance(0.).merging_tolerance(0.));
@@ -425,7 +425,7 @@ void bad_tolerances()
   CHECK(g.statistics().relative_error_bound <= 0.5);
 }
 
-// Updates keep the tolerance; a maximum distance and targets go with it.
+// Updates keep the tolerance, also with a maximum distance and targets.
 void updates_and_limits()
 {
   const Query_case c("", wavy(40));
@@ -460,7 +460,7 @@ void updates_and_limits()
   CHECK_DETAIL(d <= e + rounding(e, 1) && d >= (1 - 1e-3) * e - rounding(e, 1), values(d, e));
 }
 
-// How much is saved: all of the cases above together, and shapes that become finer.
+// Savings: all cases above together, and increasingly fine meshes of a shape.
 void fewer_windows()
 {
   for (const auto& item : totals)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Certified bounds contain the distances of a run with 200 bits, and are close together: 150 random meshes, planar,
-// symmetric, rotated and with needles, with points, polylines and edges as sources. Vertices are passed closely, sources
-// lie very near to saddle vertices, and windows are swept in several rounds.
+// symmetric, rotated and with needles, with points, polylines and edges as sources. Rays pass vertices closely, sources are
+// very near to saddle vertices, and windows are swept in several rounds.
 
 #include "geodesic_types.h"
 #include "query_cases.h"
@@ -85,7 +85,7 @@ void check(const std::pair<double, double>& bounds, const CGAL::Gmpfr& distance)
   CHECK_DETAIL(distance <= CGAL::Gmpfr(bounds.second), values(bounds.second, CGAL::to_double(distance)));
 }
 
-// The same sources in both; the distances of all vertices, and of points anywhere, lie within the bounds.
+// Builds both with the same sources; the distances of all vertices, and of arbitrary points, must be within the bounds.
 void contains_200_bits(Query_case& c, unsigned seed, Widths& at_vertices, Widths& elsewhere, std::size_t& windows,
                        std::size_t& certified_windows)
 {
@@ -120,7 +120,7 @@ void contains_200_bits(Query_case& c, unsigned seed, Widths& at_vertices, Widths
     }
   }
   exact.build(CGAL::parameters::keep_windows(true));
-  // without windows, lists in a row are not cut
+  // without kept windows, monotone lists are not swept
   enclosure.build();
   std::vector<std::pair<double, double>> without;
   for (Vertex_index v : vertices(c.mesh))
@@ -168,15 +168,15 @@ void random_meshes()
   CHECK(elsewhere.median() <= 1e-13);
 }
 
-// Where a ray passes a flat vertex so closely that rounding of an edge's length could let it fall between two windows: a
-// source just before the vertex, exactly opposite to another one.
+// A ray that passes a flat vertex so closely that rounding of an edge's length could leave it between two windows: a source
+// just before the vertex, exactly opposite to another source.
 void past_flat_vertex()
 {
   Random random(1);
   for (const double before : {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})
     for (int i = 0; i < 600; ++i)
     {
-      // round vertex 0: two vertices above, three below
+      // around vertex 0: two vertices above, three below
       Soup soup;
       soup.points.push_back(Point_3(uniform(random, 0.3, 1), uniform(random, 0.3, 1), 0));
       const Point_3 o = soup.points.front();
@@ -197,7 +197,7 @@ void past_flat_vertex()
       const Vector_3 a = soup.points[5] - o, b = soup.points[1] - o, way = soup.points[3] - o;
       const double x = -before * way.x(), y = -before * way.y(), area = a.x() * b.y() - a.y() * b.x();
       const double of_a = (x * b.y() - y * b.x()) / area, of_b = (a.x() * y - a.y() * x) / area;
-      if (of_a < 1e-12 || of_b < 1e-12) continue; // would be put on an edge
+      if (of_a < 1e-12 || of_b < 1e-12) continue; // would be moved to an edge
       Face_location source(data.faces[4], {{0, 0, 0}});
       const Mesh_locations locations(data.mesh);
       const auto order = locations.corners(data.faces[4]);
@@ -213,8 +213,8 @@ void past_flat_vertex()
     }
 }
 
-// Sources at a saddle vertex, near and very near, and short segments there: behind it all distances are those by way of it,
-// at most.
+// Sources at a saddle vertex, near and very near, and short segments there: distances behind it do not exceed those via the
+// vertex.
 void near_saddle()
 {
   Random random(2);
@@ -259,7 +259,7 @@ void near_saddle()
       }
 }
 
-// Of random windows on one edge, swept in several rounds, the nearest one stays everywhere, and they stay sorted.
+// Random windows on one edge, swept in several rounds: the nearest window remains everywhere, and the list remains sorted.
 void sweeps()
 {
   using namespace CGAL::Geodesic_offset::internal;
@@ -317,7 +317,7 @@ bool throws(const Function& f)
   return false;
 }
 
-// What the documentation says of use and misuse.
+// Documented use and misuse.
 void use()
 {
   const Generated_mesh<test::Surface_mesh> data(planar_grid(4, 4));
@@ -330,7 +330,7 @@ void use()
   CHECK(enclosure.distance_bounds(data.vertices[0]).first == infinity); // no source
   CHECK(throws<std::logic_error>([&] { enclosure.distance_bounds(inside); }));
   enclosure.add_source_point(data.vertices[0]);
-  CHECK(enclosure.distance_bounds(data.vertices[0]).first == infinity); // until it is built again
+  CHECK(enclosure.distance_bounds(data.vertices[0]).first == infinity); // until the next build
   std::fesetround(FE_UPWARD);
   CHECK(throws<std::logic_error>([&] { enclosure.build(); }));
   std::fesetround(FE_TONEAREST);
@@ -338,7 +338,7 @@ void use()
   CHECK(enclosure.distance_bounds(data.vertices[0]).second == 0);
   CHECK(enclosure.number_of_windows() > 0);
   CHECK(throws<std::invalid_argument>([&] { enclosure.distance_bounds(Face_location(data.faces[5], {{2, -1, 0}})); }));
-  // squared distances in a plane are exact where coordinates are small integers
+  // squared distances in a plane are exact for small integer coordinates
   for (Vertex_index v : vertices(data.mesh))
   {
     const Point_3 &p = data.mesh.point(data.vertices[0]), &q = data.mesh.point(v);
@@ -346,8 +346,8 @@ void use()
   }
 }
 
-// Three right triangles of a grid that was turned: rounding has made the angle of the border at the second of the three
-// vertices on it more than a half turn, by some 5e-17. The path along the border goes on there.
+// Three right triangles of a rotated grid: rounding increased the border angle at the second of the three border vertices
+// beyond a half turn, by about 5e-17. The path along the border continues there.
 void straight_border()
 {
   const Point_3 points[] = {{-0.89038339860091908, 0.34313008280605106, 0.29913065668598604},
@@ -372,7 +372,7 @@ void straight_border()
     }
 }
 
-// Elements that were removed leave gaps, and the geometry of the others does not depend on them.
+// Removed elements leave gaps, and the geometry of the others does not depend on them.
 void removed_elements()
 {
   Generated_mesh<test::Surface_mesh> data(planar_grid(5, 5));
@@ -391,8 +391,8 @@ void removed_elements()
   CHECK(with_gaps == without && with_gaps.size() > 30);
 }
 
-// On needles no window may be certainly nearer than another one, and their number doubles in every face: then there are
-// bounds that contain the distances of 200 bits, or an exception, but not a build without an end.
+// On needles no window may be certainly nearer than another, and the number of windows doubles in every face: the result is
+// bounds that contain the distances of 200 bits, or an exception, but not an endless build.
 void needles_without_an_end()
 {
   std::size_t refused = 0, bounded = 0;

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds contain the distances of an independent reference with 113 bits, which unfolds all sequences of faces: on
-// meshes that once violated them, on adversarial meshes of 5 to 20 faces, and on general ones. The reference itself gives
-// distances in the plane, and those of closed forms. What is beyond the proof is refused.
+// Certified bounds contain the distances of an independent reference with 113 bits, which unfolds all sequences of faces:
+// on meshes that formerly violated them, on adversarial meshes of 5 to 20 faces, and on general ones. The reference itself
+// is tested with distances in the plane and closed forms. Input beyond the proof is rejected.
 //
 //   test_certified_reference [--meshes N]
 
-#include "enclosure_search.h"
+#include "certified_search.h"
 #include "test_check.h"
 
 #include <algorithm>
@@ -25,14 +25,14 @@ namespace test_certified_reference {
 
 using namespace test;
 
-typedef Enclosure_search::Enclosure Enclosure;
+typedef Certified_search::Enclosure Enclosure;
 typedef Reference_distances::Number Number;
 
-std::size_t number_of_meshes = 6000; // adversarial; a tenth as many general ones
+std::size_t number_of_meshes = 6000; // adversarial, plus a tenth of this number of general ones
 
-Enclosure_case case_of(const Soup& soup)
+Certified_case case_of(const Soup& soup)
 {
-  Enclosure_case c;
+  Certified_case c;
   for (const Point_3& p : soup.points) c.points.push_back({p.x(), p.y(), p.z()});
   for (const auto& t : soup.triangles) c.triangles.push_back(t);
   return c;
@@ -45,14 +45,14 @@ void reference_in_the_plane()
   for (unsigned seed = 0; seed < 10; ++seed)
   {
     const Soup soup = random_rectangle(2, 1, 6, 1, seed);
-    Enclosure_case c = case_of(soup);
+    Certified_case c = case_of(soup);
     Reference_distances reference(c.points, c.triangles);
     reference.solve({0}, {}, {});
     for (std::size_t v = 0; v < c.points.size(); ++v)
       CHECK_DETAIL(std::abs(double(reference.of_vertex(v)) - euclidean(soup.points[0], soup.points[v])) < 1e-15,
                    values(double(reference.of_vertex(v)), euclidean(soup.points[0], soup.points[v])));
     // from a point of a face, and of an edge, to points of all faces
-    const auto point = [&](const Enclosure_case::Location& l) {
+    const auto point = [&](const Certified_case::Location& l) {
       const auto& t = c.triangles[l.triangle];
       double x = 0, y = 0;
       for (int k = 0; k < 3; ++k)
@@ -62,9 +62,9 @@ void reference_in_the_plane()
       }
       return Point_3(x, y, 0);
     };
-    std::vector<Enclosure_case::Location> queries;
+    std::vector<Certified_case::Location> queries;
     for (std::size_t f = 0; f < c.triangles.size(); ++f) queries.push_back({f, {0.25, 0.25, 0.5}});
-    for (const Enclosure_case::Location& source : {Enclosure_case::Location{seed, {0.5, 0.25, 0.25}}, {seed, {0.75, 0, 0.25}}})
+    for (const Certified_case::Location& source : {Certified_case::Location{seed, {0.5, 0.25, 0.25}}, {seed, {0.75, 0, 0.25}}})
     {
       reference.solve({}, {source}, queries);
       for (std::size_t q = 0; q < queries.size(); ++q)
@@ -77,7 +77,7 @@ void reference_in_the_plane()
 void reference_with_bends()
 {
   // an L: around its reflex corner
-  Enclosure_case c;
+  Certified_case c;
   c.points = {{1, 1, 0}, {2, 1, 0}, {2, 0, 0}, {0, 0, 0}, {0, 2, 0}, {1, 2, 0}};
   c.triangles = {{1, 0, 2}, {2, 0, 3}, {3, 0, 4}, {4, 0, 5}};
   Reference_distances reference(c.points, c.triangles);
@@ -94,19 +94,19 @@ void reference_with_bends()
     if (std::abs(euclidean(cube.points[0], cube.points[v]) - std::sqrt(3.)) < 1e-9)
       farthest = double(of_cube.of_vertex(v));
   CHECK_DETAIL(std::abs(farthest - std::sqrt(5.)) < 1e-15, values(farthest, std::sqrt(5.)));
-  // a part that is not reached
+  // an unreachable part
   Reference_distances two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
   two.solve({0}, {}, {});
   CHECK(two.of_vertex(2) == Number(1) && two.of_vertex(4) == Reference_distances::infinity());
 }
 
-// Three meshes on which bounds have excluded the distance: a bounding ray that leaves through a flat face, twice, and an
-// apex near the far end of an edge that is long against all distances.
+// Three meshes with former violations: a bounding ray that leaves through a flat face, twice, and an apex near the far end
+// of an edge that is long relative to all distances.
 void known_cases()
 {
   struct Known
   {
-    Enclosure_case c;
+    Certified_case c;
     std::size_t source, target;
     double distance;
   };
@@ -144,7 +144,7 @@ void known_cases()
   cases[2].source = 3;
   cases[2].target = 6;
   cases[2].distance = 2.0877254162284486e-12;
-  Enclosure_search search(std::cout, 10);
+  Certified_search search(std::cout, 10);
   for (Known& k : cases)
   {
     k.c.kind = "known";
@@ -160,24 +160,24 @@ void known_cases()
 
 void run(bool is_adversarial, std::size_t meshes, double median)
 {
-  Enclosure_search search(std::cout, 10);
+  Certified_search search(std::cout, 10);
   for (unsigned seed = 1; seed <= meshes; ++seed)
   {
-    const Enclosure_case c = is_adversarial ? Enclosure_cases::adversarial(seed) : Enclosure_cases::general(seed);
+    const Certified_case c = is_adversarial ? Certified_cases::adversarial(seed) : Certified_cases::general(seed);
     search.run(c, c.kind + ", seed " + std::to_string(seed));
   }
   search.print_table(stdout);
-  Enclosure_counts total = search.total();
+  Certified_counts total = search.total();
   CHECK(total.violations == 0);
   CHECK(total.bounds > 15 * meshes);
   CHECK(100 * (total.refused + total.invalid) <= meshes);
-  CHECK_DETAIL(total.width(0.5) < median, values(total.width(0.5), median)); // else empty bounds would pass
+  CHECK_DETAIL(total.width(0.5) < median, values(total.width(0.5), median)); // otherwise infinite bounds would pass
 }
 
 void adversarial_meshes() { run(true, number_of_meshes, 3e-14); }
 void general_meshes() { run(false, number_of_meshes / 10, 3e-14); }
 
-// A flat strip of n faces, straight and of nearly one direction; its first vertex is the source.
+// Flat strip of n faces, straight and nearly unidirectional; its first vertex is the source.
 Soup strip(std::size_t n)
 {
   Soup soup;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checks that count, print and work in Release builds.
+// Checks that count and print, also in Release builds.
 
 #ifndef GEODESIC_OFFSET_TEST_CHECK_H
 #define GEODESIC_OFFSET_TEST_CHECK_H
@@ -25,23 +25,23 @@ class Report
 public:
   static Report& instance();
 
-  /// Counts a check that holds. The result is true.
+  /// Counts a successful check and returns true.
   bool passed()
   {
     ++checks_;
     return true;
   }
 
-  /// Counts and prints a check that does not. The result is false.
+  /// Counts and prints a failed check and returns false.
   bool failed(const char* expression, const char* file, int line, const std::string& detail);
 
-  /// What is printed with every failure from now on.
+  /// Prefix of all further failures.
   void set_context(const std::string& context) { context_ = context; }
   const std::string& context() const { return context_; }
   std::size_t checks() const { return checks_; }
   std::size_t failures() const { return failures_; }
 
-  /// Prints the totals; the return value of `main`.
+  /// Prints the totals; returns the exit code.
   int finish(const std::string& name) const;
 
 private:
@@ -52,17 +52,17 @@ private:
   std::string context_;
 };
 
-/// The largest error seen, relative to a tolerance that grows with the expected value.
+/// Largest error, relative to a tolerance that grows with the expected value.
 class Worst_error
 {
 public:
-  /// `relative` applies to the expected distance; `scale` is the size of the coordinates, whose own
-  /// rounding (a few units in the last place) no solver can undo.
+  /// `relative` applies to the expected distance; `scale` is the size of the coordinates, whose rounding (a few units in
+  /// the last place) no solver can undo.
   Worst_error(double relative, double scale)
     : relative_(relative), absolute_(16 * std::numeric_limits<double>::epsilon() * scale)
   {}
 
-  /// Whether `actual` equals `expected` (infinities equal each other; NaN equals nothing).
+  /// Whether `actual` equals `expected` (infinities are equal, NaN equals nothing).
   bool add(double actual, double expected)
   {
     ++count_;
@@ -95,7 +95,7 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 
 #define CHECK(condition) CHECK_DETAIL(condition, "")
 
-/// The detail is made only for a check that fails.
+/// `detail` is evaluated only for a failed check.
 #define CHECK_DETAIL(condition, detail)                                                            \
   (static_cast<bool>(condition)                                                                    \
      ? ::test::Report::instance().passed()                                                         \
@@ -128,8 +128,8 @@ bool check_close(Worst_error& worst, double actual, double expected, const char*
 
 namespace test {
 
-/// Runs the (name, function) pairs, each in its context; an exception is a failure. The result is that of `finish`. The case
-/// `data_case` runs if meshes of the data directory are wanted, and the others if generated ones are.
+/// Runs the (name, function) pairs, each in its context; an exception is a failure. Returns the result of `finish`. The
+/// case `data_case` runs if meshes of the data directory are requested, the others if generated meshes are.
 template <class Tests>
 int run_tests(const char* name, const Tests& tests)
 {

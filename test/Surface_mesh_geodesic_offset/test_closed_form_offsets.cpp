@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves on boxes, prisms, cones below and above 2 pi, the regular tetrahedron and a torus
-// of flat quads against closed forms: every point at its distance (1e-12 of the diagonal), numbers
-// of curves, total lengths (1e-11 relative), lengths behind vertices where shortest paths bend.
+// Offset curves on boxes, prisms, cones below and above 2 pi, the regular tetrahedron, and a torus of flat quads against
+// closed forms: every point at its distance (1e-12 of the diagonal), numbers of curves, total lengths (1e-11 relative),
+// lengths behind vertices where shortest paths bend.
 
 #include "closed_forms.h"
 #include "flat_paths.h"
@@ -39,7 +39,7 @@ struct Expected
   std::size_t arcs = any; // number of arcs, where it is known
 };
 
-/// One mesh and all that is checked on it.
+/// A mesh and its checks.
 class Case
 {
 public:
@@ -70,13 +70,13 @@ public:
     path.locations.pop_back();
   }
 
-  /// The legs of a path, or its point.
+  /// Legs of a path, or its point.
   std::vector<Leg> legs(const Path& path) const
   {
     return path.legs.empty() ? std::vector<Leg>{generator_.leg_at(path.locations[0])} : path.legs;
   }
 
-  /// `distance` gives the closed form at a point of a curve; nothing if there is none.
+  /// `distance` returns the closed form at a point of a curve, if available.
   void check(const std::string& what, const Path& path, bool closed, double level,
              const Expected& expected, const std::function<double(const Face_location&)>& distance)
   {
@@ -107,7 +107,7 @@ public:
                 piece.is_nearest_to_segment());
           if (piece.pseudo_source() != test::Surface_mesh::null_vertex())
             bent_length += piece.length();
-          // rounding of the points of a polyline bends it by up to some 1e-11, so there may be arcs of such lengths
+          // rounding of the points of a polyline may bend it by about 1e-11, which creates arcs of such lengths
           arcs += piece.is_arc() && piece.length() > 1e-11 * diagonal_ ? 1 : 0;
           for (int k = 0; distance && k <= 4; ++k)
           {
@@ -139,7 +139,7 @@ public:
     }
   }
 
-  /// With one of the closed forms of closed_forms.h.
+  /// Overload for the closed forms of closed_forms.h.
   template <class ClosedForm>
   void check_form(const ClosedForm& form, const std::string& what, const Path& path, bool closed,
                   double level, const Expected& expected)
@@ -214,11 +214,11 @@ void boxes(unsigned seed)
     const auto at = [&](std::size_t side, double x, double y, double z)
     { return in_side(box, side, Point_3(x, y, z)); };
 
-    // The three right angles of a corner.
+    // The three right angles at a corner.
     for (double d : {0.001, 0.2, 0.44})
       on_box.check_form(box_distance, "corner", on_box.start(2, at(2, 0, 0, 0)), false, d,
                         {1, 0, 1.5 * pi * d});
-    // An edge: a line on either side of it, a quarter circle on the side at either end.
+    // An edge: a line on each side, and a quarter circle at each end.
     Path edge = on_box.start(2, at(2, 0, 0, 0));
     {
       std::vector<std::pair<double, std::size_t>> on_edge;
@@ -235,7 +235,7 @@ void boxes(unsigned seed)
     }
     for (double d : {0.001, 0.2, 0.44})
       on_box.check_form(box_distance, "edge", edge, false, d, {1, 0, 2 * a + pi * d});
-    // A ring at height z: a ring above and one below, then rectangles on top and bottom.
+    // A ring at height z: rings above and below, then rectangles on top and bottom.
     const double z = 0.3;
     Path ring = on_box.start(2, at(2, 0, 0, z));
     on_box.go(ring, 2, at(2, a, 0, z));
@@ -252,8 +252,8 @@ void boxes(unsigned seed)
       on_box.check_form(box_distance, "ring", ring, true, d,
                         {2, 0, 2 * round - 8 * (d - (c - z)) - 8 * (d - z), 0, 0});
 
-    // From the middle of a cube's side: a circle, folded over the edges, and cut by the planes of
-    // symmetry behind the corners.
+    // From the center of a cube's side: a circle, folded over the edges, and cut by the planes of symmetry behind the
+    // corners.
     Case on_cube("cube, seed " + std::to_string(seed),
                  rotated(cube.triangulated(size.per_patch, size.per_edge, seed), seed));
     const Path middle = on_cube.start(1, in_side(cube, 1, Point_3(0.5, 0.5, 1)));
@@ -284,14 +284,14 @@ void prisms(unsigned seed)
           on.check_form(distance, "point", point, false, d,
                         d < period / 2 ? Expected{1, 0, 2 * pi * d}
                                        : Expected{2, 0, 4 * d * std::asin(period / 2 / d)});
-      // Beyond both ends, above and below: two strips are left.
+      // Beyond both ends, above and below: two strips remain.
       const double rim = 0.5;
       const Path low = on.start(1, Point_2(1.3 * w, rim));
       for (double d : {0.6, 0.45 * period})
         if (d > rim)
           on.check_form(distance, "point near the rim", low, false, d,
                         {0, 1, d * (pi + 2 * std::asin(rim / d))});
-      // Round the prism at one height.
+      // Around the prism at one height.
       Path ring = on.start(0, Point_2(0, 1.1));
       for (std::size_t i = 0; i + 1 < sides; ++i)
         on.go(ring, i, Point_2(static_cast<double>(i + 1) * w, 1.1));
@@ -393,7 +393,7 @@ void cones(unsigned seed)
           length += 0.5 + 0.45;
           if (angle >= pi) length += (angle - pi) * d;
           else length -= 2 * d / std::tan(angle / 2);
-          // Else the caps of the arms meet, too.
+          // Otherwise the caps of the arms meet, too.
           is_simple = is_simple && (angle > pi / 2 || d / std::tan(angle / 2) < 0.3);
         }
         if (is_simple) on.check_form(distance, "bent at the apex", bent, false, d, {1, 0, length});
@@ -412,7 +412,7 @@ void cones(unsigned seed)
         on.check_form(distance, "apex", on.start(0, Point_2(0, 0)), false, d, {0, 1, theta * d});
       if (theta <= 2 * pi) continue;
       const double h = 0.3;
-      const Path point = on.start(10, polar(h, 0.2 * sector)); // sees pi to either side
+      const Path point = on.start(10, polar(h, 0.2 * sector)); // pi is visible to either side
       if (10.2 * sector < pi || 9.8 * sector < pi) continue;
       for (double d : {0.1, 0.29})
         on.check_form(distance, "point", point, false, d, {1, 0, 2 * pi * d});
@@ -433,7 +433,7 @@ void tetrahedra(unsigned seed)
   {
     Case on("tetrahedron, seed " + std::to_string(seed),
             rotated(sides.triangulated(size.per_patch, size.per_edge, seed), seed));
-    // Its plane is tiled by it: a vertex is at the points of a lattice of step 2 a.
+    // The tetrahedron tiles the plane: images of a vertex form a lattice with step 2 a.
     const Path vertex = on.start(0, Point_2(0, 0));
     for (double d : {0.01, 1., 0.999 * a})
       on.check_form(distance, "vertex", vertex, false, d, {1, 0, pi * d});
@@ -441,7 +441,7 @@ void tetrahedra(unsigned seed)
       on.check_form(distance, "vertex", vertex, false, d,
                     {1, 0, cut_level(d) * (pi - 6 * std::acos(a / cut_level(d)))});
 
-    // Any other source is at the images under half turns about the points of the lattice of step a.
+    // Images of any other source: half turns about the points of the lattice with step a.
     Random random(seed);
     const auto in_side_0 = [&]()
     {
@@ -462,7 +462,7 @@ void tetrahedra(unsigned seed)
             images.push_back({0, CGAL::ORIGIN + (shift - (leg.a - CGAL::ORIGIN)),
                               CGAL::ORIGIN + (shift - (leg.b - CGAL::ORIGIN))});
           }
-      // A fundamental domain; a corner of it at a generic place is as good as any.
+      // A fundamental domain with a corner at a generic position.
       const Rectangle box{0.123, 0, 0.123 + 2 * a, height};
       for (double d : {0.05, 0.3, 0.9, 1.6})
       {
@@ -485,8 +485,8 @@ void tetrahedra(unsigned seed)
 
 // ------------------------------------------------------------------------------------------------
 
-/// A torus of n x m flat quads; by symmetry one strip of quads, from ring to ring, unfolds into the
-/// plane and tells all distances from a ring.
+/// Torus of n x m flat quads. By symmetry, one strip of quads from ring to ring, unfolded into the plane, gives all
+/// distances from a ring.
 struct Torus
 {
   Torus(std::size_t n, std::size_t m, double major, double minor)
@@ -503,7 +503,7 @@ struct Torus
   {
     return radius(j) * std::sin(pi / static_cast<double>(n));
   }
-  /// From the middle of an edge of ring j to that of ring j + 1.
+  /// From the midpoint of an edge of ring j to that of ring j + 1.
   double slant(std::size_t j) const
   {
     return std::hypot((radius(j + 1) - radius(j)) * std::cos(pi / static_cast<double>(n)),
@@ -524,8 +524,8 @@ struct Torus
     return result;
   }
 
-  /// The quad (i, j) of a location, and its coordinates there: along the edge of ring j from its
-  /// middle, and from that edge towards ring j + 1.
+  /// The quad (i, j) of a location, and its coordinates: along the edge of ring j from its midpoint, and from that edge
+  /// towards ring j + 1.
   Point_2 in_quad(const Case& on, const Soup& soup, const Face_location& l, std::size_t& j) const
   {
     const std::size_t quad = on.data().face_number(l.first) / 2, i = quad / m;
@@ -553,8 +553,8 @@ void tori()
     const double n = static_cast<double>(t.n);
     const std::size_t m = t.m;
 
-    // From the outer equator all strips get narrower: the distance is the way up the strip, and the
-    // offsets are polygons.
+    // All strips get narrower from the outer equator: the distance is the length along the strip, and the offsets are
+    // polygons.
     std::vector<std::size_t> outer, inner, meridian;
     for (std::size_t i = 0; i < t.n; ++i)
     {
@@ -581,10 +581,10 @@ void tori()
                from_outer);
     }
 
-    // From the inner equator they get wider, and ever faster up to the highest ring: beside the
-    // legs, shortest paths bend at the vertices.
+    // From the inner equator, strips get wider, at an increasing rate up to the highest ring: beside the legs, shortest
+    // paths bend at the vertices.
     const std::size_t quarter = m / 4;
-    std::vector<double> angle, length(1, 0), rise(1, 0); // of legs; ways up to the rings
+    std::vector<double> angle, length(1, 0), rise(1, 0); // lengths of legs; distances of the rings
     for (std::size_t k = 0; k < quarter; ++k)
     {
       const std::size_t j = m / 2 + k;
@@ -599,7 +599,7 @@ void tori()
       const std::size_t k = j >= m / 2 ? j - m / 2 : m / 2 - 1 - j;
       const double y = rise[k] + (j >= m / 2 ? p.y() : t.slant(j) - p.y()), x = std::abs(p.x());
       if (x <= t.half_chord(m / 2)) return y;
-      // The last vertex of the strip's side that the shortest path goes through.
+      // The last vertex on the side of the strip that the shortest path passes.
       double result = 0;
       for (std::size_t i = 0; i <= k; ++i)
       {
@@ -619,8 +619,8 @@ void tori()
                {2, 0, 2 * n * (straight + bent), 2 * n * bent}, from_inner);
     }
 
-    // From a meridian, as long as the offset stays in the quads beside it: what is lost or won at
-    // each vertex depends on the angle there.
+    // From a meridian, as long as the offset stays in the adjacent quads: the length lost or gained at each vertex depends
+    // on its angle.
     double legs = 0, shift = 0; // for distance 1
     for (std::size_t j = 0; j < m; ++j)
     {

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances on planes, needle-faced planes, the L, boxes, the tetrahedron, prisms, closed and open
-// cones of several random triangulations, from points and polylines with vertices anywhere, against
-// closed forms: 1e-12 relative.
+// Distances on planes, needle-faced planes, the L, boxes, the tetrahedron, prisms, closed and open cones, with several
+// random triangulations, from points and polylines with vertices anywhere, against closed forms: 1e-12 relative.
 
 #include "closed_forms.h"
 #include "flat_paths.h"
@@ -67,7 +66,7 @@ private:
       geodesic.add_source_polyline(path.locations);
       compare("polyline of " + std::to_string(path.legs.size()) + " legs", geodesic, path.legs);
     }
-    if (name_ == "L") // a straight way back may leave the L
+    if (name_ == "L") // a straight closing leg may leave the L
       return;
     for (std::size_t legs : {2, 7})
     {

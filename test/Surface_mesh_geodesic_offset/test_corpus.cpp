@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A short run of benchmark/Surface_mesh_geodesic_offset/Robustness/corpus.cpp on generated meshes: each kind with each
-// perturbation once. The outcomes come first: a crash, an endless loop and a damaged result are told from each other.
+// Short run of benchmark/Surface_mesh_geodesic_offset/Robustness/corpus.cpp on generated meshes: each kind with each
+// perturbation once. First the classification of outcomes: crash, endless loop and damaged result.
 
 #include "corpus_run.h"
 #include "test_check.h"

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Levels that go through vertices, along edges, through maxima and saddles of the distance, beyond
-// it, and levels that are none. A level bounds the points that are strictly nearer. Most coordinates
-// are multiples of 1/8, so ties are exact.
+// Levels through vertices, along edges, through maxima and saddles of the distance, beyond it, and invalid levels. A level
+// bounds the points that are strictly nearer. Most coordinates are multiples of 1/8, so ties are exact.
 
 #include "level_check.h"
 
@@ -14,8 +13,8 @@ namespace test_degenerate_levels {
 
 using namespace test;
 
-// A level through vertices (3-4-5 triangles), one that touches the border, one that meets it at
-// vertices, one through the farthest points, and beyond.
+// A level through vertices (3-4-5 triangles), one that touches the border, one that meets it at vertices, one through the
+// farthest points, and one beyond.
 void vertices_on_the_level()
 {
   for (const Diagonals diagonals : all_diagonals)
@@ -54,7 +53,7 @@ void edges_on_the_level()
     for (double level : {std::sqrt(0.03125), std::sqrt(0.125), 0.75})
       check_level("a diagonal", square.mesh, slanted, level,
                   {1, 1, 2 * std::sqrt(8.) + 2 * pi * level});
-    // the maximum between two lines is a line: it bounds the points on either side of it
+    // the maximum between two lines is a line: the level bounds the points on either side
     const auto two_lines =
       square.polylines({{Point_2(0, 1), Point_2(4, 1)}, {Point_2(0, 2), Point_2(4, 2)}});
     check_level("two lines, between", square.mesh, two_lines, 0.25, {4, 0, 16});
@@ -63,7 +62,7 @@ void edges_on_the_level()
   }
 }
 
-// A saddle between two points, at a vertex or inside an edge: until there two curves, then one.
+// Saddle between two points, at a vertex or inside an edge: two curves below it, one above.
 void saddles()
 {
   for (const Diagonals diagonals : all_diagonals)
@@ -80,14 +79,14 @@ void saddles()
                   {1, 1, one_curve(half * (1 + 1e-6)), 1e4});
       check_level("far above", square.mesh, two, half + 0.25, {1, 1, one_curve(half + 0.25), 40});
     }
-    // a saddle that is a whole segment
+    // a saddle in the form of a segment
     const auto parallel =
       square.polylines({{Point_2(1, 1.5), Point_2(3, 1.5)}, {Point_2(1, 2.5), Point_2(3, 2.5)}});
     check_level("two segments, saddle", square.mesh, parallel, 0.5, {2, 2, 8 + 2 * pi});
     check_level("two segments, above", square.mesh, parallel, 0.625,
                 {1, 1, 4 + 4 * 0.625 * (pi - std::acos(0.5 / 0.625)), 40});
   }
-  // Round a tube of square section, period 4: the front meets itself at 2.
+  // Around a tube of square section with period 4, the front meets itself at 2.
   Soup tube;
   const std::size_t around = 8, up = 10;
   for (std::size_t j = 0; j <= up; ++j)
@@ -119,8 +118,8 @@ void saddles()
   }
 }
 
-// Sources on multiples of 1/2, levels on multiples of 1/4: fronts touch each other, and themselves, at
-// vertices and inside edges that are long against the level.
+// Sources at multiples of 1/2, levels at multiples of 1/4: fronts touch each other and themselves at vertices, and inside
+// edges that are long relative to the level.
 void touching_fronts()
 {
   for (unsigned seed = 0; seed < 300; ++seed)
@@ -167,7 +166,7 @@ void touching_fronts()
   }
 }
 
-// A local maximum at a vertex, inside an edge, inside a face, on a segment.
+// Local maximum at a vertex, inside an edge, inside a face, on a segment.
 void maxima()
 {
   for (const Diagonals diagonals : all_diagonals)
@@ -188,7 +187,7 @@ void maxima()
       {{Point_2(0.5, 1), Point_2(3.5, 1), Point_2(3.5, 2), Point_2(0.5, 2)}}, true);
     check_level("a rectangle", square.mesh, inner, 0.25,
                 {2, 2, 8 - 8 * 0.25 + 8 + 2 * pi * 0.25, 20});
-    // the maximum inside is a segment of length 2, met from all sides
+    // the maximum inside is a segment of length 2, reached from all sides
     check_level("a rectangle, maximum", square.mesh, inner, 0.5, {2, 2, 4 + 8 + pi, 20});
   }
   const Data cube(cube_grid(4)), coarse(box_sides(1, 1, 1).triangulated(0, 0, 1));
@@ -198,7 +197,7 @@ void maxima()
       if (cube.mesh.point(v) == Point_3(0.5, 0.5, 1)) g.add_source_point(v);
   };
   check_level("cube, the opposite vertex", cube.mesh, middle_of_top, 2, {0, 0, 0});
-  // the loop round it: four arcs of radius d round points at distance 2, met at its corners (t, t)
+  // the loop around it: four arcs of radius d around points at distance 2, with corners at (t, t)
   const double d = 2 - 0.001, t = 1 - std::sqrt(d * d / 2 - 1);
   check_level("cube, just below", cube.mesh, middle_of_top, d, {1, 1, 8 * d * std::asin(t / d), 9});
   check_level("cube, round edges", cube.mesh, middle_of_top, 0.5, {1, 1, pi});
@@ -217,7 +216,7 @@ void maxima()
   check_level("tetrahedron, the farthest point", tetrahedron.mesh, apex, middle * (1 + 1e-12),
               {0, 0, 0});
 
-  // A thin rhombus: the distance falls slowly from its middle.
+  // A thin rhombus: the distance decreases slowly from its center.
   for (double half : {0.25, 0.0625, 0.0078125, 0.0009765625})
   {
     Soup rhombus;
@@ -243,7 +242,7 @@ void maxima()
   }
 }
 
-// A saddle vertex on the level: behind it the curve is an arc round it.
+// Saddle vertex on the level: the curve behind it is an arc around it.
 void saddle_vertex()
 {
   for (double turns : {1.25, 1.5})
@@ -264,13 +263,13 @@ void saddle_vertex()
     if (!CHECK(2.2 * radius < inner)) continue;
     check_level("saddle vertex", data.mesh, source, radius, {1, 1, 2 * pi * radius, 10});
     const double level = 1.1 * radius, behind = level - radius;
-    // the whole circle, and an arc round the vertex
+    // the whole circle, and an arc around the vertex
     check_level("behind a saddle vertex", data.mesh, source, level,
                 {1, 1, 2 * pi * level + behind * (cone.total_angle - 2 * pi), 10});
   }
 }
 
-// Sources so near to an edge that their rays fill a half turn behind it, but for rounding.
+// Sources so close to an edge that their rays fill a half turn behind it, up to rounding.
 void points_beside_edges()
 {
   Random random(8);
@@ -290,14 +289,14 @@ void points_beside_edges()
           const auto point = [&](Geodesic& g) { g.add_source_point(near); };
           const Point_3 p = locations.point(near);
           const double room = (std::min)({p.x(), p.y(), 4 - p.x(), 4 - p.y()}), level = uniform(random, 0.1, 1) * room;
-          if (room < 0.1) continue; // beside an edge of the border
+          if (room < 0.1) continue; // beside a border edge
           check_level("a point beside an edge, by " + std::to_string(off * 1e12) + "e-12", square.mesh, point, level,
                       {1, 1, 2 * pi * level, 10});
         }
     }
 }
 
-// The same of a corner of a polyline: the offset is that of the corner on the edge.
+// Corners of polylines close to edges: the offset is that of a corner on the edge.
 void corners_beside_edges()
 {
   Report::instance().set_context("a corner beside an edge");
@@ -329,7 +328,7 @@ void corners_beside_edges()
   CHECK(on_the_edge > 1);
 }
 
-// The edges of the border on which a point (x, y) for which `is_wanted` is true lies at both ends.
+// Border edges with both end points (x, y) satisfying `is_wanted`.
 template <class Predicate>
 Add_sources border_edges(const test::Surface_mesh& mesh, const Predicate& is_wanted)
 {
@@ -340,8 +339,8 @@ Add_sources border_edges(const test::Surface_mesh& mesh, const Predicate& is_wan
   return [edges](Geodesic& g) { g.add_source_edges(edges); };
 }
 
-// Levels next to a line on which the distance is largest: the two sides of a strip that is narrower than rounding lets one
-// tell arcs apart. In general position, as the medial line of a pocket lies in the faces of a mesh of a CAD model.
+// Levels near a line of largest distance: the two sides of a strip narrower than the resolution of arcs. In general
+// position, as the medial line of a pocket lies in the faces of a CAD mesh.
 void plateaus()
 {
   const double relative[] = {-1e-9, -1e-10, -3e-11, -1e-11, -3e-12, -1e-12, 0, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9};
@@ -360,7 +359,8 @@ void plateaus()
     }
 }
 
-// A line and a circle that touch, and are about to: the level ends in cusps there, narrower than that for a long way.
+// A line and a circle that touch or nearly touch: the level ends in cusps that are narrower than that resolution over a
+// long distance.
 void cusps()
 {
   for (std::size_t inside : {2, 5, 20, 100})
@@ -427,7 +427,7 @@ void levels_that_are_no_distances()
     check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level); });
     check_refused([&] { CGAL::Offset_levels<double>::equally_spaced(level, 3); });
   }
-  for (double spacing : {1e-300, 1e-14}) // levels that rounding does not let one tell apart, without an end
+  for (double spacing : {1e-300, 1e-14}) // levels that rounding cannot distinguish, without an end
   {
     const auto levels = CGAL::Offset_levels<double>::equally_spaced(spacing);
     CHECK_THROWS(geodesic.offset_curves(levels, std::back_inserter(curves)), std::invalid_argument);
@@ -436,12 +436,12 @@ void levels_that_are_no_distances()
   }
   CHECK(curves.empty());
   CHECK(geodesic.distance_to_sources(square.vertex(0, 0)) ==
-        distance); // the last build is still there
+        distance); // the last build still exists
   geodesic.offset_curves(std::vector<double>(), std::back_inserter(curves));
   geodesic.offset_curves(CGAL::Offset_levels<double>::equally_spaced(0.5, 0),
                          std::back_inserter(curves));
   CHECK(curves.empty());
-  geodesic.offset_curves(1e-300, std::back_inserter(curves)); // positive is enough
+  geodesic.offset_curves(1e-300, std::back_inserter(curves)); // any positive spacing is valid
   geodesic.offset_curves(std::numeric_limits<double>::denorm_min(), std::back_inserter(curves));
   curves.clear();
   geodesic.offset_curves(std::vector<double>{4, 5, 1e300}, std::back_inserter(curves));

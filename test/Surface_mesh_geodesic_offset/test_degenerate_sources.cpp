@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sources that touch, cross, overlap, repeat points, and lie along the boundary. Most coordinates
-// are multiples of 1/8, so ties are exact.
+// Sources that touch, cross, overlap, repeat points, and lie along the boundary. Most coordinates are multiples of 1/8, so
+// ties are exact.
 
 #include "level_check.h"
 
@@ -81,8 +81,7 @@ void sources_that_meet()
   }
 }
 
-// A segment from the middle of an edge to the middle of the next one, whose end normals run along
-// edges: the distance at all vertices.
+// A segment between the midpoints of consecutive edges, whose end normals are along edges: the distance at all vertices.
 void segments_between_edges()
 {
   for (const Diagonals diagonals : all_diagonals)

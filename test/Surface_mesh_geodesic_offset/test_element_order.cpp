@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// In whatever order a mesh has its vertices and faces, the results are the same: those of a mesh whose order is good against
-// those of the same mesh shuffled, which is large enough to be renumbered inside.
+// Results do not depend on the order of vertices and faces: a well-ordered mesh is compared with the same mesh shuffled,
+// which is large enough for internal renumbering.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -34,7 +34,7 @@ typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
 
 constexpr double tolerance = 1e-10; // of lengths; the torus has about the size 1
 
-/// A torus without symmetries, and a point of no face.
+/// A torus without symmetries, and a point without faces.
 Soup bumpy_torus(std::size_t n, std::size_t m)
 {
   Soup soup = torus(n, m);
@@ -70,7 +70,7 @@ struct Ordered_mesh
     }
   }
 
-  /// In the triangle, with weights of its corners.
+  /// Location in the triangle by weights of its corners.
   Face_location location(std::size_t triangle, const std::array<double, 3>& weights, const Soup& soup) const
   {
     Face_location result(faces[triangle], {{0, 0, 0}});
@@ -86,7 +86,7 @@ struct Ordered_mesh
   std::vector<Face_index> faces;
 };
 
-/// Tells what the flat arrays look like.
+/// Access to the flat arrays.
 struct Opened : CGAL::Surface_mesh_geodesic_distance<Traits>
 {
   using CGAL::Surface_mesh_geodesic_distance<Traits>::Surface_mesh_geodesic_distance;
@@ -141,7 +141,7 @@ void add_sources(Geodesic& geodesic, const Ordered_mesh& data, const Soup& soup)
 struct Passed
 {
   std::size_t edges = 0, vertices = 0, faces = 0;
-  double parts = 0; // from the end of an edge that comes first in the soup
+  double parts = 0; // from the end of an edge that is first in the soup
   const Ordered_mesh& data;
   std::vector<std::size_t> soup_index;
 
@@ -182,7 +182,7 @@ void same_results(const Ordered_mesh& a, const G& g, const Ordered_mesh& b, cons
   CHECK(different == 0);
 
   Passed on_a(a), on_b(b);
-  for (int pass = 0; pass < 3; ++pass) // paths remember
+  for (int pass = 0; pass < 3; ++pass) // paths have caches
     for (const auto& q : queries.points)
     {
       const Face_location p = a.location(q.first, q.second, soup), r = b.location(q.first, q.second, soup);
@@ -260,7 +260,7 @@ void shuffled_mesh()
   CHECK(std::abs(g.distance_to_sources(g.locate(p)) - h.distance_to_sources(h.locate(p))) <= tolerance);
 }
 
-// The mesh is in order, but not the user's indices.
+// An ordered mesh with shuffled user indices.
 void shuffled_indices()
 {
   Ordered_mesh good(soup(), false);
@@ -326,7 +326,7 @@ void messages()
     g.add_source_point(shuffled.vertices[77]);
     g.build();
     CHECK(g.distance_to_sources(shuffled.vertices[5000]) < 10);
-    CHECK(g.distance_to_sources(shuffled.vertices.back()) == infinity); // of no face
+    CHECK(g.distance_to_sources(shuffled.vertices.back()) == infinity); // without faces
   }
   Ordered_mesh degenerate(soup(), true);
   const auto corners = Locations<Mesh>(degenerate.mesh).corners(degenerate.faces[700]);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A kernel with exact square roots: distances equal closed forms, as numbers of CORE: on boxes, the tetrahedron, the
-// octahedron, prisms, a saddle, an L and a plane; from vertices, points on edges and in faces, and segments. Offsets have
+// A kernel with exact square roots: distances equal closed forms, as numbers of CORE, on boxes, the tetrahedron, the
+// octahedron, prisms, a saddle, an L and a plane, from vertices, points on edges and in faces, and segments. Offsets have
 // exact joints, and polylines with few points.
 
 #include "generated_soup.h"
@@ -11,7 +11,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -71,7 +71,7 @@ public:
       std::size_t found = 0, k = 0;
       for (auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
       {
-        // the halfedge's target comes first; coordinates start with its source
+        // coordinates start with the halfedge's source, which follows its target here
         const auto w = weights.find(std::size_t(v));
         if (w != weights.end())
         {
@@ -119,7 +119,7 @@ private:
   std::unique_ptr<Geodesic> geodesic_;
 };
 
-// Vertex i has the coordinates a, b, c where its bits say so.
+// The bits of i select the coordinates a, b, c of vertex i.
 Shape box(const FT& a, const FT& b, const FT& c)
 {
   std::vector<Point_3> p;
@@ -144,13 +144,13 @@ void test_box(const FT& a, const FT& b, const FT& c)
   }
   // the opposite corner: over any of the three edges between
   s.expect(7, least(least(hypotenuse(a, b + c), hypotenuse(b, a + c)), hypotenuse(c, a + b)));
-  // the middle of the edge 0 1: the vertices of the side opposite, through one or two sides
+  // the midpoint of edge 0 1: the vertices of the opposite side, through one or two sides
   s.start({s.middle(0, 1)});
   for (std::size_t i : {6, 7})
     s.expect(i, least(hypotenuse(a / 2, b + c), least(hypotenuse(a / 2 + b, c), hypotenuse(a / 2 + c, b))));
   for (std::size_t i : {2, 3}) s.expect(i, hypotenuse(a / 2, b));
   for (std::size_t i : {4, 5}) s.expect(i, hypotenuse(a / 2, c));
-  // a point in the side z = 0, at (2a/3, b/3): the top's corners, by the wall that they share with the bottom's border
+  // a point in the side z = 0, at (2a/3, b/3): the corners of the top, via the walls
   s.start({s.at({{0, FT(1) / 3}, {1, FT(1) / 3}, {3, FT(1) / 3}})});
   const FT x = 2 * a / 3, y = b / 3;
   for (std::size_t i = 0; i < 4; ++i)
@@ -159,11 +159,11 @@ void test_box(const FT& a, const FT& b, const FT& c)
     s.expect(i, hypotenuse(dx, dy));
     s.expect(i + 4, least(hypotenuse(dx, dy + c), hypotenuse(dy, dx + c)));
   }
-  // the edge 0 1 as a segment: the sides beside it are swept by parallel rays
+  // the edge 0 1 as a segment: parallel rays sweep the adjacent sides
   s.start({s.vertex(0), s.vertex(1)});
   for (std::size_t i : {2, 3}) s.expect(i, b);
   for (std::size_t i : {4, 5}) s.expect(i, c);
-  for (std::size_t i : {6, 7}) s.expect(i, hypotenuse(b, c)); // round the ends of the segment
+  for (std::size_t i : {6, 7}) s.expect(i, hypotenuse(b, c)); // around the ends of the segment
   s.expect(s.center(0, 2, 3), 2 * b / 3, "in a side beside the segment");
 }
 
@@ -189,7 +189,7 @@ void test_tetrahedron()
   // two of the faces in one plane: the edge opposite is parallel to the source
   s.expect(s.middle(2, 3), height, "the middle of the edge opposite to the segment");
 
-  // the largest distance: its place is found with doubles, its value is exact there
+  // the position of the largest distance is computed with doubles, its value there exactly
   Geodesic geodesic(s.mesh);
   geodesic.add_source_point(s.vertices[0]);
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
@@ -200,7 +200,7 @@ void test_tetrahedron()
   CHECK(geodesic.largest_distance() == edge);
   geodesic.build(CGAL::parameters::compute_largest_distance(true).distance_limit(FT(1)));
   CHECK(geodesic.largest_distance() == FT(1));
-  // all four faces are as far from the center
+  // all four faces are equally far from the center
   const auto located = geodesic.locate_with_distance(Point_3(0, 0, 0));
   CHECK(located.first.first == Mesh::Face_index(0) && located.second == 1 / root(FT(3)));
   CHECK(geodesic.add_source_sharp_edges(109) && !geodesic.add_source_sharp_edges(110));
@@ -218,7 +218,7 @@ void test_octahedron()
   s.start({s.middle(0, 2)});
   for (std::size_t i : {4, 5}) s.expect(i, height);
   for (std::size_t i : {0, 2}) s.expect(i, edge / 2);
-  // unfolded round vertex 4, at an angle of 120 degrees
+  // unfolded around vertex 4, at an angle of 120 degrees
   for (std::size_t i : {1, 3}) s.expect(i, root(FT(7) / 2));
   s.start({s.center(0, 2, 4)});
   s.expect(s.center(2, 1, 4), height * 2 / 3, "the center of a neighbour");
@@ -227,7 +227,7 @@ void test_octahedron()
   for (std::size_t i : {4, 5}) s.expect(i, height);
 }
 
-// The mantle of a prism over a polygon, in two layers; vertex i + n j above corner i.
+// Lateral surface of a prism over a polygon, in two layers; vertex i + n j is above corner i.
 Shape prism(const std::vector<std::array<FT, 2>>& corners, const FT& height)
 {
   const std::size_t n = corners.size();
@@ -278,7 +278,7 @@ void test_prism(const std::vector<std::array<FT, 2>>& corners, const FT& height)
   }
 }
 
-// Eight right angles round vertex 0, that is 4 pi; legs of lengths root 2 and root 3 by turns.
+// Eight right angles around vertex 0, in total 4 pi; legs have alternating lengths root 2 and root 3.
 void test_saddle()
 {
   std::vector<Point_3> p{Point_3(0, 0, 0)};
@@ -292,7 +292,7 @@ void test_saddle()
   Shape s("saddle", p, t);
   const FT leg[2] = {root(FT(2)), root(FT(3))};
   for (std::size_t first : {0, 1})
-    for (int part : {1, 2, 3}) // the source is at so many thirds of a leg
+    for (int part : {1, 2, 3}) // the source divides a leg in thirds
     {
       s.start({part == 3 ? s.vertex(1 + first) : s.at({{0, FT(3 - part) / 3}, {1 + first, FT(part) / 3}})});
       const FT own = leg[first] * part / 3;
@@ -304,15 +304,15 @@ void test_saddle()
         s.expect(1 + i, apart == 0 ? other - own : apart == 1 ? hypotenuse(own, other) : own + other);
       }
     }
-  // the center of a face: at the distances of thirds of both legs from them
+  // the center of a face: a third of one leg away from the other
   s.start({s.center(0, 1, 2)});
   s.expect(0, hypotenuse(leg[0], leg[1]) / 3);
   for (std::size_t i : {3, 4, 5, 6}) s.expect(1 + i, hypotenuse(leg[0], leg[1]) / 3 + leg[i % 2]);
-  s.expect(3, hypotenuse(leg[0] * 4 / 3, leg[1] / 3)); // straight on from the first leg
-  s.expect(8, hypotenuse(leg[0] / 3, leg[1] * 4 / 3)); // straight back from the second one
+  s.expect(3, hypotenuse(leg[0] * 4 / 3, leg[1] / 3)); // straight from the first leg
+  s.expect(8, hypotenuse(leg[0] / 3, leg[1] * 4 / 3)); // straight back from the second leg
 }
 
-// Squares [i, i + 1] x [j, j + 1] with a corner cut off by `is_in`.
+// Squares [i, i + 1] x [j, j + 1] selected by `is_in`.
 template <class Is_in>
 Shape squares(const std::string& name, int n, int m, std::map<std::pair<int, int>, std::size_t>& number, const Is_in& is_in)
 {
@@ -342,7 +342,7 @@ void test_l()
     for (const auto& v : id)
     {
       const FT u = v.first.first, w = v.first.second;
-      // the way to the other arm passes the corner on the wrong side
+      // the path to the other arm passes the corner on the wrong side
       const bool is_hidden = w > 2 && (u - x) * (2 - y) > (w - y) * (2 - x);
       s.expect(v.second, is_hidden ? hypotenuse(x - 2, y - 2) + hypotenuse(u - 2, w - 2) : hypotenuse(x - u, y - w));
     }
@@ -387,7 +387,7 @@ void test_segments_in_plane()
   CHECK(s.geodesic().nearest_source(target)->distance == distance(FT(4), FT(0)));
 }
 
-// Two sources in a plane: the offset's arcs meet where both are at the level.
+// Two sources in a plane: the arcs of the offset meet where both sources are at the level.
 void test_offsets()
 {
   std::map<std::pair<int, int>, std::size_t> id;
@@ -416,11 +416,11 @@ void test_offsets()
       }
     }
   CHECK(pieces > 8);
-  CHECK(joints == 4); // of each of the two joints, the end of one piece and the start of the next
+  CHECK(joints == 4); // each of the two joints is the end of one piece and the start of the next
 }
 
-// A vertex, an edge that ends there, and a polyline to and fro along it: arcs touch segments and coincide with arcs. The
-// offset is that of the edge.
+// A vertex, an edge that ends there, and a polyline back and forth along it: arcs touch segments and coincide with arcs.
+// The offset is that of the edge.
 void test_coinciding_sources()
 {
   std::map<std::pair<int, int>, std::size_t> id;
@@ -463,8 +463,8 @@ void test_coinciding_sources()
   }
 }
 
-// The pieces of an offset round a vertex and edges, one of which ends there, on a triangulation of points with coordinates
-// that are multiples of 1/16: their length, and how far ends of arcs are off their circles.
+// Offset around a vertex and edges, one of which ends there, on a triangulation of points with coordinates that are
+// multiples of 1/16. Returns its length, and the distance of ends of arcs from their circles.
 template <class Traits>
 std::array<double, 2> coinciding_offset(const typename Traits::Triangle_mesh& mesh, unsigned seed)
 {
@@ -517,8 +517,8 @@ void test_coinciding_sources_in_general_position()
   }
 }
 
-// Both offsets of a square: few points, and the ends of pieces among them are exact. The inner offset is a square, whose five
-// points are its corners. The outer one has a quarter of a circle round each corner of the source.
+// Both offsets of a square: few points, and exact ends of pieces among them. The inner offset is a square, whose five
+// points are its corners. The outer one has a quarter circle around each corner of the source.
 void test_points()
 {
   std::map<std::pair<int, int>, std::size_t> id;
@@ -553,8 +553,8 @@ void test_points()
                                            Point_3(low, high, 0)}));
         continue;
       }
-      // Exact where straight parts and arcs meet; a point inside an arc has the sine and cosine of a double. The middle of a
-      // chord is not farther off than the tolerance.
+      // Exact where straight parts and arcs meet; a point inside an arc has the sine and cosine of a double. The midpoint
+      // of a chord is within the tolerance.
       const auto off = [&](const Point_3& p) {
         const FT x = p.x() < 1 ? FT(1 - p.x()) : p.x() > 5 ? FT(p.x() - 5) : FT(0),
                  y = p.y() < 1 ? FT(1 - p.y()) : p.y() > 5 ? FT(p.y() - 5) : FT(0);
@@ -572,7 +572,7 @@ void test_points()
     }
 }
 
-// Traits that are derived from those of the package compute like them, on the package's own numbers.
+// Traits derived from those of the package compute likewise with the package's own numbers.
 void test_derived_traits()
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Package_traits;
@@ -581,7 +581,7 @@ void test_derived_traits()
   std::map<std::pair<int, int>, std::size_t> id;
   const Shape s = squares("derived traits", 6, 6, id, [](int, int) { return true; }); // CORE takes a minute
   CGAL::Surface_mesh_geodesic_offset<Derived_traits> geodesic(s.mesh);
-  auto& counts = CGAL::Geodesic_offset::internal::Exact_root_number::counts();
+  auto& counts = CGAL::Geodesic_offset::internal::Radical_number::counts();
   counts.reset();
   geodesic.add_source_point(s.vertices[0]);
   geodesic.build();
@@ -590,7 +590,7 @@ void test_derived_traits()
     CHECK(geodesic.distance_to_sources(s.vertices[v.second]) == hypotenuse(FT(v.first.first), FT(v.first.second)));
 }
 
-// Exact numbers have no use for a tolerance.
+// A tolerance with exact numbers is an error.
 void test_tolerance()
 {
   const Shape box("tetrahedron", {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1)},

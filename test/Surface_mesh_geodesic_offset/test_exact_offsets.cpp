@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Exact offsets of meshes in general position: their curves are those of doubles, and hardly any sign takes exact arithmetic,
-// although joints are ends of two arcs and gates lie on arcs: that these differences are zero is seen from the way in which
-// they are made. Each sign by exact arithmetic may take seconds on such meshes.
+// Exact offsets of meshes in general position: their curves are those of doubles, and very few signs need exact arithmetic,
+// although joints are ends of two arcs and gates lie on arcs: identities of expressions prove that these differences are
+// zero. Each sign by exact arithmetic may take seconds on such meshes.
 
 #include "exact_offset_meshes.h"
 #include "geodesic_types.h"

@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The exact level against the double level on some hundred meshes of 20 to 200 faces: planar, symmetric, needle-faced,
-// closed and open, all of them also rotated, so that what was coplanar or symmetric is so up to rounding only. Distances
-// agree to 1e-13; paths cross the same edges and pass the same vertices wherever they are unique. Certified bounds contain
-// the exact distances.
+// The exact level against the double level on about a hundred meshes of 20 to 200 faces: planar, symmetric, needle-faced,
+// closed and open, also rotated, so that coplanarity and symmetry hold only up to rounding. Distances agree to 1e-13; paths
+// cross the same edges and pass the same vertices if they are unique. Certified bounds contain the exact distances.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -12,7 +11,7 @@
 #include "test_check.h"
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
 #include <algorithm>
@@ -26,10 +25,10 @@ namespace test_exact_random {
 
 using namespace test;
 
-// The numbers that computations run on with Exact_predicates_exact_constructions_kernel_with_sqrt.
-typedef CGAL::Geodesic_offset::internal::Exact_root_number Exact_root_number;
+// The number type of computations with Exact_predicates_exact_constructions_kernel_with_sqrt.
+typedef CGAL::Geodesic_offset::internal::Radical_number Radical_number;
 typedef CGAL::Surface_mesh_geodesic_distance<
-  CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Exact_root_number>, test::Surface_mesh>>
+  CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Radical_number>, test::Surface_mesh>>
   Exact_geodesic;
 typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
   Enclosure;
@@ -44,7 +43,7 @@ struct Totals
   std::vector<double> widths; // of certified bounds, relative
 };
 
-// What a path meets behind its start: edges and vertices, and how near to a vertex it crosses an edge.
+// Edges and vertices on a path after its start, and the smallest parameter distance of its edge crossings from a vertex.
 struct Sequence
 {
   explicit Sequence(const test::Surface_mesh& mesh) : mesh(mesh) {}
@@ -71,9 +70,9 @@ struct Sequence
   double nearest = 1; // parameter
 };
 
-std::array<Exact_root_number, 3> exact(const std::array<double, 3>& w)
+std::array<Radical_number, 3> exact(const std::array<double, 3>& w)
 {
-  return {{Exact_root_number(w[0]), Exact_root_number(w[1]), Exact_root_number(w[2])}};
+  return {{Radical_number(w[0]), Radical_number(w[1]), Radical_number(w[2])}};
 }
 
 class Comparison
@@ -115,7 +114,7 @@ public:
   }
 
 private:
-  // One of a vertex, a point on an edge or in a face, a segment in a face, an edge; or a vertex and a point.
+  // Adds a vertex, a point on an edge or in a face, a segment in a face, an edge, or a vertex and a point.
   void add_sources(Exact_geodesic& exact_level, Geodesic& double_level, Enclosure& enclosure)
   {
     const std::size_t kind = uniform_index(random_, 6);
@@ -153,9 +152,9 @@ private:
     for (Vertex_index v : data_.vertices)
     {
       const auto bounds = enclosure.distance_bounds(v);
-      const Exact_root_number d = exact_level.distance_to_sources(v);
-      CHECK(!(d < Exact_root_number(bounds.first)));
-      CHECK(!(Exact_root_number(bounds.second) < d));
+      const Radical_number d = exact_level.distance_to_sources(v);
+      CHECK(!(d < Radical_number(bounds.first)));
+      CHECK(!(Radical_number(bounds.second) < d));
       if (bounds.second > 0) totals_.widths.push_back((bounds.second - bounds.first) / bounds.second);
     }
   }
@@ -180,7 +179,7 @@ private:
       double_level.shortest_path_sequence_to_sources(v, by_double);
       exact_level.shortest_path_sequence_to_sources(v, exactly);
       ++totals_.paths;
-      // neither level is asked to say on which side of a vertex a path passes that meets it up to rounding
+      // the side on which a path passes a vertex within rounding is not compared
       if ((std::min)(by_double.nearest, exactly.nearest) < 1e-7) continue;
       bool is_unique = true;
       for (Vertex_index w : by_double.vertices) is_unique = is_unique && has_one_path(w, double_level);
@@ -190,8 +189,8 @@ private:
     }
   }
 
-  // Whether the distance decreases at full rate in one direction only, round a vertex: judged by points close by. The
-  // directions in which it decreases at nearly full rate make one angle then, which is not wider than it must be.
+  // Whether the distance from a vertex decreases at full rate in one direction only, tested at nearby points: then the
+  // directions in which it decreases at nearly full rate form one angle, which is not too wide.
   bool has_one_path(Vertex_index v, const Geodesic& double_level)
   {
     const double d = double_level.distance_to_sources(v);
@@ -201,7 +200,7 @@ private:
     double angle = 0;
     std::vector<char> descends;
     bool is_closed = true;
-    // round the vertex, from the border if there is one
+    // around the vertex, from the border if there is one
     Halfedge_index first = halfedge(v, data_.mesh);
     double shortest = scale_;
     for (Halfedge_index h : CGAL::halfedges_around_target(v, data_.mesh))
@@ -227,7 +226,7 @@ private:
           const double turn = corner * k / n, along_b = std::sin(turn) / sine;
           const double to_a = step * (std::cos(turn) - along_b * cosine) / length_of(h);
           const double to_b = step * along_b / length_of(g);
-          if (!(to_a + to_b < 1e-3)) return false; // too flat a corner
+          if (!(to_a + to_b < 1e-3)) return false; // the corner is too flat
           Face_location near_v(face(h, data_.mesh), {{0, 0, 0}});
           const auto corners = locations_.corners(near_v.first);
           for (std::size_t i = 0; i < 3; ++i)
@@ -284,7 +283,7 @@ GEODESIC_OFFSET_TEST(test_exact_random)
 {
   const bool is_verbose = argc > 1;
   Totals totals;
-  Exact_root_number::counts().reset();
+  Radical_number::counts().reset();
   const auto compare = [&](const std::string& name, const Soup& soup, unsigned seed) {
     for (bool is_rotated : {false, true})
     {
@@ -336,7 +335,7 @@ GEODESIC_OFFSET_TEST(test_exact_random)
   }
   CHECK(totals.meshes >= 300);
   CHECK(2 * totals.unique_paths > totals.paths);
-  const auto& counts = Exact_root_number::counts();
+  const auto& counts = Radical_number::counts();
   std::cout << totals.meshes << " meshes, " << totals.distances << " distances, worst relative difference " << totals.worst
             << "; " << totals.paths << " paths, " << totals.unique_paths << " unique; windows " << totals.exact_windows
             << " exactly, " << totals.windows << " in doubles\nsigns in builds " << totals.signs << ", exactly decided "

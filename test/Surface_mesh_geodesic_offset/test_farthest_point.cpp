@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The farthest point: closed forms in the plane and on polyhedra, and on generated and data meshes
-// no sample may be farther, and the distance must be taken at the point. Each time from kept
-// windows, and as the front passes; that also with offsets, limits, targets, updates and tolerances.
+// The farthest point: closed forms in the plane and on polyhedra; on generated and data meshes, no sample may be farther,
+// and the distance must be attained at the point. Each with kept windows and during the propagation, the latter also with
+// offsets, limits, targets, updates and tolerances.
 
 #include "closed_forms.h"
 #include "data_meshes.h"
@@ -25,7 +25,7 @@ Worst_error& error()
   return worst;
 }
 
-/// Builds in both ways, and checks what holds of every farthest point. Returns that from windows.
+/// Builds in both ways, and checks the properties of a farthest point. Returns that from windows.
 Farthest farthest_point(Geodesic& geodesic, const test::Surface_mesh& mesh)
 {
   geodesic.build(CGAL::parameters::compute_largest_distance(true));
@@ -48,7 +48,7 @@ Farthest farthest_point(Geodesic& geodesic, const test::Surface_mesh& mesh)
   return result;
 }
 
-/// The point is at one of the places, up to `tolerance`.
+/// Checks that the point is at one of the places, up to `tolerance`.
 void check_place(const Point_2& p, const std::vector<Point_2>& places, double tolerance = 1e-11)
 {
   double nearest = infinity;
@@ -56,7 +56,7 @@ void check_place(const Point_2& p, const std::vector<Point_2>& places, double to
   CHECK_DETAIL(nearest <= tolerance, std::to_string(p.x()) + ' ' + std::to_string(p.y()));
 }
 
-/// Points of a planar mesh as sources, and where the farthest points are.
+/// Points of a planar mesh as sources, and the expected farthest points.
 void points_in_plane(const Planar_mesh& plane, const std::vector<Point_2>& sources,
                      const std::vector<Point_2>& places)
 {
@@ -96,7 +96,7 @@ void unit_square()
   }
 }
 
-/// A triangle with its vertices as sources: the circumcentre, or a point of the longest edge.
+/// Triangle with its vertices as sources: the circumcentre, or a point of the longest edge.
 void triangle_from_its_vertices()
 {
   Report::instance().set_context("triangle from its vertices");
@@ -122,7 +122,7 @@ void triangle_from_its_vertices()
   }
 }
 
-/// Two parallel polylines: the distance is largest all along a line.
+/// Two parallel polylines: the distance is largest along a line.
 void strip(const Planar_mesh& plane, double low, double high, double height)
 {
   Geodesic geodesic(plane.data.mesh);
@@ -153,7 +153,7 @@ void strips()
   }
 }
 
-/// Patches of closed form: the distance at the point, and a given largest one.
+/// Patches with closed form: the distance at the point, and a given largest distance.
 void from_point(const std::string& name, const Soup& soup, std::size_t source_patch,
                 const Point_2& source, double expected)
 {
@@ -190,8 +190,7 @@ void polyhedra()
   }
   for (unsigned seed = 1; seed <= 3; ++seed)
   {
-    // not the opposite corner, but a quarter of the way from it along the diagonal of the square
-    // side
+    // not the opposite corner, but a quarter of the diagonal of the square side away from it
     const Polyhedron_sides box = box_sides(1, 1, 2);
     for (const std::size_t points : {0, 2, 10})
       from_point("box from a corner", rotated(box.triangulated(points, points / 2, seed), seed), 0,
@@ -205,7 +204,7 @@ void polyhedra()
   }
 }
 
-/// No sample is farther, neither anywhere nor near the point.
+/// Checks that no sample is farther, neither anywhere nor near the point.
 void check_samples(const Geodesic& geodesic, const test::Surface_mesh& mesh,
                    const Farthest& farthest, std::size_t count, Random& random)
 {
@@ -317,7 +316,7 @@ void data_meshes()
   std::cout << used << " meshes of the data directory used" << std::endl;
 }
 
-/// Plates whose border is the source: no vertex has a distance.
+/// Plates whose border is the source: all vertices have distance zero.
 void plates()
 {
   const auto largest = [](const Soup& soup)
@@ -330,7 +329,7 @@ void plates()
     return result;
   };
   Report::instance().set_context("plate");
-  const double width = 100, height = 60, a = 30, b = 20; // a and b: of the frame round the hole
+  const double width = 100, height = 60, a = 30, b = 20; // a and b: of the frame around the hole
   const auto corner = [](double x, double y) { return Point_3(x, y, 0); };
   Soup plate;
   plate.points = {corner(0, 0), corner(width, 0), corner(width, height), corner(0, height)};
@@ -354,7 +353,7 @@ void plates()
   CHECK_CLOSE(error(), largest(rotated(with_hole, 4)), t);
 }
 
-/// The largest distance as the front passes, in builds of all kinds.
+/// The largest distance during propagation, in builds of all kinds.
 void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh,
                          const Face_location& source, const Face_location& other)
 {
@@ -399,7 +398,7 @@ void builds_of_all_kinds(const std::string& name, const test::Surface_mesh& mesh
   context("a cancel");
   geodesic.build(wanted.visitor([](double part) { return part < 0.4; }));
   if (geodesic.is_cancelled()) CHECK(geodesic.largest_distance() == geodesic.covered_distance());
-  else CHECK(mesh.number_of_faces() < 20); // which are all passed at the end
+  else CHECK(mesh.number_of_faces() < 20); // all of them are finalized at the end
 
   context("targets");
   const std::vector<Face_location> targets = {other};
@@ -451,7 +450,7 @@ void builds_of_all_kinds()
     }
 }
 
-/// Few faces are searched as the front passes, also where many have the same distance.
+/// Few faces are searched during propagation, even if many have the same distance.
 void searched_faces()
 {
   const std::pair<const char*, Soup> soups[] = {

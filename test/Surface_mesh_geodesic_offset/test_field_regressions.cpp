@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One regression for each way in which other software is known to fail (public issue trackers,
-// numbers in brackets; CGAL/cgal unless another repository is named).
+// One regression per known failure of other software (public issue trackers, numbers in brackets; CGAL/cgal unless another
+// repository is named).
 
 #include "closed_forms.h"
 #include "flat_paths.h"
@@ -31,8 +31,7 @@ typedef Geodesic::Face_location Face_location;
 typedef Generated_mesh<test::Surface_mesh> Data;
 typedef test::Locations<test::Surface_mesh> Locations;
 
-// A source on a vertex up to round-off, of either sign, is at that vertex (9646), seen from each of
-// its faces.
+// A source on a vertex up to round-off, of either sign, is at that vertex (9646), in each of its faces.
 void source_at_vertex_up_to_rounding()
 {
   for (const Soup& soup : {rotated(random_rectangle(2, 1, 100, 6, 1), 1), icosphere(2),
@@ -64,8 +63,8 @@ void source_at_vertex_up_to_rounding()
   }
 }
 
-// A point in space at a vertex up to round-off is located at that vertex (9646), exactly; and one
-// on an edge on that edge. So it is the same source and the same query.
+// A point in space at a vertex up to round-off is located exactly at that vertex (9646), and one on an edge exactly on that
+// edge. So source and query are the same.
 void located_up_to_rounding()
 {
   for (const Soup& soup :
@@ -119,9 +118,8 @@ void located_up_to_rounding()
   }
 }
 
-// Paths are not empty where there is a way, and do not repeat points (8979): from sources
-// themselves, from points next to them, between adjacent vertices; there is none where there is no
-// way.
+// Paths are nonempty and do not repeat points (8979): from sources themselves, from points near them, between adjacent
+// vertices; between disconnected parts there is none.
 void paths_near_sources()
 {
   for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 5, 9), 9), icosphere(2),
@@ -169,7 +167,7 @@ void empty_and_duplicate()
     {
       geodesic.add_source_polyline(std::vector<Face_location>(), closed);
     }
-    catch (const std::invalid_argument&) // refusing an empty polyline is as good as ignoring it
+    catch (const std::invalid_argument&) // rejecting an empty polyline is as good as ignoring it
     {}
     geodesic.build();
     for (auto v : data.vertices) CHECK(geodesic.distance_to_sources(v) == infinity);
@@ -184,7 +182,7 @@ void empty_and_duplicate()
   }
 }
 
-// A build without any source leaves everything at infinity, and has no curves.
+// Without a source, a build leaves all distances infinite, and has no curves.
 void no_source()
 {
   const Data data(icosphere(1));
@@ -227,8 +225,8 @@ void adjacent_and_border_sources()
   }
 }
 
-// Over-eager pruning (3993): many sources on meshes with saddles; no edge may show a jump, and no
-// vertex distance may change when the nearest source is the only one.
+// Incorrect pruning (3993): many sources on meshes with saddles; no edge may have a jump, and vertex distances must not
+// change if only the nearest source remains.
 void many_sources_on_saddles()
 {
   const Data data(marching_genus_5(10));
@@ -253,7 +251,7 @@ void many_sources_on_saddles()
     CHECK_CLOSE(worst, all.distance_to_sources(data.vertices[i]), expected[i]);
 }
 
-// Isolated vertices do not crash (5280), as sources neither.
+// Isolated vertices do not cause crashes (5280), also as sources.
 void isolated_vertices()
 {
   Soup soup = icosphere(1);
@@ -281,12 +279,12 @@ void isolated_vertices()
     geodesic.build();
     CHECK(geodesic.distance_to_sources(data.vertices.front()) == 0);
   }
-  catch (const std::invalid_argument&) // it may be refused
+  catch (const std::invalid_argument&) // may be rejected
   {}
   CHECK(geodesic.distance_to_sources(data.vertices.back()) == infinity);
 }
 
-// Parts that no source reaches are at infinity, not at 0 (libigl 2554), whatever is asked there.
+// Parts that no source reaches are at infinity, not at 0 (libigl 2554), in all queries.
 void disconnected_parts()
 {
   Soup soup = icosphere(1);
@@ -345,7 +343,7 @@ void source_and_query_on_one_edge()
         std::sqrt(CGAL::squared_distance(locations.point(source), locations.point(query)));
       CHECK_CLOSE(worst, geodesic.distance_to_sources(query), expected);
       CHECK(check(geodesic, query).size() == (t == 0.3 ? 1 : 2)); // along the edge
-      for (auto f : locations.incident_faces(query))              // described from every face
+      for (auto f : locations.incident_faces(query)) // in every incident face
       {
         Face_location other(f, {{0, 0, 0}});
         locations.express(query, f, other.second);
@@ -373,7 +371,7 @@ void source_and_query_on_one_edge()
     }
 }
 
-// Distances, paths, points and gradients on a plane whose points are those of `soup`.
+// Distances, paths, points and gradients on a plane with the points of `soup`.
 template <class Moved>
 void check_moved(const Data& data, const Soup& soup, Moved& geodesic)
 {
@@ -398,7 +396,7 @@ void check_moved(const Data& data, const Soup& soup, Moved& geodesic)
   }
 }
 
-// A custom vertex point map is used (PR 2432): the mesh's own points are all zero.
+// The custom vertex point map is used (PR 2432): the mesh's own points are all zero.
 void custom_point_map()
 {
   const Soup soup = rotated(random_rectangle(2, 1, 60, 5, 6), 6);
@@ -424,8 +422,7 @@ void custom_point_map()
   check_moved(data, soup, with_point_map);
 }
 
-// Segments of length zero and of almost zero, within polylines (libigl 1013, 2535; geometry-central
-// 212).
+// Segments of length zero and nearly zero within polylines (libigl 1013, 2535; geometry-central 212).
 void short_segments()
 {
   const Data data(rotated(random_rectangle(2, 1, 60, 5, 7), 7));
@@ -453,7 +450,7 @@ void short_segments()
       double expected = infinity;
       for (const Leg& leg : path.legs)
         expected = (std::min)(expected, segment_distance(target.a, leg.a, leg.b));
-      // The short segments reach up to 1e-9 of a face away from the path.
+      // Short segments are displaced by up to 1e-9 of a face from the path.
       const double actual = geodesic.distance_to_sources(data.vertices[i]);
       CHECK_DETAIL(actual <= expected + 1e-14 && actual >= expected - 2e-9,
                    values(actual, expected));
@@ -461,8 +458,7 @@ void short_segments()
   }
 }
 
-// Many sources: distances do not collapse near the source set (PR 9565); every vertex of a
-// section's neighbourhood.
+// Many sources: distances near the source set do not collapse (PR 9565); every vertex near a section.
 void many_sources()
 {
   const std::size_t n = 30;
@@ -476,9 +472,9 @@ void many_sources()
                 static_cast<double>(i % (n + 1)));
 }
 
-// Marching-cubes meshes with faces of size 1e-7 next to faces of size 0.1 leave nothing infinite
-// (pygeodesic 14), and needles no NaN (geometry-central 36), from whatever vertex: never below the
-// straight line, Lipschitz along edges, and as far from a to b as from b to a.
+// Marching-cubes meshes with faces of size 1e-7 next to faces of size 0.1 give no infinite distance (pygeodesic 14), and
+// needles no NaN (geometry-central 36), from any vertex: distances are at least the straight line, Lipschitz along edges,
+// and symmetric.
 void tiny_and_needle_faces()
 {
   const std::pair<const char*, Soup> meshes[] = {
@@ -516,7 +512,7 @@ void tiny_and_needle_faces()
         const auto u = data.mesh.vertex(e, 0), v = data.mesh.vertex(e, 1);
         const double d_u = geodesic.distance_to_sources(u), d_v = geodesic.distance_to_sources(v);
         const double allowed =
-          straight(u, v) + 1e-12 * (std::max)(d_u, d_v) + rounding; // of distances good to 1e-12
+          straight(u, v) + 1e-12 * (std::max)(d_u, d_v) + rounding; // of distances accurate to 1e-12
         CHECK_DETAIL(std::abs(d_u - d_v) <= allowed, values(d_u, d_v));
       }
     }
@@ -527,8 +523,7 @@ void tiny_and_needle_faces()
   }
 }
 
-// The same with paths, between all vertices of small meshes and from points anywhere: none empty, all
-// as long as the distance.
+// Paths between all vertices of small meshes and from any points: none empty, all as long as the distance.
 void paths_over_tiny_and_needle_faces()
 {
   const std::pair<const char*, Soup> meshes[] = {
@@ -565,8 +560,8 @@ void paths_over_tiny_and_needle_faces()
   }
 }
 
-// In crumpled needles all paths are equally long up to rounding, and each of two windows may leave a
-// vertex to the other. None is lost, none reached on a detour; with a tolerance, none on a longer one.
+// In crumpled needles all paths have equal length up to rounding, and each of two windows may rely on the other to reach a
+// vertex. No vertex is lost or reached on a detour; with a tolerance, none on a path longer than the tolerance.
 void vertices_hidden_by_rounding()
 {
   const double tolerance = 1e-6;
@@ -603,8 +598,8 @@ void vertices_hidden_by_rounding()
     }
 }
 
-// On meshes whose faces are of sizes from 1e-7 to 1, rounding in a large face is much in a tiny one
-// beside it. Still paths are as long as the distance, and end on the source.
+// On meshes with faces of sizes from 1e-7 to 1, the rounding error in a large face is considerable in an adjacent tiny
+// face. Paths are nevertheless as long as the distance, and end on the source.
 void paths_over_graded_meshes()
 {
   for (unsigned seed = 0; seed < 4000; ++seed)
@@ -655,7 +650,7 @@ void polyline_over_tiny_faces()
   }
 }
 
-// NaN in coordinates of a source is refused.
+// NaN in coordinates of a source is rejected.
 void not_a_number()
 {
   const Data data(icosphere(1));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The gradient is a unit vector in the plane of the face, orthogonal to the offset through the
-// point (1e-9), and what finite differences say. Paths leave offsets at right angles.
+// The gradient is a unit vector in the plane of the face, orthogonal to the offset through the point (1e-9), and agrees
+// with finite differences. Paths leave offsets at right angles.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -37,8 +37,8 @@ struct Face_axes
   Vector_3 x, y;
 };
 
-// At the middle of a piece, which is far from ties if it is long: the gradient is orthogonal to
-// it, and the path leaves it so.
+// At the midpoint of a long piece, which is far from ties, the gradient is orthogonal to the piece, and so is the start of
+// the path.
 void check_piece(const Geodesic& geodesic, Path_checker& checker, const test::Surface_mesh& mesh,
                  const Offset_piece& piece, Totals& totals)
 {
@@ -67,8 +67,8 @@ void check_piece(const Geodesic& geodesic, Path_checker& checker, const test::Su
     CHECK_DETAIL(std::abs(unit(start) * tangent) <= 1e-9, values(unit(start) * tangent, 0));
 }
 
-// Inside a face, the distance grows by 1 along the gradient and not at all across it, away from
-// ties, where it is not differentiable.
+// Inside a face, away from ties, where it is not differentiable, the distance has derivative 1 along the gradient and 0
+// orthogonal to it.
 void check_differences(const Geodesic& geodesic, const Mesh_locations& locations,
                        const test::Surface_mesh& mesh, const Face_location& l, Totals& totals)
 {
@@ -85,7 +85,7 @@ void check_differences(const Geodesic& geodesic, const Mesh_locations& locations
     return Face_location(l.first, {{l.second[0] - w1 - w2, l.second[1] + w1, l.second[2] + w2}});
   };
   const double d = geodesic.distance_to_sources(l);
-  if (h > 1e-3 * d) return; // nearly at the source
+  if (h > 1e-3 * d) return; // close to the source
   ++totals.differences;
   const Vector_3 across = CGAL::cross_product(CGAL::cross_product(axes.x, axes.y), gradient);
   double error = 0;
@@ -93,7 +93,7 @@ void check_differences(const Geodesic& geodesic, const Mesh_locations& locations
   {
     const double after = geodesic.distance_to_sources(moved(direction.first, h)) - d;
     const double before = d - geodesic.distance_to_sources(moved(direction.first, -h));
-    // second differences are h^2 / d at most, unless there is a tie, or a bend at a vertex, nearby
+    // second differences are at most h^2 / d, except near a tie or a bend at a vertex
     if (std::abs(after - before) > 1e-4 * h + 2 * h * h / d)
     {
       ++totals.kinks;
@@ -186,7 +186,7 @@ GEODESIC_OFFSET_TEST(test_gradient)
     if (reason.empty()) run_all(name, mesh);
     else std::cout << name << ": skipped, " << reason << std::endl;
   }
-  // A few points are near ties; if many are, something else is wrong.
+  // Only a few points may be near ties.
   if (totals.differences > 0) CHECK(totals.kinks * 20 <= totals.differences);
   std::cout << totals.pieces << " pieces, worst cosine " << totals.orthogonality
             << "; finite differences at " << totals.differences << " points, worst error "

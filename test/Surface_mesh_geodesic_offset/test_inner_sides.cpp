@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets inside and outside of closed polylines: inside is the side with the smaller area,
-// whichever way the polyline runs. Polylines that have no inside are refused.
+// Offsets inside and outside of closed polylines: inside is the side with the smaller area, independent of the polyline's
+// direction. Polylines without inside are rejected.
 
 #include "planar_polyline.h"
 #include "plane_section.h"
@@ -36,7 +36,7 @@ void check(const Geodesic& geodesic, double level, Offset_side side, std::size_t
                values(total_length(found), length));
 }
 
-// A square of side 2 round (2, 2), both ways round.
+// A square of side 2 around (2, 2), in both directions.
 void squares(const std::string& name, const Planar_mesh& plane)
 {
   const Line square{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
@@ -59,8 +59,7 @@ void squares(const std::string& name, const Planar_mesh& plane)
     }
 }
 
-// A clockwise hole in a counterclockwise square: left of both is the ring, inside of each is its
-// own.
+// A clockwise hole in a counterclockwise square: the left of both is the ring, the inside of each is its own.
 void hole(const Planar_mesh& plane)
 {
   Report::instance().set_context("a hole");
@@ -77,7 +76,7 @@ void hole(const Planar_mesh& plane)
   check(geodesic, d, Offset_side::OUTSIDE, 2, 10 + round + 2 + round);
 }
 
-// More than half of the surface: then the rest is inside.
+// More than half of the surface: the rest is inside.
 void large(const Planar_mesh& plane)
 {
   Report::instance().set_context("a large square");
@@ -92,8 +91,7 @@ void large(const Planar_mesh& plane)
   }
 }
 
-// Along the border, and within rounding of it, there is one side only: that is inside. A strip that is
-// wider is the smaller side.
+// Along the border, and within rounding of it, the only side is inside. A wider strip is the smaller side.
 void along_border(const std::string& name, const Planar_mesh& plane)
 {
   const auto square = [](double e) { return Line{{e, e}, {4 - e, e}, {4 - e, 4 - e}, {e, 4 - e}}; };
@@ -119,11 +117,11 @@ void along_border(const std::string& name, const Planar_mesh& plane)
   }
 }
 
-// Round a hole of the surface, the one side that there is encloses nothing, but it is there.
+// Around a hole of the surface, the only side encloses nothing, but exists.
 void round_hole()
 {
   const Soup grid = planar_grid(8, 8, Diagonals::alternating, 0.5);
-  const std::size_t middle = 4 * 9 + 4; // a vertex that no face has any more
+  const std::size_t middle = 4 * 9 + 4; // a vertex without faces
   Soup soup;
   soup.points = grid.points;
   soup.points.erase(soup.points.begin() + middle);
@@ -148,7 +146,7 @@ void round_hole()
   }
 }
 
-// A square far smaller than its face has an inside, although no sample of areas may see it.
+// A square far smaller than its face has an inside, although samples of areas may miss it.
 void tiny()
 {
   const Planar_mesh plane(random_rectangle(4, 4, 0, 0, 1)); // two triangles
@@ -165,7 +163,7 @@ void tiny()
   }
 }
 
-// Points and edges are kept whatever is chosen.
+// Points and edges are offset with any selection.
 void with_points(const Planar_mesh& plane)
 {
   Report::instance().set_context("with points");
@@ -206,14 +204,13 @@ void in_one_face()
     const double perimeter = 1 + std::sqrt(0.5),
                  d = 0.0625; // a right isosceles triangle with legs 1/2
     const double radius =
-      0.25 / perimeter; // of its inscribed circle: twice the area over the perimeter
+      0.25 / perimeter; // inscribed radius: twice the area over the perimeter
     check(geodesic, d, Offset_side::INSIDE, 1, perimeter * (1 - d / radius));
     check(geodesic, d, Offset_side::OUTSIDE, 1, perimeter + 2 * CGAL_PI * d);
   }
 }
 
-// Sections of a cube at any height: the part with the smaller area is inside, however few faces
-// there are.
+// Sections of a cube at any height: the part with the smaller area is inside, however few faces it has.
 void sections_of_boxes()
 {
   for (std::size_t n : {0, 1, 4})
@@ -256,7 +253,7 @@ void check_refused(const Function& f, const std::string& what)
   CHECK_DETAIL(message.find(what) != std::string::npos, message);
 }
 
-// Both selections, from all functions; left and right are still there, and so is the last build.
+// All functions reject both selections; left, right and the last build remain available.
 void check_without_inside(const test::Surface_mesh& mesh,
                           const std::vector<Face_location>& locations, bool closed, double level,
                           const std::string& what)
@@ -338,11 +335,11 @@ void no_inside()
       CHECK(total_length(inside) < total_length(outside));
     }
   }
-  // along a seam that every face touches
+  // along a seam that touches every face
   const Data data(torus(3, 3));
   const Locations<test::Surface_mesh> on_mesh(data.mesh);
   std::vector<Face_location> seam;
-  for (std::size_t k = 0; k < 9; ++k) // three times round one way and once round the other
+  for (std::size_t k = 0; k < 9; ++k) // three times around in one direction, once in the other
     seam.push_back(on_mesh.at_vertex(data.vertices[(k % 3) * 3 + (k / 3)]));
   Report::instance().set_context("torus of 3 x 3, seam through all vertices");
   check_without_inside(data.mesh, seam, true, 0.02, closed);

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Faults in the data between the steps of the pipeline, each of which an assertion finds: a list of windows that is not sorted,
-// a part of the front that is asleep, twins that are swapped, and others. Needs assertions: without them (NDEBUG) the test is
-// skipped.
+// Faults in the data between the steps of the pipeline, each of which an assertion must detect: an unsorted list of
+// windows, a sleeping part of the front, swapped twins, and others. Skipped without assertions (NDEBUG).
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -28,7 +27,7 @@ typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Tr
 typedef CGAL::Geodesic_offset::internal::Window<double> Window;
 typedef Unfolded_mesh<double> Mesh;
 
-// The numbers of the soup are those of the unfolded mesh.
+// The indices of the soup are those of the unfolded mesh.
 struct Same_numbers
 {
   Index of_vertex(Index v) const { return v; }
@@ -73,7 +72,7 @@ bool is_stopped(const std::function<void()>& f, const std::string& condition)
   return result;
 }
 
-// Two faces of a vertex that have taken the faces beyond each other
+// Two faces of a vertex with swapped neighbours.
 void swapped_twin()
 {
   const Soup soup = torus(8, 6);
@@ -89,7 +88,7 @@ void swapped_twin()
   CHECK(stopped == links.size());
 }
 
-// A border on one side of an edge only
+// A border on one side of an edge only.
 void one_sided_border()
 {
   const Soup soup = torus(8, 6);
@@ -98,7 +97,7 @@ void one_sided_border()
   CHECK(is_stopped([&] { unfolded(soup, links); }, "has_consistent_twins"));
 }
 
-// The state of a front on the torus, in many parts
+// The state of a front on the torus, in many parts.
 struct Front
 {
   Front() : soup(torus(60, 40)), mesh(unfolded(soup, links_of(soup))), partition(mesh, false)
@@ -154,11 +153,11 @@ void unsorted_list()
   std::swap(windows[1], windows[2]);
   CHECK(is_stopped(run, "is_sorted"));
 
-  // the envelope sorts, so the list is one again
+  // the envelope sorts, so the result is a valid list again
   const std::vector<Index> source_of{0};
   Lower_envelope<Traits> envelope(source_of, traits);
   CHECK(envelope(windows.data(), windows.data() + windows.size(), length).size() == 1);
-  // but windows that are outside the edge come from nowhere
+  // but windows outside the edge are invalid
   windows[0].b0 = -length;
   CHECK(is_stopped([&] { envelope(windows.data(), windows.data() + windows.size(), length); }, "are_in_order"));
 }
@@ -167,7 +166,7 @@ void queue_that_goes_back()
 {
   Bucket_queue queue(0.5);
   queue.push_halfedge(3, 17);
-  CHECK(is_stopped([&] { queue.move_to(4); }, "first()")); // past what waits
+  CHECK(is_stopped([&] { queue.move_to(4); }, "first()")); // past a pending element
   queue.move_to(2);
   CHECK(is_stopped([&] { queue.move_to(1); }, "first()"));
   queue.move_to(3);

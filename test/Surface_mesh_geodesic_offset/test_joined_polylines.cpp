@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Polylines through points that are a face or more apart: between them run shortest paths, as long as the distances that a
-// build on the whole mesh finds, and they can be sources.
+// Polylines through points that are one or more faces apart: shortest paths connect the points, as long as the distances of
+// a build on the whole mesh, and the polylines can be sources.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -15,7 +15,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 #include <array>
 #include <cmath>
@@ -155,7 +155,7 @@ void data_meshes()
   }
 }
 
-// Points in space, near to a flat mesh: what is between them is straight.
+// Points in space near a flat mesh: connections are straight.
 void points_in_space()
 {
   const Generated_mesh<test::Surface_mesh> data(planar_grid(20, 20));
@@ -195,7 +195,7 @@ void points_in_space()
   }
 }
 
-// With few digits: along edges, where the bound of the length is the length.
+// With few digits: along edges, the upper bound of the length is the length.
 void short_numbers()
 {
   typedef CGAL::Simple_cartesian<float> Short_kernel;

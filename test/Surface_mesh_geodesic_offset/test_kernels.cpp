@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes whose points belong to another kernel than the traits, and traits with other number types
-// than double: multiprecision ones agree with it; side tests without exact predicates fail.
+// Meshes whose points belong to another kernel than the traits, and traits with other number types: multiprecision numbers
+// agree with doubles; side tests without exact predicates fail.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -43,8 +43,7 @@ template <class Kernel, class Mesh>
 using Geodesic_with =
   CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>;
 
-// What a caller does, on any mesh: distances, a path, a located point, and an offset. All as
-// doubles, to be compared.
+// Typical results on any mesh: distances, a path, a located point, and an offset, all as doubles for comparison.
 template <class Mesh>
 std::vector<double> results(const Mesh& mesh)
 {
@@ -94,13 +93,12 @@ CGAL::Surface_mesh<typename AnyKernel::Point_3> same_mesh(const Mesh& mesh)
   return result;
 }
 
-// The same coordinates in other kernels and other mesh types: the same doubles go in, the same come
-// out.
+// Equal coordinates in other kernels and other mesh types give equal results.
 void meshes_of_other_kernels()
 {
   for (const Soup& soup : {rotated(random_rectangle(2, 1, 60, 6, 1), 1), icosphere(2), torus(12, 8), saddle_fan()})
   {
-    Soup rounded = soup; // to multiples of 2^-16, which a float can hold
+    Soup rounded = soup; // to multiples of 2^-16, exact in float
     const auto round = [](double x) { return std::nearbyint(x * 65536) / 65536; };
     for (Point_3& p : rounded.points) p = Point_3(round(p.x()), round(p.y()), round(p.z()));
     const Data data(rounded);
@@ -110,7 +108,7 @@ void meshes_of_other_kernels()
     CHECK(results(same_mesh<CGAL::Simple_cartesian<float>>(data.mesh)) == expected);
     CHECK(results(same_mesh<Plain_kernel>(data.mesh)) == expected);
 
-    typedef CGAL::Polyhedron_3<Exact_kernel> Polyhedron; // orders its elements in another way
+    typedef CGAL::Polyhedron_3<Exact_kernel> Polyhedron; // has another order of elements
     Polyhedron polyhedron;
     std::map<Vertex_index, boost::graph_traits<Polyhedron>::vertex_descriptor> copy_of;
     CGAL::copy_face_graph(data.mesh, polyhedron,
@@ -127,7 +125,7 @@ void meshes_of_other_kernels()
   }
 }
 
-// Coordinates that no double is equal to, as a Boolean operation or a transformation by exact numbers gives them
+// Coordinates that are not doubles, as from a Boolean operation or a transformation with exact numbers.
 void mesh_of_rational_coordinates()
 {
   typedef Exact_kernel::FT Rational;
@@ -146,7 +144,7 @@ void mesh_of_rational_coordinates()
   CHECK(results(exact) == results(same_mesh<Kernel>(exact)));
 }
 
-// The distances of all vertices from one, in whatever kernel.
+// Distances of all vertices from one vertex, in any kernel.
 template <class AnyKernel>
 std::vector<typename AnyKernel::FT> distances_from(const test::Surface_mesh& mesh, Vertex_index source)
 {
@@ -158,9 +156,8 @@ std::vector<typename AnyKernel::FT> distances_from(const test::Surface_mesh& mes
   return out;
 }
 
-// Flat convex meshes of needle faces, down to where faces are flat lines up to rounding: the straight
-// line is right. All paths to a point tie up to rounding there, and a window that is dropped for a
-// path that seems to be as short is not replaced by another one.
+// Flat convex meshes of needle faces, up to faces that are lines up to rounding: the straight line is correct. All paths to
+// a point tie up to rounding, and no other window replaces one that is dropped for an apparently equal path.
 void needles()
 {
   for (double width : {1e-3, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12})
@@ -178,7 +175,7 @@ void needles()
     }
 }
 
-// Rays that pass an apex within rounding: the guarded side test is exact, the plain one is not.
+// Rays that pass an apex within rounding: the guarded side test is exact, the plain test is not.
 void side_tests_near_zero()
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Guarded;
@@ -189,7 +186,7 @@ void side_tests_near_zero()
   Random random(5);
   for (std::size_t i = 0; i < 200000; ++i)
   {
-    // dyadic numbers, so that some rays hit the apex exactly
+    // dyadic numbers, so that some rays meet the apex exactly
     const auto number = [&](double low, double high)
     { return std::nearbyint(uniform(random, low, high) * 1048576) / 1048576; };
     const bool parallel = i % 3 == 0;
@@ -201,7 +198,7 @@ void side_tests_near_zero()
       ax = b + 0.25 * (parallel ? -x : b - x);
       ay = -0.25 * y;
     }
-    else // where the ray to the apex enters
+    else // entry of the ray to the apex
       b = (x * ay - y * ax) / (parallel ? -y : ay - y);
     for (std::size_t k = uniform_index(random, 4); k > 0; --k) b = std::nextafter(b, i % 2 ? 9. : -9.);
     const CGAL::Exact_rational X(x), Y(y), B(b), AX(ax), AY(ay);
@@ -216,7 +213,7 @@ void side_tests_near_zero()
   CHECK(wrong > 1000 && zeros > 100);
 }
 
-// The same with the numbers of another type: a float is a double.
+// Side tests with floats, whose values are exact in double.
 void side_tests_of_floats()
 {
   typedef CGAL::Filtered_kernel<CGAL::Simple_cartesian<float>> Short_kernel;
@@ -241,8 +238,8 @@ void side_tests_of_floats()
   CHECK_DETAIL(zeros > 10, std::to_string(zeros));
 }
 
-// All that a caller can do compiles with the concept's archetype, which is not default constructible
-// and whose functors have a state; they are called, and the results are those of the default model.
+// All operations compile with the concept's archetype, which is not default constructible and whose functors have a state;
+// they are called, and the results are those of the default model.
 void concept_archetype()
 {
   typedef Traits_archetype<test::Surface_mesh> Archetype;
@@ -301,8 +298,7 @@ void concept_archetype()
   CHECK(calls.frames > 0 && calls.entries > 0 && calls.exits > 0 && calls.distances > 0 && calls.comparisons > 0);
 }
 
-// 200 bits: where double is right, it is so to rounding, and the straight line is right to 55
-// digits.
+// With 200 bits, results agree with double to rounding, and the straight line is correct to 55 digits.
 void long_numbers()
 {
   CGAL::Gmpfr::set_default_precision(200);
@@ -369,7 +365,7 @@ void long_numbers()
   }
 }
 
-// Pairs round as single numbers do, and nothing is true of what is no number.
+// Pairs round as single numbers do, and comparisons with NaN are false.
 template <class FT>
 void pairs_are_two_numbers()
 {
@@ -409,8 +405,8 @@ void pairs_are_two_numbers()
   CHECK(CGAL::Geodesic_offset::internal::square_root<FT>(FT(-1)) == 0);
 }
 
-// Our traits take pairs of floating point numbers, and the concept does not ask for them. With pairs that are not in one
-// register, as those of long double, the distances are the same.
+// Our traits accept pairs of floating point numbers, which the concept does not require. With pairs that are not in one
+// register, such as those of long double, the distances are the same.
 void pairs()
 {
   using namespace CGAL::Geodesic_offset::internal;
@@ -437,7 +433,7 @@ void pairs()
   }
 }
 
-// Numbers with fewer digits than double, which are as wide as an index.
+// Numbers with fewer digits than double, as wide as an index.
 void short_numbers()
 {
   typedef CGAL::Simple_cartesian<float> Short_kernel;
@@ -454,7 +450,7 @@ void short_numbers()
     geodesic.build(CGAL::parameters::compute_largest_distance(true));
     short_geodesic.build(CGAL::parameters::compute_largest_distance(true));
     CHECK_CLOSE(worst, static_cast<double>(short_geodesic.largest_distance()), geodesic.largest_distance());
-    for (Vertex_index v : data.vertices) // floats are rounded, but not by as much as an edge is long
+    for (Vertex_index v : data.vertices) // rounding errors of floats are below an edge length
     {
       const Point_3& p = data.mesh.point(v);
       const auto located = short_geodesic.locate_with_distance(Short_kernel::Point_3(float(p.x()), float(p.y()), float(p.z())));

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points and rays are located on the surface: exactly at a vertex or on an edge where that is so up
-// to round-off, whatever face the tree returns, and within round-off elsewhere. The tree and the
-// search through all faces give the same locations.
+// Points and rays are located on the surface: exactly at a vertex or on an edge if they are there up to round-off, whatever
+// face the tree returns, otherwise within round-off. The tree and the search of all faces give the same locations.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -26,7 +25,7 @@ using namespace test;
 typedef Kernel::Ray_3 Ray_3;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-double worst = 0; // distance of located points, over the tolerance of the check
+double worst = 0; // distance of located points, relative to the tolerance of the check
 std::size_t number_of_queries = 0;
 
 double distance(const Point_3& p, const Point_3& q)
@@ -34,7 +33,7 @@ double distance(const Point_3& p, const Point_3& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// Each coordinate moved by up to 2 units in the last place.
+// Displaces each coordinate by up to 2 units in the last place.
 Point_3 perturbed(const Point_3& p, Random& random)
 {
   double c[3];
@@ -92,7 +91,7 @@ public:
                              (s[0].first == b && s[1].first == a));
   }
 
-  // A location, and of which point.
+  // Checks a location of a point.
   void check_near(const Face_location& l, const Point_3& p)
   {
     ++number_of_queries;
@@ -183,8 +182,7 @@ Soup moved(Soup soup, double factor, const Vector_3& shift)
   return soup;
 }
 
-// Needles with their long sides in all directions: of the height given, over the side, and with a
-// corner over one end.
+// Needles with their long sides in all directions: with the given height over the side, and with a corner over one end.
 Soup needles(double height)
 {
   Soup soup;
@@ -230,7 +228,7 @@ void generated_meshes()
   }
 }
 
-// Meshes without vertices in the same place.
+// Meshes without vertices at the same place.
 void data_meshes()
 {
   std::size_t count = 0;
@@ -250,7 +248,7 @@ void data_meshes()
   std::cout << count << " meshes of the data directory" << std::endl;
 }
 
-// Every face is in the plane z = 0, so what is nearest follows from plane distances.
+// All faces are in the plane z = 0, so the nearest element follows from plane distances.
 void larger_tolerance()
 {
   const Mesh_data data(jittered_grid(9, 7, 2));
@@ -302,8 +300,7 @@ void larger_tolerance()
             << kinds[2] << " in faces" << std::endl;
 }
 
-// A flat cap, thinner than the round-off of coordinates: a point at its apex is nearest to any of
-// the faces around.
+// Flat cap, thinner than the round-off of coordinates: a point at its apex is nearest to any of the adjacent faces.
 void thin_cap()
 {
   Soup soup;
@@ -390,7 +387,7 @@ void rays_at_a_plane()
                       data.vertices[23]));
 }
 
-// Reads points from elsewhere. Can be neither default constructed nor assigned.
+// Point map with other points. Can be neither default constructed nor assigned.
 struct Other_points
 {
   typedef test::Surface_mesh::Vertex_index key_type;
@@ -435,7 +432,7 @@ void isolated_vertex()
   const Mesh_data grid(planar_grid(4, 4));
   test::Surface_mesh mesh = grid.mesh;
   mesh.add_vertex(Point_3(1.5, 1.25, 1e-3));
-  mesh.add_vertex(Point_3(1e15, 0, 0)); // must not count for the tolerance
+  mesh.add_vertex(Point_3(1e15, 0, 0)); // must not affect the tolerance
   Checker checker("isolated vertex", mesh);
   checker.round_off = 1e-15;
   checker.check_near(checker.geodesic.locate(Point_3(1.5, 1.25, 1e-3)), Point_3(1.5, 1.25, 0));
@@ -443,7 +440,7 @@ void isolated_vertex()
                      Point_3(2.5, 1.5 + 1e-9, 0));
 }
 
-// What the class locates with, by searches through all faces alone, or by the tree alone.
+// The locator of the class, once with searches of all faces only, once with the tree only.
 template <class TriangleMesh>
 class Locators
   : public CGAL::Surface_mesh_geodesic_sources<
@@ -473,7 +470,7 @@ public:
 
 private:
   Locator tree_;
-  std::unique_ptr<Locator> search_; // a new one before it builds a tree
+  std::unique_ptr<Locator> search_; // replaced before it builds a tree
   std::size_t number_of_searches_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lower envelopes of random windows on one halfedge, against the nearest of all windows at random points: images of one
-// sigma and of several, parallel rays, windows within others, that touch, that are there twice, in order and in any order,
-// and added to an envelope that was propagated before. And which windows are in a row.
+// Lower envelopes of random windows on a halfedge, against the nearest of all windows at random points: images with one or
+// several sigmas, parallel rays, windows that are nested, adjacent or duplicate, in order and in any order, and added to an
+// envelope that was propagated before. Also the test for monotone lists.
 
 #include "test_check.h"
 
@@ -46,7 +46,8 @@ void set_interval(Window& w, double b0, double b1)
   w.d1 = w.distance_at(b1);
 }
 
-// Windows of sources about `away` from the halfedge, whose sigmas are few; sometimes of the image or at the end of another.
+// Windows of sources about `away` from the halfedge, with few different sigmas; sometimes with the image of another window,
+// or at its end.
 Windows random_windows(Random& random, int number, double length, double away)
 {
   Windows windows;
@@ -94,7 +95,7 @@ double nearest(const Windows& windows, double t)
 
 void check_envelope(Random& random, const Windows& envelope, const Windows& all, double length)
 {
-  double largest = length; // of all lengths that were rounded
+  double largest = length; // of all rounded lengths
   for (const Window& w : all) largest = (std::max)({largest, std::abs(w.x), std::abs(w.y), w.sigma, w.d0, w.d1});
   for (std::size_t i = 0; i < envelope.size(); ++i)
   {
@@ -123,7 +124,7 @@ void check_row(const Windows& windows)
   CHECK(Envelope::is_row(windows.data(), windows.data() + windows.size()) == is_row);
 }
 
-// Windows that follow each other, overlapping or not; then an end of one out of order, or the image of its neighbour.
+// Consecutive windows, overlapping or not; then with an end out of order, or the image of a neighbour.
 void test_rows(unsigned seed)
 {
   Random random(seed);
@@ -135,7 +136,7 @@ void test_rows(unsigned seed)
   {
     const double b = double(i) * length;
     windows[i].x = b;
-    windows[i].sigma = away; // images that differ, however they were
+    windows[i].sigma = away; // give all images different distances
     windows[i].bits = 0;
     set_interval(windows[i], b, b + length * random(0.5, 1.5));
     if (i > 0) windows[i].b1 = (std::max)(windows[i].b1, windows[i - 1].b1);
@@ -149,13 +150,13 @@ void test_rows(unsigned seed)
   CHECK(!Envelope::is_row(within.data(), within.data() + within.size()));
   twice[i] = twice[i - 1];
   CHECK(!Envelope::is_row(twice.data(), twice.data() + twice.size()));
-  // one end may be common, and nothing is a row
+  // a common end is allowed; an empty list is monotone
   Windows common = windows;
   common[i].b0 = common[i - 1].b0;
   common[i].b1 = (std::max)(common[i].b1, common[i - 1].b1);
   CHECK(Envelope::is_row(common.data() + i - 1, common.data() + i + 1));
   CHECK(Envelope::is_row(common.data(), common.data()));
-  // one image up to rounding, also of parallel rays, whose image is a unit vector whatever the length
+  // one image up to rounding, also of parallel rays, whose image is a unit vector for every length
   Windows parallel = {windows[i - 1], windows[i]};
   for (Window& w : parallel)
   {
@@ -188,7 +189,7 @@ void test_random(unsigned seed)
   Windows list = envelope(all.data(), end, length);
   check_envelope(random, list, all, length);
 
-  // more, to what was propagated
+  // more windows, added to propagated ones
   const std::size_t taken = list.size();
   for (Window& w : list) w.set_propagated();
   const Windows more = random_windows(random, 1 + random.below(random.below(8) == 0 ? 24 : 6), length, away);
@@ -197,7 +198,7 @@ void test_random(unsigned seed)
   list.insert(list.end(), more.begin(), more.end());
   const Windows both = envelope(list.data(), list.data() + list.size(), length);
   check_envelope(random, both, all, length);
-  // the same from two places as from one
+  // two arrays give the same result as one
   CHECK(apart.size() == both.size());
   for (std::size_t i = 0; i < (std::min)(apart.size(), both.size()); ++i)
   {
@@ -205,7 +206,7 @@ void test_random(unsigned seed)
     CHECK(v.b0 == w.b0 && v.b1 == w.b1 && v.d0 == w.d0 && v.d1 == w.d1);
     CHECK(v.x == w.x && v.y == w.y && v.sigma == w.sigma && v.root == w.root && v.bits == w.bits);
   }
-  // what was propagated has not become more
+  // propagated windows have not grown
   double before = 0, after = 0;
   for (std::size_t i = 0; i < taken; ++i) before += list[i].b1 - list[i].b0;
   for (const Window& w : both) after += w.is_propagated() ? w.b1 - w.b0 : 0;

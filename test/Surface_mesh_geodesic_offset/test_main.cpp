@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The main function of all tests:
+// Main function of all tests:
 //
 //   PROGRAM TEST [--generated-meshes | --data-meshes] [ARGUMENT...]
 //
-// TEST can be left out if the program has one test only. Without an option the test uses the meshes of the data directory if
-// there are any. With --data-meshes it uses only them; the exit code is 77 if there is none.
+// TEST is optional if the program has a single test. Without an option the test uses also the meshes of the data directory
+// if they exist. With --data-meshes it uses only these; the exit code is 77 if there are none.
 
 #include "data_directory.h"
 #include "test_check.h"

@@ -114,7 +114,7 @@ def check_links(directory):
 
 
 def check_contents(directory):
-    """What a newcomer looks for, in the navigation tree and on the pages."""
+    """Entries that newcomers need, in the navigation tree and on the pages."""
     tree = contents(os.path.join(directory, "navtreedata.js"))
     places = [tree.find('"%s"' % title) for title in
               ("Introduction", "Quick Start", "Definitions", "Functions", "Exactness", "Performance", "Contributing",

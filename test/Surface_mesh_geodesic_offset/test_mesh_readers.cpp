@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The readers of the programs: all variants of all formats give the same surface; bad files give one line that names the line
-// or the element, and what is expected; mutated files do no harm.
+// Readers of the programs: all variants of all formats give the same surface; bad files give one line that names the line
+// or element and the expected input; mutated files cause no fault.
 
 #include "fuzz/mutation_run.h"
 #include "fuzz/read_input.h"
@@ -24,12 +24,12 @@ typedef std::vector<std::string> Words;
 geodesic_offset::Soup read(const std::string& extension, const std::string& bytes)
 {
   const std::string path = "file" + extension;
-  const std::vector<char> copy(bytes.begin(), bytes.end()); // sanitizers see reads beyond its end
+  const std::vector<char> copy(bytes.begin(), bytes.end()); // sanitizers detect reads beyond its end
   const std::string_view view(copy.data(), copy.size());
   return geodesic_offset::parse_soup(geodesic_offset::mesh_format(path), path, view);
 }
 
-// The coordinates of the corners of all polygons
+// Coordinates of the corners of all polygons.
 std::vector<std::vector<std::array<double, 3>>> corners(const geodesic_offset::Soup& soup)
 {
   std::vector<std::vector<std::array<double, 3>>> result;
@@ -77,7 +77,7 @@ void good_files()
   }
 }
 
-// One line that has all the words, and the name of the file
+// Expects one line with all the words and the name of the file.
 void expect_bad(const std::string& what, const std::string& extension, const std::string& bytes, const Words& words)
 {
   Report::instance().set_context(what);
@@ -205,13 +205,13 @@ void bad_ply()
   for (int format : {0, 1, 2})
   {
     const std::string whole = internal::ply_file({format, "float", "int", "int", true});
-    // the last element is not needed, but it is announced
+    // the last element is redundant, but announced
     for (std::size_t size = 0; size + 4 < whole.size(); ++size)
       expect_bad("a PLY of " + std::to_string(size) + " bytes", ".ply", whole.substr(0, size), {});
     expect_bad("absurd number of vertices", ".ply", replaced(whole, "element vertex 5", "element vertex 99999999999"), {});
     expect_bad("absurd number of other elements", ".ply", replaced(whole, "camera 1\n", "camera 18446744073709551615\n"), {});
   }
-  // -1 and 2147483647 as numbers of vertices of a face
+  // -1 and 2147483647 as number of vertices of a face
   const std::string whole = internal::ply_file({2, "float", "int", "int"});
   const std::size_t faces = whole.find("end_header\n") + 11 + 5 * 12;
   for (std::int32_t size : {-1, 2147483647})
@@ -244,7 +244,7 @@ void bad_stl()
   expect_bad("NaN", ".stl", binary.substr(0, 96) + internal::number_bytes(nan, false) + binary.substr(100), {"facet 0", "finite"});
 }
 
-// Bytes behind the announced elements lead to a remark.
+// Bytes after the announced elements cause a remark.
 void remarks()
 {
   for (const Sample_file& file : sample_meshes())

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surface_mesh and Polyhedron_3 give identical distances, from one templated body.
+// Surface_mesh and Polyhedron_3 give identical distances, with one templated body.
 
 #include "flat_paths.h"
 #include "generated_meshes.h"
@@ -27,8 +27,8 @@ enum class Sources
   edges
 };
 
-/// The distances of all vertices, in the order of the soup's points, from sources described by soup
-/// indices only, so that they are the same for each mesh type.
+/// Distances of all vertices, in the order of the soup's points, from sources given by soup indices, so that they are the
+/// same for each mesh type.
 template <class TriangleMesh>
 std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
 {
@@ -38,7 +38,7 @@ std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
   Random random(seed);
   Geodesic geodesic(data.mesh);
 
-  // The point with the given weights at the soup's corners of a triangle.
+  // The point with given weights at the soup's corners of a triangle.
   const auto location = [&](std::size_t triangle, const std::array<double, 3>& weights)
   {
     typename Geodesic::Face_location result(data.faces[triangle], {{0, 0, 0}});
@@ -67,7 +67,7 @@ std::vector<double> distances(const Soup& soup, Sources sources, unsigned seed)
   case Sources::edges:
   {
     std::vector<typename Geodesic::edge_descriptor> edges;
-    // Which edge a face's halfedge lies on depends on the mesh type, so take all three.
+    // The edge of a face's halfedge depends on the mesh type, so use all three.
     for (auto h : CGAL::halfedges_around_face(halfedge(data.faces[triangle], data.mesh), data.mesh))
       edges.push_back(edge(h, data.mesh));
     geodesic.add_source_edges(edges);
@@ -106,7 +106,7 @@ void run(const std::string& name, const Soup& soup)
   std::cout << name << ": " << count << " distances compared" << std::endl;
 }
 
-// Indices that nobody has set: what all elements of a Polyhedron_3 with ids have at first.
+// Unset indices, the initial state of all elements of a Polyhedron_3 with ids.
 template <class Descriptor>
 struct Unset_index
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from points and corners of polylines beside vertices and edges: cases that were wrong once, and a bounded run of the
-// search (benchmark/Surface_mesh_geodesic_offset/Robustness/near_vertex_search.cpp runs it at length).
+// Distances from points and corners of polylines close to vertices and edges: cases with former errors, and a bounded run
+// of the search (benchmark/Surface_mesh_geodesic_offset/Robustness/near_vertex_search.cpp is the long run).
 
 #include "near_vertex_search.h"
 #include "test_check.h"
@@ -23,7 +23,7 @@ void check(const Near_vertex_search& search)
                    std::to_string(c.second.worst));
 }
 
-// A corner on each side of a short segment at a vertex, corners above an edge, a vertex that hides the rays behind it.
+// Corners on both sides of a short segment at a vertex, corners above an edge, a vertex that hides the rays behind it.
 void known_cases()
 {
   Near_vertex_search search(std::cout, 20, 500);

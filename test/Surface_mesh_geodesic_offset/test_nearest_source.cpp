@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The nearest source of a point, and labels of vertices: in the plane against brute force over the
-// sources, elsewhere against dense sampling and the distance from the point found. Paths meet
-// polylines at right angles.
+// Nearest source of a point, and labels of vertices: in the plane against brute force over the sources, elsewhere against
+// dense sampling and the distance from the found point. Paths meet polylines at right angles.
 
 #include "data_meshes.h"
 #include "path_tools.h"
@@ -24,7 +23,7 @@ struct Totals
   double location = 0, foot = 0;
 };
 
-// A source in the plane: a point, or a polyline of legs; `leg_of` of each segment as given.
+// Source in the plane: a point, or a polyline of legs; `leg_of`: leg of each segment.
 struct Planar_source
 {
   Any_source source;
@@ -96,7 +95,7 @@ std::vector<Candidate> candidates(const std::vector<Planar_source>& sources, con
   return result;
 }
 
-// The number of the segment or point, and the side, of a nearest source point at `foot`.
+// Checks the segment or point number, and the side, of a nearest source point at `foot`.
 template <class Nearest>
 void check_part(const Planar_source& source, const Nearest& nearest, const Point_2& p,
                 const Point_2& foot, Totals& totals)
@@ -116,7 +115,7 @@ void check_part(const Planar_source& source, const Nearest& nearest, const Point
   {
     ++totals.at_segments;
     if (!CHECK(nearest.part < source.leg_of.size())) return;
-    // on the line of the segment (those straight on from it act as one with it), and orthogonal
+    // on the line of the segment (collinear neighbours count as one with it), and orthogonal
     const Leg& leg = source.legs[source.leg_of[nearest.part]];
     const Vector_2 along = (leg.b - leg.a) / distance(leg.a, leg.b);
     CHECK(std::abs(along.x() * (foot - leg.a).y() - along.y() * (foot - leg.a).x()) <= 1e-11);
@@ -144,7 +143,7 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
     sources.push_back(random_planar_source(plane, i + seed, seed));
     number_of[sources.back().source.add_to(geodesic)] = i;
   }
-  geodesic.remove_source(gone); // so ids are not the numbers of the sources
+  geodesic.remove_source(gone); // so that ids differ from the numbers of the sources
   geodesic.build(CGAL::parameters::keep_windows(true));
   std::map<Vertex_index, std::size_t> labels;
   geodesic.source_labels(boost::make_assoc_property_map(labels));
@@ -159,7 +158,7 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
     CHECK_CLOSE(worst, nearest->distance, all[0].distance);
     const std::size_t source = number_of[nearest->source];
     const Point_2 foot = uv_of(plane, nearest->location);
-    // whatever it is, it is one of the nearest
+    // in any case it is one of the nearest
     bool is_one = false, is_tie = false;
     for (const Candidate& c : all)
     {
@@ -193,7 +192,7 @@ void compare_with_plane(Planar_mesh& plane, unsigned seed, Worst_error& worst, T
     }
 }
 
-// How far a point is from the given segment, and from the line through it.
+// Distance of a point from the given segment, and from the line through it.
 double off_segment(const Mesh_locations& locations, const Path_locations& polyline, std::size_t i,
                    const Point_3& p, bool line, Vector_3& direction)
 {
@@ -242,7 +241,7 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
     CHECK_DETAIL(d <= approximate * (1 + 1e-12) + 1e-14 * checker.scale &&
                    approximate <= d + step / 2 * (1 + 1e-9),
                  values(d, approximate));
-    if (i < 40) // the point found is as far away as it says
+    if (i < 40) // the distance from the found point is correct
     {
       Geodesic from_it(mesh);
       from_it.add_source_point(nearest->location);
@@ -263,7 +262,7 @@ void sections(const std::string& name, const test::Surface_mesh& mesh, unsigned 
       continue;
     }
     ++totals.at_segments;
-    // on the segment, or on another one straight on from it
+    // on the segment, or on a collinear neighbour
     CHECK(off_segment(locations, polyline, nearest->part, foot, true, direction) <=
           1e-12 * checker.scale);
     double off = infinity;

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What an offset curve answers: where its pieces start and end, points at a way, chords within a
-// tolerance and no more of them than that takes, thin polylines, centers, lines, sides and sources; on Surface_mesh
-// and Polyhedron_3.
+// Queries of an offset curve: start and end of pieces, points at an arc length, chords within a tolerance and their minimal
+// number, thin polylines, centers, lines, sides and sources; on Surface_mesh and Polyhedron_3.
 
 #include "flat_paths.h"
 #include "generated_meshes.h"
@@ -26,8 +25,7 @@ using namespace test;
 
 const double pi = CGAL_PI;
 
-/// The mesh is the rectangle [0, 4] x [0, 3] in the plane z = 0, so that points in space are those
-/// of the plane.
+/// The mesh is the rectangle [0, 4] x [0, 3] in the plane z = 0, so points in space are those of the plane.
 template <class TriangleMesh>
 class Queries
 {
@@ -84,7 +82,7 @@ private:
       check_any(curve);
       CHECK(curve.is_closed());
       CHECK(std::abs(curve.length() - 2 * pi * d) <= 1e-11 * d);
-      // The point at a way is turned by way / d, counterclockwise, from the start.
+      // The point at an arc length is turned counterclockwise from the start by arc length / d.
       const Point_3 start = curve.point(0.);
       for (int k = -1; k <= 41; ++k)
       {
@@ -226,7 +224,7 @@ private:
 
   // ----------------------------------------------------------------------------------------------
 
-  // What holds for every curve.
+  // Properties of every curve.
   void check_any(const Offset_curve& curve)
   {
     CHECK(curve.enclosed_side() == CGAL::LEFT_TURN);
@@ -238,7 +236,7 @@ private:
     {
       const Piece piece = curve.piece(i);
       check_piece(piece);
-      // A way along the curve, in the middle of each piece.
+      // Arc length up to the middle of each piece.
       const Point_3 p = curve.point(way + piece.length() / 2), q = piece.point(0.5);
       CHECK(CGAL::squared_distance(p, q) <= 1e-24);
       way += piece.length();
@@ -264,14 +262,14 @@ private:
     for (int k = 0; k <= 8; ++k)
     {
       const double t = k / 8.;
-      // The frame and the location tell the same point, inside the face.
+      // The frame and the location give the same point, inside the face.
       const Face_location l = piece.location(t);
       CHECK(l.first == piece.face());
       for (double w : l.second) CHECK(w >= -1e-12 && w <= 1 + 1e-12);
       CHECK(distance(unfolding_.in_frame(piece.face(), unfolding_.uv(l)), piece.point_2(t)) <=
             2e-12);
       CHECK(CGAL::squared_distance(locations_.point(l), piece.point(t)) <= 1e-28);
-      // The parameter is in proportion to length.
+      // The parameter is proportional to length.
       const double straight = distance(piece.point_2(t), piece.start_2());
       const double expected = piece.is_segment()
                                 ? t * piece.length()
@@ -300,7 +298,7 @@ private:
     }
   }
 
-  // Heights of arcs over chords: within the tolerance, and not with one chord less.
+  // Heights of arcs over chords are within the tolerance, but would not be with one chord less.
   void check_chords(const Offset_curve& curve, double tolerance)
   {
     std::vector<std::size_t> chords(curve.number_of_pieces(), 0);
@@ -319,7 +317,7 @@ private:
           ++chords[i];
           sum += std::sqrt(CGAL::squared_distance(last, p));
           const Piece piece = curve.piece(i);
-          // The height of the arc over this very chord.
+          // height of the arc over this chord
           const double half = std::sqrt(CGAL::squared_distance(last, p)) / 2;
           if (piece.is_arc())
           {
@@ -343,7 +341,7 @@ private:
       CHECK(piece.is_arc());
       const double step = piece.angle() / static_cast<double>(n - 1);
       const double height = 2 * piece.radius() * std::pow(std::sin(step / 4), 2);
-      // No chord spans more than a third of a circle, which keeps small circles polygons.
+      // No chord spans more than a third of a circle, so small circles remain polygons.
       CHECK_DETAIL(height > tolerance * (1 - 1e-6) || step > 2 * pi / 3 - 1e-9,
                    values(height, tolerance));
     }

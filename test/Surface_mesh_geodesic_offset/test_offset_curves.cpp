@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves at ten distances on generated meshes and meshes of the data directory, judged by the
-// validation oracle; the same curves one level at a time, all at once, and while building.
+// Offset curves at ten distances on generated meshes and meshes of the data directory, checked by the validation oracle;
+// the same curves one level at a time, all at once, and during the build.
 //
-//   test_offset_curves [MAXIMUM_FACES [NAME_PART]]     for the data directory; default 6000 faces,
-//   all names
+//   test_offset_curves [MAXIMUM_FACES [NAME_PART]]
+//
+// for the data directory; default: 6000 faces, all names
 
 #include "curve_checks.h"
 #include "data_meshes.h"
@@ -65,7 +66,7 @@ std::vector<double> ten_levels(const test::Surface_mesh& mesh, const Geodesic& g
   return result;
 }
 
-// Of several cases.
+// Figures of several cases.
 struct Summary
 {
   std::size_t meshes = 0, cases = 0, exceptions = 0, forced_joints = 0;
@@ -78,7 +79,7 @@ Summary& summary()
   return s;
 }
 
-// Of what has been run since the last time.
+// Prints figures since the last call.
 void print_summary(const std::string& what)
 {
   std::cout << what << ": " << summary().meshes << " meshes, " << summary().cases << " cases, "
@@ -182,9 +183,8 @@ void run_all_sources(const std::string& name, const test::Surface_mesh& mesh, un
       });
 }
 
-// One level whose number of curves and total length are known. Levels are cut below themselves by
-// 2^-42 of their value, which counts where the length changes fast, by `growth` a unit of the
-// level.
+// One level with known number of curves and total length. Levels are cut below themselves by a fraction of 2^-42, which
+// matters where the length changes fast, by `growth` per unit of the level.
 template <class AddSources>
 void check_length(const std::string& name, const test::Surface_mesh& mesh,
                   const AddSources& add_sources, double level, std::size_t expected_curves,
@@ -201,7 +201,7 @@ void check_length(const std::string& name, const test::Surface_mesh& mesh,
     CHECK_DETAIL(curves.size() == expected_curves, std::to_string(curves.size()) + " curves");
     const Totals total = totals(curves)[level];
     CHECK_DETAIL(total.closed == expected_closed, std::to_string(total.closed) + " closed");
-    // Joints of curves that meet at a small angle are worse conditioned than distances.
+    // Joints of curves that meet at a small angle are less well conditioned than distances.
     CHECK_DETAIL(std::abs(total.length - expected_length) <=
                    1e-11 * expected_length + 2.5e-13 * level * growth,
                  values(total.length, expected_length));
@@ -303,7 +303,7 @@ void known_lengths()
       },
       level, 1, 0, 16);
 
-  // The offset of a triangle's sides is a loop inside it that meets no edge.
+  // The offset of a triangle's sides is a loop inside the triangle without edge crossings.
   const Data triangle(
     rotated(random_rectangle(3, 4, 0, 0, 1), 9)); // two right triangles with sides 3, 4, 5
   for (double level : {0.2, 0.9, 0.999})
@@ -317,9 +317,9 @@ void known_lengths()
       level, 2, 2, 2 * 12 * (1 - level), 2 * 12);
 }
 
-// Shortest paths that pass a flat vertex on their way along an edge: there the distance through the
-// vertex ties with the right one up to the square of the angle between path and edge, and the two
-// levels touch so closely that only far along they can be told apart.
+// Shortest paths along an edge that pass a flat vertex: the distance through the vertex ties with the correct one up to the
+// square of the angle between path and edge, and the two levels touch so closely that they can be distinguished only far
+// along.
 void nearly_along_an_edge()
 {
   typedef Generated_mesh<test::Surface_mesh> Data;

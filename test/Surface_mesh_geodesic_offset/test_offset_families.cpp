@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Families of offsets: all ways to ask for them give the same curves, one propagation serves any
-// number of levels, curves come by distance while the front is on its way, and queries run in
-// several threads.
+// Families of offsets: all forms of requests give the same curves, one propagation serves any number of levels, curves
+// arrive by distance during the propagation, and concurrent queries work.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -35,7 +34,7 @@ double largest_distance(const test::Surface_mesh& mesh, const Geodesic& geodesic
   return largest;
 }
 
-// What a callback got: it is called by increasing distance.
+// Curves received by a callback, which is called by increasing distance.
 struct Received
 {
   std::vector<double> distances;
@@ -57,8 +56,8 @@ Offset_curves built(Geodesic& geodesic, const Family& family)
   return result;
 }
 
-// Every way to get the curves of a family against one level at a time from kept windows. `levels`:
-// those of the family in increasing order; `called`: how many of them a callback is called for.
+// Compares every way to request the curves of a family with one level at a time from kept windows. `levels`: those of the
+// family in increasing order; `called`: expected number of levels for a callback.
 template <class Family>
 void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
              const Family& family, const std::vector<double>& levels, std::size_t called)
@@ -93,8 +92,8 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   same("built with", built(again, family));
   CHECK(again.is_built() && again.distance_to_sources(*vertices(mesh).begin()) ==
                               plain.distance_to_sources(*vertices(mesh).begin()));
-  // cutting needs lower envelopes, as keeping does; without, a few windows more are propagated, most where many meet at once,
-  // opposite to the source on a small sphere
+  // cutting and keeping need lower envelopes; without them, a few more windows are propagated, most where many meet at
+  // once, opposite to the source on a small sphere
   const std::size_t windows = kept.statistics().windows_propagated;
   CHECK(again.statistics().windows_propagated == windows);
   CHECK(plain.statistics().windows_propagated <= windows + windows / 20 + 10);
@@ -123,8 +122,8 @@ void compare(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)
   check_received("callback while built, windows kept", while_built_and_kept);
 }
 
-// A part of a curve in one face, on one circle or line: the source and the numbers of pieces are left out, as segments of a
-// source on one line tie everywhere and rounding decides which one is named.
+// Part of a curve in one face on one circle or line. Source and piece numbers are left out: collinear segments of a source
+// tie everywhere, and rounding decides between them.
 struct Stroke
 {
   std::size_t face;
@@ -159,7 +158,7 @@ std::vector<Stroke> strokes(const Offset_curves& curves, double rounding)
     std::vector<Stroke> all;
     for (const Offset_piece& p : curve.pieces())
       if (p.length() > rounding) all.push_back(p);
-    std::size_t first = 0; // where one begins
+    std::size_t first = 0; // index of the first stroke of one
     if (curve.is_closed())
       while (first < all.size() && all[(first + all.size() - 1) % all.size()].is_continued(all[first], rounding)) ++first;
     if (first < all.size()) std::rotate(all.begin(), all.begin() + std::ptrdiff_t(first), all.end());
@@ -171,7 +170,7 @@ std::vector<Stroke> strokes(const Offset_curves& curves, double rounding)
   return result;
 }
 
-// Whether each stroke has its own partner.
+// Whether the strokes can be paired.
 bool same_strokes(const std::vector<Stroke>& a, const std::vector<Stroke>& b, double rounding)
 {
   std::multimap<std::size_t, Stroke> left; // of b, by face
@@ -189,8 +188,8 @@ bool same_strokes(const std::vector<Stroke>& a, const std::vector<Stroke>& b, do
 std::size_t windows_with_limit = 0, windows_without_limit = 0; // for levels in the nearer half
 std::size_t number_of_limited_strokes = 0;
 
-// With a distance limit equal to the largest level, the curves are those of the build without it, piece by piece up to
-// rounding, also at levels through vertices and through the farthest point.
+// With a distance limit equal to the largest level, the curves are those of the build without limit, piece by piece up to
+// rounding, also at levels through vertices and the farthest point.
 void limited_to_the_largest_level(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
                                   unsigned seed)
 {
@@ -259,8 +258,7 @@ void all_ways(const std::string& name, const test::Surface_mesh& mesh,
     compare(mesh, add_sources, Levels::equally_spaced(spacing, 5),
             {multiples.begin(), multiples.begin() + 5}, 5);
     compare(mesh, add_sources, Levels::equally_spaced(spacing, 12), multiples, 12);
-    // until covered: there may be one more level than multiples below the farthest vertex, inside a
-    // face
+    // until covered: one more level than multiples below the farthest vertex may exist inside a face
     const std::size_t covered = offsets(geodesic, multiples[7]).empty() ? 7 : 8;
     CHECK(offsets(geodesic, multiples[8]).empty());
     compare(mesh, add_sources, Levels::equally_spaced(spacing),
@@ -297,13 +295,13 @@ void one_propagation(const test::Surface_mesh& mesh,
         maximum);
       CHECK(geodesic.statistics().windows_propagated == expected);
       CHECK(curves.size() >= n);
-      // counted before neighbours across an edge make one arc
+      // pieces are counted before neighbours across an edge become one arc
       CHECK(geodesic.statistics().pieces >= sorted_pieces(curves).size());
     }
   }
 }
 
-// Counts where the rays of the front leave faces, so that a callback can tell how far it has come.
+// Counts exits of the front's rays from faces, so that a callback can measure the progress of the front.
 struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>
 {
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Base;
@@ -327,8 +325,8 @@ struct Counting_traits : CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test:
 struct Enough : std::exception
 {};
 
-// On a long strip, curves are given out soon after the front has passed them; an exception of the
-// callback stops the propagation and leaves the last build.
+// On a long strip, curves arrive soon after the front has passed them; an exception of the callback stops the propagation
+// and leaves the last build unchanged.
 void streaming()
 {
   Report::instance().set_context("streaming");
@@ -354,7 +352,7 @@ void streaming()
     CHECK(count == all);
     if (CHECK(counts.size() == 19))
       for (std::size_t i = 0; i < 19; ++i)
-      { // the front has not gone farther than a twentieth of the strip behind the level
+      { // the front is at most a twentieth of the strip beyond the level
         const double share = double(counts[i]) / double(all), level = double(20 * (i + 1)) / 400;
         CHECK_DETAIL(share < level + 0.05 && share > level - 0.05, values(share, level));
       }
@@ -373,7 +371,7 @@ void streaming()
                                                   }),
     Enough);
   CHECK_DETAIL(count < all / 4,
-               std::to_string(count) + " of " + std::to_string(all)); // it has stopped at 60
+               std::to_string(count) + " of " + std::to_string(all)); // it stopped at 60
   CHECK(geodesic.is_built() && geodesic.distance_to_sources(right) == distance &&
         geodesic.distance_to_sources(left) == 0);
   std::size_t calls = 0;
@@ -388,7 +386,7 @@ void streaming()
   CHECK_THROWS(geodesic.offset_curves_by_distance(
                  100., [](double, std::vector<Counted::Offset_curve>&&) { throw Enough(); }),
                Enough);
-  // a selection that is refused leaves the last build, too
+  // a rejected selection also leaves the last build unchanged
   geodesic.add_source_polyline(std::vector<Counted::Face_location>{
     {strip.faces[0], {{0.4, 0.3, 0.3}}}, {strip.faces[0], {{0.3, 0.4, 0.3}}}});
   std::vector<Counted::Offset_curve> none;
@@ -487,7 +485,7 @@ void data_meshes()
   }
 }
 
-// Of all families before, those with a limit at their largest level propagate less.
+// For all families above, propagation is shorter with a limit at their largest level.
 void limits_save_windows()
 {
   std::cout << number_of_limited_strokes << " pieces with a limit at their level; " << windows_with_limit

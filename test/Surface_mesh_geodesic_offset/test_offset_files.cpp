@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The functions that write offset curves: what they promise about their streams and about curves that cannot be drawn. The
-// contents of the files are in the tests test_program_*.py.
+// Writers of offset curves: guarantees about streams and curves that cannot be drawn. The tests test_program_*.py check the
+// contents of the files.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -34,7 +34,7 @@ namespace test_offset_files {
 
 using namespace test;
 
-// All writers, by name, for one range of curves.
+// All writers by name, for one range of curves.
 template <class Curves>
 std::vector<std::pair<std::string, std::function<bool(std::ostream&)>>> writers(const Curves& curves)
 {
@@ -62,7 +62,7 @@ struct Example
   }
 };
 
-// The same files from any kind of mesh and any range.
+// Files do not depend on the type of mesh and range.
 void kinds_of_meshes_and_ranges()
 {
   const Soup soup = jittered_grid(8, 8, 3);
@@ -99,7 +99,7 @@ void streams()
     std::ostringstream plain, other;
     CHECK(writer.second(plain));
 
-    // The writer's settings are its own, and so are those of the stream.
+    // Settings of the writer and those of the stream are independent.
     other.imbue(std::locale(std::locale::classic(), new Comma));
     other.precision(3);
     other.setf(std::ios_base::fixed, std::ios_base::floatfield);
@@ -138,8 +138,8 @@ void curves_that_are_not_in_a_plane()
   }
   os.str("");
 
-  // Two curves, each in a plane: two levels round a corner of a cube stay on different sides of it
-  // only if they do not reach its edges.
+  // Two curves, each in a plane: two levels around a corner of a cube stay on different sides only if they do not reach its
+  // edges.
   const Soup cube = cube_grid(4);
   Surface_mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(cube.points, cube.triangles, mesh);
@@ -175,7 +175,7 @@ void curves_that_are_not_in_a_plane()
   }
 }
 
-// A folder for files that is removed in the end.
+// Folder for files, removed at the end.
 class Folder
 {
 public:
@@ -228,7 +228,7 @@ void files()
       CHECK(!CGAL::IO::write_offset_curves(os, CGAL::IO::offset_file_format(file), curves));
     }
   Report::instance().set_context("the default tolerance");
-  double box = 0; // of circles with the radius 2.5
+  double box = 0; // of circles with radius 2.5
   std::vector<Point_3> points;
   CHECK(CGAL::IO::write_offset_curves(folder("a.polylines.txt"), curves));
   std::ifstream in(folder("a.polylines.txt"));
@@ -312,7 +312,7 @@ void units()
   }
 }
 
-// Each coordinate with seven digits.
+// Rounds each coordinate to seven digits.
 Soup rounded(Soup soup)
 {
   for (Point_3& p : soup.points)
@@ -353,7 +353,7 @@ void planar_meshes()
   {
     CHECK(can_write(jittered_grid(8, 8, seed)));
     CHECK(can_write(rotated(jittered_grid(8, 8, seed), seed)));
-    CHECK(can_write(rounded(rotated(jittered_grid(90, 90, seed), seed)))); // small faces, whose normals are rounded
+    CHECK(can_write(rounded(rotated(jittered_grid(90, 90, seed), seed)))); // small faces with rounded normals
     CHECK(!can_write(rotated(cube_grid(3), seed)));
   }
   CHECK(!can_write(icosphere(2)));

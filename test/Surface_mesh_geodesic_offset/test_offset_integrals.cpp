@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Integral checks of offsets, which need no oracle: the derivative of the area of {D < d} by d is the length of the offset
-// at d, the integral of all lengths is the area of the surface, both sides of polylines together are the whole.
+// Integral checks of offsets, which need no oracle: the derivative of the area of {D < d} with respect to d is the length
+// of the offset at d, the integral of all lengths is the area of the surface, and both sides of polylines together are the
+// whole offset.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -105,7 +106,7 @@ void all_levels(const std::string& name, const Soup& soup, double tolerance)
   });
 }
 
-// A wrong length or area is seen.
+// Wrong lengths and areas are detected.
 void differences_are_seen()
 {
   Report::instance().set_context("wrong lengths");
@@ -151,7 +152,7 @@ void integrals_over_all_levels()
   all_levels("saddle", saddle_fan(), 1e-9);
 }
 
-// Few distances are at events, where nothing is compared.
+// Only few distances are at events, where nothing is compared.
 void few_events()
 {
   CHECK_DETAIL(totals.at_events * 20 <= totals.distances,

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The tracer against exact arrangements of the same windows, face by face: cases that it once got wrong, and a bounded run of
-// benchmark/Surface_mesh_geodesic_offset/Robustness/offset_oracle.cpp. The oracle comes first: it finds each kind of damage.
+// The tracer against exact arrangements of the same windows, face by face: cases with former errors, and a bounded run of
+// benchmark/Surface_mesh_geodesic_offset/Robustness/offset_oracle.cpp. First the oracle itself: it detects each kind of
+// damage.
 
 #include "oracle_run.h"
 #include "test_check.h"
@@ -16,7 +17,7 @@ using namespace test;
 
 typedef Offset_oracle::Chains Chains;
 
-// What the oracle says of the chains of a random face that the function has changed; `none` if they are too few.
+// Verdict of the oracle on the chains of a random face changed by the function; `none` if there are too few chains.
 enum Verdict { none, right, topology, apart };
 
 Verdict verdict(unsigned seed, const std::function<bool(Chains&)>& change)
@@ -57,17 +58,17 @@ void oracle_finds_damage()
       c.clear();
       return true;
     });
-    expect(1, topology, [](Chains& c) { // other gates connected
+    expect(1, topology, [](Chains& c) { // wrong connections of gates
       if (c.size() != 2 || c[0].is_closed || c[1].is_closed || !is_large(c[0]) || !is_large(c[1])) return false;
       std::swap(c[0].to, c[1].to);
       return true;
     });
-    expect(2, topology, [](Chains& c) { // a loop that is none
+    expect(2, topology, [](Chains& c) { // an additional loop
       if (c.empty() || c[0].is_closed || !is_large(c[0])) return false;
       c[0].is_closed = true;
       return true;
     });
-    expect(3, apart, [](Chains& c) { // a moved end
+    expect(3, apart, [](Chains& c) { // a displaced end
       if (c.empty() || c[0].is_closed || !is_large(c[0])) return false;
       Chain_arc& a = c[0].arcs.back();
       const Point_in_face v = a.end - a.start;
@@ -87,10 +88,10 @@ void check(const Oracle_run& run)
   CHECK_DETAIL(c.thrown == 0, std::to_string(c.thrown) + " exceptions");
 }
 
-// Seeds of random windows whose curves were wrong: gates of needles moved by the rays that are allowed beside a cone; a loop
-// that was closed where two arcs go over into each other; loops along the sides of the face; gates moved by straight paths
-// beside a cone; gaps of the size of rounding of a large level; loops lost where three arcs meet, or beside a chain without
-// extent. And a level along an edge, which the oracle once judged by its shape.
+// Seeds of random windows with former errors: gates of needles displaced by the rays allowed beside a cone; a loop that was
+// closed at the transition of two arcs; loops along the sides of the face; gates displaced by straight paths beside a cone;
+// gaps of the size of rounding of a large level; loops lost where three arcs meet, or beside a chain without extent. Also a
+// level along an edge, which the oracle formerly judged by its shape.
 void earlier_faults()
 {
   for (const unsigned seed : {1137u, 5531u, 7436u, 119924u, 207048u, 207440u, 216710u, 225631u, 547908u, 580820u})

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The points of offset curves: within the tolerance, and few.
+// Points of offset curves: within the tolerance, and few.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -47,7 +47,7 @@ double size_of(const Surface_mesh& mesh)
   return size;
 }
 
-// All curves at multiples of a part of the largest distance.
+// All curves at multiples of a fraction of the largest distance.
 Curves curves_at_levels(const Surface_mesh& mesh, std::size_t levels)
 {
   Geodesic geodesic(mesh);
@@ -62,7 +62,7 @@ Curves curves_at_levels(const Surface_mesh& mesh, std::size_t levels)
   return curves;
 }
 
-// At most 1.3 times the points that Douglas and Peucker need, of the points of all pieces or of a much finer polyline.
+// At most 1.3 times the points that Douglas and Peucker need, from the points of all pieces or from a much finer polyline.
 void few_points(const std::string& name, const Curves& curves, double tolerance, double size)
 {
   std::size_t written = 0, piecewise = 0, needed = 0;
@@ -130,7 +130,7 @@ void squares()
       const Soup flat = jittered_grid(20, 20, seed), turned = rotated(flat, seed);
       const Surface_mesh mesh = mesh_of(seed % 2 == 1 ? flat : turned);
       const double d = 0.1 + 0.7 * seed;
-      // any affine map of the plane of a grid is given by three of its points
+      // three points of a planar grid determine the affine map
       const auto& points = seed % 2 == 1 ? flat.points : turned.points;
       const Point_3 origin = points[0];
       const double width = std::sqrt(CGAL::squared_distance(points[0], points[20]));
@@ -159,7 +159,7 @@ void squares()
             double nearest = infinity;
             for (const Point_3& p : polyline)
               nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, at(u, v))));
-            // a corner may be replaced by a point where the polyline leaves its face, within a part of the tolerance
+            // a corner may be replaced by a point where the polyline leaves its face, within a fraction of the tolerance
             CHECK_DETAIL(nearest <= tolerance * width / 256 + 1e-11 * width, values(nearest, 0));
           }
         check_thin_polyline(curves[0], tolerance * width, width);
@@ -174,9 +174,9 @@ std::size_t occurrences(const std::string& text, const std::string& part)
   return count;
 }
 
-// In files with true arcs, an arc or a segment is one however many faces it crosses: the outer offset of a square has four of
-// each, the inner one four segments; a circle has two arcs in a DXF file and three in an SVG file. Faces may be in one plane
-// up to seven digits, which makes thousands of pieces of a circle.
+// In files with true arcs, an arc or a segment is one however many faces it crosses: the outer offset of a square has four
+// of each, the inner one four segments; a circle has two arcs in a DXF file and three in an SVG file. Faces may be coplanar
+// up to seven digits, which divides a circle into thousands of pieces.
 void true_arcs()
 {
   for (const bool is_rounded : {false, true})
@@ -219,7 +219,7 @@ void true_arcs()
     }
 }
 
-// Two polylines on one line, of which one turns back by 1: each point is on both.
+// Two collinear polylines, one of which turns back by 1: each point is on both.
 void turn_back()
 {
   const Polyline_3 p = {Point_3(0, 0, 0), Point_3(3, 0, 0)},
@@ -229,7 +229,7 @@ void turn_back()
   CHECK(Frechet_decision(q, q, 1e-6)() && !Frechet_decision(q, Polyline_3(q.rbegin(), q.rend()), 2.999)());
 }
 
-// Circles of few pieces, with tolerances from less than rounding to more than the mesh.
+// Circles of few pieces, with tolerances from below rounding to more than the mesh.
 void circles_in_faces()
 {
   Random random(11);
@@ -249,7 +249,7 @@ void circles_in_faces()
         Report::instance().set_context("circle " + std::to_string(i) + ", tolerance " + std::to_string(tolerance / radius));
         for (const auto& curve : curves) check_thin_polyline(curve, tolerance, size_of(*mesh));
       }
-      // the angle of the arcs is so small that discretize() has few chords, which may be farther off than the tolerance
+      // the angle of the arcs is so small that discretize() has few chords, which may exceed the tolerance
       Report::instance().set_context("circle " + std::to_string(i) + ", tolerances less than rounding");
       for (const auto& curve : curves)
         for (const double tolerance : {1e-25, 1e-300, std::numeric_limits<double>::denorm_min()})
@@ -261,7 +261,7 @@ void circles_in_faces()
     }
 }
 
-// Closed curves that are smaller than the tolerance remain triangles.
+// Closed curves smaller than the tolerance remain triangles.
 void small_curves()
 {
   const Surface_mesh cube = mesh_of(cube_grid(3)), grid = mesh_of(jittered_grid(6, 6, 2));
@@ -284,7 +284,7 @@ void small_curves()
       }
 }
 
-// The points where source or side change are points of VTK files, so that the values of points are right.
+// Points where source or side change are points of VTK files, so that the values of points are correct.
 void values_of_points()
 {
   Report::instance().set_context("values of points");

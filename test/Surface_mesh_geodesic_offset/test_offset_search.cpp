@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Levels next to the distances where topology changes: cases that once gave wrong curves, and a bounded run of the search
-// (benchmark/Surface_mesh_geodesic_offset/Robustness/offset_search.cpp runs it at length). The judge comes first: it passes
-// right curves and finds each kind of damage.
+// Levels near distances where the topology changes: cases with former errors, and a bounded run of the search
+// (benchmark/Surface_mesh_geodesic_offset/Robustness/offset_search.cpp is the long run). First the judge itself: it accepts
+// correct curves and detects each kind of damage.
 
 #include "offset_search.h"
 #include "test_check.h"
@@ -22,7 +22,7 @@ namespace test_offset_search {
 
 using namespace test;
 
-/// A piece of a curve as plain data, which can be damaged.
+/// A piece of a curve as plain data that can be damaged.
 struct Plain_piece
 {
   explicit Plain_piece(const Offset_piece& p)
@@ -49,7 +49,7 @@ struct Plain_piece
   Point_2 end_2() const { return to; }
   Face_location start() const { return at_start; }
   Face_location end() const { return at_end; }
-  // The judge asks for quarters only.
+  // The judge requests only quarters.
   Face_location location(double t) const
   {
     return t <= 0 ? at_start : t >= 1 ? at_end : inside[std::size_t(t * parts) - 1];
@@ -139,7 +139,7 @@ void expect(Judged& judged, const std::string& name, double level, Plain_curves 
     CHECK_DETAIL(verdict.faults[f] > 0, name + ": no " + name_of(f) + text_of(verdict));
 }
 
-// `Judged` finds each kind of damage of a curve that passes at least five faces.
+// `Judged` detects each kind of damage of a curve that crosses at least five faces.
 template <class AddSources>
 void damages(const std::string& name, const Soup& soup, const AddSources& add_sources, double level)
 {
@@ -155,7 +155,7 @@ void damages(const std::string& name, const Soup& soup, const AddSources& add_so
   for (const Offset_curve& c : curves) plain.emplace_back(c);
   const Verdict same = judged(level, plain);
   CHECK_DETAIL(same.is_right() && same.area == right.area && same.length == right.length, text_of(same));
-  // the longest curve comes first, its longest piece second
+  // the longest curve first, its longest piece second
   std::sort(plain.begin(), plain.end(), [](const Plain_curve& a, const Plain_curve& b)
             { return a.pieces.size() > b.pieces.size(); });
   auto& pieces = plain[0].pieces;
@@ -193,13 +193,13 @@ void damages(const std::string& name, const Soup& soup, const AddSources& add_so
       if (x != 0) x = x < 0.5 ? x + 1e-7 : x - 1e-7;
   });
 
-  // the curves of a level that is larger by a little
+  // the curves of a slightly larger level
   const double next = level * (1 + 1e-6);
   const Verdict wrong_level = judged(level, offsets(judged.geodesic, next));
   CHECK_DETAIL(wrong_level.faults[OFF] > 0, text_of(wrong_level));
 }
 
-// A segment that runs back and forth, as a tracer of rounded points once made them.
+// A segment that runs back and forth, a former fault of a tracer of rounded points.
 void backward_segment()
 {
   const Generated_mesh<Surface_mesh> data(planar_grid(4, 4));
@@ -229,7 +229,7 @@ void judge_finds_damage()
   backward_segment();
 }
 
-// search_tolerances.h repeats tolerances of the package; here they are the same.
+// search_tolerances.h repeats tolerances of the package; they must be equal.
 void tolerances()
 {
   typedef CGAL::Geodesic_offset::internal::Offset_tolerances<double> Package;
@@ -240,7 +240,7 @@ void tolerances()
   CHECK(Package::ray_slack(1.) == Judge_tolerances::bounding_ray);
 }
 
-// A small loop round a maximum inside a face, which no edge sees.
+// A small loop around a maximum inside a face, without edge crossings.
 void judge_finds_missing_loop()
 {
   Report::instance().set_context("loop in a face");
@@ -288,8 +288,8 @@ void one_open_curve(const Surface_mesh& mesh, const std::function<void(Geodesic&
   }
 }
 
-// A grid with noise of 1e-5 in the third coordinate; the level is that of a vertex up to 1e-10, and of its neighbours up to
-// the square of the noise.
+// A grid with noise of 1e-5 in the third coordinate; the level is the distance of a vertex up to 1e-10, and of its
+// neighbours up to the square of the noise.
 void noisy_grid()
 {
   const Surface_mesh mesh = data_mesh("noisy_grid.off");
@@ -297,7 +297,7 @@ void noisy_grid()
   one_open_curve(mesh, section, 4.000000000112058, 6, 1e-6);
 }
 
-// A grid turned in space and rounded to single precision; source and level run along its lines.
+// A grid rotated in space and rounded to single precision; source and level run along its lines.
 void float_grid()
 {
   const Surface_mesh mesh = data_mesh("float_grid.off");
@@ -312,7 +312,7 @@ void search()
 {
   Search_options options;
   options.meshes = 1000;
-  options.seconds = 300; // in builds without optimization
+  options.seconds = 300; // in unoptimized builds
   options.validate = 25;
   options.printed = 20;
   Offset_search search(options);

@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One-sided offsets of plane sections: left and right together are both, piece by piece, and each
-// piece is on its side. Two oracles for the side: the equation of the plane, where all curves of
-// the section are sources (no shortest path to them crosses the plane); and the shortest path
-// traced from the piece.
+// One-sided offsets of plane sections: left and right together are both, piece by piece, and each piece is on its side. Two
+// oracles for the side: the equation of the plane if all curves of the section are sources (no shortest path to them
+// crosses the plane), and the shortest path traced from the piece.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -78,7 +77,7 @@ struct Totals
   double worst_length = 0, worst_height = 0;
 };
 
-// Compares both, left, right, and checks sides. `plane` may be null.
+// Compares both, left and right offsets, and checks sides. `plane` may be null.
 void compare_sides(const test::Surface_mesh& mesh,
                    const std::vector<Section<test::Surface_mesh>>& sections, const Plane* plane,
                    Totals& totals)
@@ -109,7 +108,7 @@ void compare_sides(const test::Surface_mesh& mesh,
   const double length = total_length(butt), sum = total_length(left) + total_length(right);
   totals.worst_length = (std::max)(totals.worst_length, std::abs(sum - length) / length);
   CHECK_DETAIL(std::abs(sum - length) <= 1e-12 * length, values(sum, length));
-  // with round ends, each side has the caps, too
+  // with round ends, each side also has the caps
   const Offset_curves round_left = offsets(geodesic, levels, Offset_side::LEFT);
   const Offset_curves round_right = offsets(geodesic, levels, Offset_side::RIGHT);
   CHECK(together(round_left, round_right).size() == sorted_pieces(both).size() + caps);
@@ -120,7 +119,7 @@ void compare_sides(const test::Surface_mesh& mesh,
     CHECK(together(left, right) == sorted_pieces(both));
   }
   if (all_closed && plane)
-  { // no curve changes sides
+  { // curves do not change sides
     CHECK_DETAIL(left.size() + right.size() == both.size(),
                  std::to_string(left.size()) + " + " + std::to_string(right.size()) +
                    " curves, both: " + std::to_string(both.size()));
@@ -142,7 +141,7 @@ void compare_sides(const test::Surface_mesh& mesh,
       }
 }
 
-// The first plane with a section curve that is closed, or open; false if there is none.
+// The first plane with a closed, or open, section curve; returns false if there is none.
 bool run(const std::string& name, const test::Surface_mesh& mesh, bool closed_wanted,
          Totals& totals)
 {
@@ -157,7 +156,7 @@ bool run(const std::string& name, const test::Surface_mesh& mesh, bool closed_wa
     try
     {
       compare_sides(mesh, sections, &plane, totals);
-      for (const auto& s : sections) // one curve alone need not divide the surface
+      for (const auto& s : sections) // a single curve need not divide the surface
         if (s.closed == closed_wanted)
         {
           compare_sides(mesh, {s}, nullptr, totals);

@@ -1,16 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The validation oracle itself: it passes right curves, and reports damaged ones, each kind of
-// damage by the check that is there for it.
+// The validation oracle itself: it accepts correct curves, and detects each kind of damage by the corresponding check.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
 #include "locations.h"
 #include "plane_section.h"
 #include "test_check.h"
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
+#include "validation/Offset_validation.h"
 
 #include <algorithm>
 #include <memory>
@@ -27,7 +25,7 @@ typedef Geodesic::Offset_curve Offset_curve;
 typedef internal::Validation_report Validation_report;
 typedef internal::Validation_kind Validation_kind;
 
-// A curve as its parts, to be changed and made into a curve again.
+// Parts of a curve, which can be changed and reassembled.
 struct Parts
 {
   double distance;
@@ -151,7 +149,7 @@ void expect(const Case& c, const std::string& damage, const std::vector<Offset_c
     CHECK_DETAIL(report.failures(kind) > 0, name_of(kind) + (" is silent: " + summary(report)));
 }
 
-// Pieces of one level need not come close to each other; they do so in some of the cases.
+// Pieces of one level need not be close to each other; they are in some of the cases.
 std::size_t& checks_of_crossings()
 {
   static std::size_t count = 0;
@@ -175,7 +173,7 @@ void damage_curves(const Case& c)
   CHECK(good.separated_on_edges > 0 && good.separated_in_faces > 0 && good.areas > 0);
   CHECK(good.oriented_pieces > 0);
 
-  // taking curves apart and putting them together is no damage
+  // disassembling and reassembling curves is no damage
   std::vector<Offset_curve> same;
   for (const Offset_curve& curve : c.curves)
     same.push_back(workshop.put_together(Workshop_::take_apart(curve)));
@@ -239,9 +237,9 @@ void damage_curves(const Case& c)
 
   parts = original;
   parts.distance *= 1 + 1e-3;
-  expect(c, "a label that was not asked for", with(parts), {ON_LEVEL, EDGE_PARITY});
+  expect(c, "a label that was not requested", with(parts), {ON_LEVEL, EDGE_PARITY});
 
-  // a triangle of segments inside a face that the curve passes
+  // a triangle of segments inside a face that the curve crosses
   parts = original;
   const auto& passed = original.pieces[piece];
   const auto middle = 0.5 * (passed.start + passed.end);

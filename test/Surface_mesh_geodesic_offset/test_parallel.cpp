@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds with Parallel_tag: distances, nearest sources, paths and offsets are those of Sequential_tag but for rounding, and
-// the same to the last bit for any number of threads and from run to run; set-up and cutting of given windows do not depend
-// on the tag at all. Built with and without ThreadSanitizer.
+// Builds with Parallel_tag: distances, nearest sources, paths and offsets are those of Sequential_tag up to rounding, and
+// bitwise equal for any number of threads and in every run; set-up and cutting of given windows do not depend on the tag at
+// all. Built with and without ThreadSanitizer.
 //
 //   test_parallel [--small]      --small: without the larger meshes
 
@@ -34,7 +34,7 @@ static_assert(std::is_same<CGAL::Geodesic_offset::internal::Concurrency<CGAL::Pa
                            CGAL::Sequential_tag>::value,
               "numbers that are not floating point numbers are computed with by one thread");
 
-// The stated bound on relative differences of distances between the two tags.
+// Documented bound of relative differences of distances between the two tags.
 constexpr double bound = 1e-13;
 
 template <class Function>
@@ -45,12 +45,12 @@ void with_threads(int n, const Function& f)
   arena.execute(f);
 }
 
-// What comes of all kinds of builds on one mesh, in the same order each time.
+// Results of all kinds of builds on one mesh, always in the same order.
 struct Outcome
 {
   std::vector<double> distances; // of vertices and points
-  std::vector<double> lengths;   // of the curves of a level, and how many there are, and how many are closed
-  std::vector<double> rest;      // what depends on the order of the front: counts, and where it stopped
+  std::vector<double> lengths; // of the curves of a level, with the numbers of curves and closed curves
+  std::vector<double> rest; // dependent on the order of the front: counts, and the stopping distance
 };
 
 template <class Tag>
@@ -70,7 +70,7 @@ public:
     m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     compare_with_envelopes();
-    add(2); // polylines among them
+    add(2); // including polylines
     m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true));
     take_down(true);
     m_out.distances.push_back(m_geodesic.largest_distance());
@@ -115,7 +115,7 @@ private:
     for (std::size_t i = 0; i < n; ++i) m_case.random_source(m_random).add_to(m_geodesic);
   }
 
-  // Windows in a row are propagated as they are where only distances at vertices are wanted.
+  // Monotone lists are propagated unchanged if only distances at vertices are requested.
   void compare_with_envelopes()
   {
     Geodesic whole(m_geodesic);
@@ -125,7 +125,7 @@ private:
       CHECK_CLOSE(worst, m_geodesic.distance_to_sources(v), whole.distance_to_sources(v));
   }
 
-  // What stops early depends on the order of the front.
+  // Results of stopped builds depend on the order of the front.
   void targets_and_visitors()
   {
     const std::vector<Vertex_index> targets = {used_vertices(m_case.mesh).front()};
@@ -228,7 +228,7 @@ void compare_tags(Query_case& c, unsigned seed, std::size_t points)
   compare(c, seed, parallel.front(), sequential);
 }
 
-// One piece after the other, as numbers.
+// All pieces as numbers.
 std::vector<double> pieces_of(const Offset_curves& curves)
 {
   std::vector<double> result;
@@ -254,7 +254,7 @@ std::vector<double> pieces_of(const Offset_curves& curves)
   return result;
 }
 
-// What several threads cut from the same windows is what one cuts, piece by piece, at few levels and at many.
+// Several threads cut the same curves from given windows as one thread, piece by piece, at few levels and at many.
 void same_pieces(Query_case& c)
 {
   Report::instance().set_context(c.name + ", pieces");
@@ -280,7 +280,7 @@ void same_pieces(Query_case& c)
   }
 }
 
-// A mesh that several threads have set up is that of one; and they complain of the same face.
+// Several threads set up the same mesh as one thread, and report the same bad face.
 void same_set_up(Query_case& c)
 {
   Report::instance().set_context(c.name + ", set-up");
@@ -325,7 +325,7 @@ void same_set_up(Query_case& c)
   with_threads(3, [&] { CHECK_DETAIL(complaint(CGAL::Parallel_tag()) == one, one); });
 }
 
-// Several threads go on no farther beyond the maximum distance than one does.
+// Several threads propagate no farther beyond the maximum distance than one does.
 void up_to_maximum(Query_case& c)
 {
   Report::instance().set_context(c.name + ", up to a maximum distance");
@@ -345,7 +345,7 @@ void up_to_maximum(Query_case& c)
   }
 }
 
-// Builds of several objects at one time, each with threads of its own, as TBB has them.
+// Concurrent builds of several objects, each with its own threads of TBB.
 void several_at_once(Query_case& c)
 {
   Report::instance().set_context(c.name + ", several at once");
@@ -361,7 +361,7 @@ void several_at_once(Query_case& c)
   };
   const unsigned n = 6;
   std::vector<std::vector<double>> together(n);
-  std::vector<std::thread> threads; // not of TBB, each of which may ask it for more
+  std::vector<std::thread> threads; // outside of TBB; each may request further threads from TBB
   for (unsigned i = 0; i < n; i += 2)
     threads.emplace_back(
       [&, i]
@@ -372,7 +372,7 @@ void several_at_once(Query_case& c)
   for (unsigned i = 0; i < n; ++i) CHECK(together[i] == build(i, CGAL::Parallel_tag()));
 }
 
-// All threads round as the calling one does, also those that have rounded in another way before.
+// All threads use the caller's rounding mode, also after rounds with another mode.
 void rounding_of_the_caller(const test::Surface_mesh& mesh)
 {
   const auto build = [&](int threads, int mode)
@@ -397,7 +397,7 @@ void rounding_of_the_caller(const test::Surface_mesh& mesh)
   CHECK(build(2, FE_TONEAREST) == nearest);
 }
 
-// The exception of the first item that has one, by any number of threads; and the team goes on afterwards.
+// The exception of the first failing item, with any number of threads; the team remains usable.
 void exceptions_of_a_team()
 {
   typedef CGAL::Geodesic_offset::internal::Index Index;
@@ -431,7 +431,7 @@ void exceptions_of_a_team()
 }
 
 #if !defined(__SANITIZE_THREAD__)
-// The same by tasks of TBB, which ThreadSanitizer does not understand.
+// Builds within tasks of TBB, which ThreadSanitizer does not understand.
 void within_tasks(Query_case& c)
 {
   Report::instance().set_context(c.name + ", within tasks");

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves of polylines on triangulated rectangles against the offset in the plane, made
-// without the mesh: Hausdorff distance 1e-12 of the diagonal, the same numbers of closed curves and
-// of curves from border to border, the same lengths (1e-11 relative); closed forms of the length.
+// Offset curves of polylines on triangulated rectangles against planar offsets computed without mesh: Hausdorff distance
+// 1e-12 of the diagonal, the same numbers of closed curves and of curves from border to border, the same lengths (1e-11
+// relative); closed forms of the length.
 
 #include "flat_paths.h"
 #include "generated_meshes.h"
@@ -31,12 +31,12 @@ using CGAL::Offset_selection;
 using CGAL::Offset_side;
 using CGAL::Source_side;
 
-/// What was compared, and the worst errors (in diagonals, and relative for lengths).
+/// Counts of comparisons, and the worst errors (in diagonals, and relative for lengths).
 struct Tally
 {
   std::size_t polylines = 0, crossing = 0, closed = 0, levels = 0, closed_curves = 0,
-              open_curves = 0, pieces = 0, specks = 0, levels_as_asked = 0;
-  double to_plane = 0, from_plane = 0, as_asked = 0, length = 0, off_source = 0;
+              open_curves = 0, pieces = 0, specks = 0, levels_as_requested = 0;
+  double to_plane = 0, from_plane = 0, as_requested = 0, length = 0, off_source = 0;
 };
 
 Tally tally;
@@ -74,7 +74,7 @@ public:
   const Rectangle& box() const { return box_; }
   const Unfolding_of_patches<test::Surface_mesh>& unfolding() const { return unfolding_; }
 
-  /// The legs through the points, cut where they cross mesh edges.
+  /// Legs through the points, divided where they cross mesh edges.
   Path path(const std::vector<Point_2>& points, bool closed = false) const
   {
     Path result;
@@ -92,7 +92,7 @@ public:
     return result;
   }
 
-  /// Steps from vertex to vertex of a mesh: each a leg.
+  /// Path from vertex to vertex of a mesh; each step is a leg.
   Path vertex_path(const std::vector<std::size_t>& vertices, bool closed = false) const
   {
     Path result;
@@ -107,8 +107,8 @@ public:
     return result;
   }
 
-  /// Everything at several levels against the plane. At `touching` levels the planar offset may
-  /// touch itself: these are compared where they are cut only.
+  /// Compares everything at several levels with the plane. At `touching` levels the planar offset may touch itself: there
+  /// only the cut distances are compared.
   void compare(const std::string& what, const Path& path, bool closed,
                const std::vector<double>& levels, bool touching = false)
   {
@@ -134,7 +134,7 @@ public:
       }
       else
       {
-        // The checks ask for the distances of vertices, which are there once the build has ended.
+        // The checks need distances of vertices, so they follow the build.
         std::vector<std::pair<double, Curves>> all;
         geodesic.build_with_offset_curves_by_distance(
           levels,
@@ -149,7 +149,7 @@ public:
     }
   }
 
-  /// Curves of a selection: how many are closed and open, and their total length.
+  /// Compares curves of a selection: numbers of closed and open curves, and their total length.
   void compare_length(const std::string& what, const Path& path, bool closed, double level,
                       const Offset_selection& selection, std::size_t number_closed,
                       std::size_t number_open, double expected)
@@ -222,17 +222,17 @@ private:
     tally.from_plane = (std::max)(tally.from_plane, from);
     if (touching) return;
 
-    // At the level as asked for, unless the corners of the offset move far with the level.
+    // Use the requested level unless the corners of the offset move fast with the level.
     const Planar_offset asked(path.legs, level, box_);
     if ((level - cut_level(level)) * asked.speed_of_joints() > 0.5 * tolerance) return;
-    ++tally.levels_as_asked;
+    ++tally.levels_as_requested;
     CHECK(asked.number_of_components(true) == closed_lengths.size());
     CHECK(asked.number_of_components(false) == open_lengths.size());
     const double both = (std::max)(directed_hausdorff_distance(pieces, asked.pieces(), 8),
                                    directed_hausdorff_distance(asked.pieces(), pieces, 32)) /
                         diagonal;
     CHECK_DETAIL(both <= 1e-12, values(both, 0));
-    tally.as_asked = (std::max)(tally.as_asked, both);
+    tally.as_requested = (std::max)(tally.as_requested, both);
   }
 
   void compare_lengths(const Planar_offset& expected, bool closed, std::vector<double>& actual)
@@ -262,8 +262,8 @@ private:
     CHECK_DETAIL(to_border <= 1e-12 * box_.diagonal(), values(to_border, 0));
   }
 
-  // How far the distance of `p` from segment `part`, or from those that go straight on before and behind it, is from the
-  // level: segments that follow each other in a straight line act as one.
+  // Deviation from the level of the distance of `p` from segment `part` and its collinear neighbours, which act as one
+  // segment.
   double off_straight_chain(const Path& path, bool closed, std::size_t part, const Point_2& p, double level) const
   {
     const std::size_t n = path.locations.size(), segments = closed ? n : n - 1;
@@ -285,8 +285,7 @@ private:
     return off;
   }
 
-  // The segment or point that the piece names has the level's distance from the middle of the
-  // piece, and lies on the side that it names.
+  // Checks that the piece's segment or point has the level's distance from the middle of the piece, which is on its side.
   template <class Piece>
   void check_source(const Piece& piece, const Path& path, bool closed, double level)
   {
@@ -351,10 +350,10 @@ void print_tally(const std::string& what)
 {
   std::cout << what << ": " << tally.polylines << " polylines (" << tally.closed << " closed, "
             << tally.crossing << " self-crossing), " << tally.levels << " levels ("
-            << tally.levels_as_asked << " also as asked for), " << tally.closed_curves
+            << tally.levels_as_requested << " also at the requested level), " << tally.closed_curves
             << " closed and " << tally.open_curves << " open curves, " << tally.pieces
             << " pieces (" << tally.specks << " specks); Hausdorff distance " << tally.to_plane
-            << " and " << tally.from_plane << " diagonals (as asked for " << tally.as_asked
+            << " and " << tally.from_plane << " diagonals (at the requested level " << tally.as_requested
             << "), relative error of lengths " << tally.length << ", off the source named "
             << tally.off_source << std::endl;
   tally = Tally();
@@ -393,11 +392,11 @@ void random_polylines()
   CHECK(tally.closed >= 40);
   CHECK(tally.closed_curves >= 400);
   CHECK(tally.open_curves >= 200);
-  CHECK(10 * tally.levels_as_asked >= 9 * tally.levels);
+  CHECK(10 * tally.levels_as_requested >= 9 * tally.levels);
   print_tally("200 random polylines");
 }
 
-// Thin faces: the arcs of a level have their centers far away, in units of the faces.
+// Thin faces: the centers of a level's arcs are far away, in units of the faces.
 void needles()
 {
   for (unsigned seed = 1; seed <= 4; ++seed)
@@ -413,14 +412,14 @@ void needles()
   print_tally("needles");
 }
 
-// All in one triangle: segments meet inside it, and the offset may have loops that meet no edge.
+// All in one triangle: segments meet inside it, and the offset may have loops without edge crossings.
 void one_face()
 {
   Soup soup;
   soup.points = {Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0)};
   soup.add_triangle({{0, 1, 2}}, 0, {{Point_2(0, 0), Point_2(4, 0), Point_2(0, 4)}});
   Plane plane("one face", soup, 1, false);
-  // Its outer loop was lost.
+  // The outer loop was lost formerly.
   plane.compare("a folded quadrilateral",
                 plane.path({Point_2(1.3210769831202924, 1.1145089550409466),
                             Point_2(1.325284565333277, 1.3418801832012832),
@@ -441,7 +440,7 @@ void one_face()
   print_tally("one face");
 }
 
-// What a user draws on a regular grid. All vertices are (i, j), number 17 j + i.
+// Typical drawings on a regular grid. Vertex 17 j + i is at (i, j).
 void degenerate()
 {
   for (const Diagonals diagonals : {Diagonals::forward, Diagonals::alternating, Diagonals::random})
@@ -450,7 +449,7 @@ void degenerate()
       Plane plane("grid " + std::to_string(static_cast<int>(diagonals)) + (turn ? ", turned" : ""),
                   planar_grid(16, 16, diagonals, 1, 0, 5), 5, turn);
       const auto v = [](std::size_t i, std::size_t j) { return 17 * j + i; };
-      // Distances of vertices: whole numbers, square roots.
+      // Distances of vertices: integers and square roots.
       const std::vector<double> levels = {0.5, 1, std::sqrt(2.), 2, 2.5, std::sqrt(5.), 3, 5};
 
       plane.compare("a vertex", plane.vertex_path({v(8, 8)}), false, levels, true);
@@ -534,7 +533,7 @@ void closed_forms()
       }
     }
 
-    // A convex polygon round a circle: offset inwards, it keeps its shape.
+    // A convex polygon around a circle: offset inwards, it keeps its shape.
     const double in_radius = 0.4;
     const std::size_t n = 3 + seed % 5;
     std::vector<double> angles;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sections by planes: against CGAL::Polygon_mesh_slicer, in general position and through vertices, edges and faces; which
-// side of them is which; and as sources.
+// Plane sections against CGAL::Polygon_mesh_slicer, in general position and through vertices, edges and faces; their
+// orientation; and sections as sources.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -17,7 +17,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ double distance(const Point_3& p, const Point_3& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// The length of polylines, and how many are closed.
+// Length of polylines, and number of closed ones.
 struct Measure
 {
   double length = 0;
@@ -62,7 +62,7 @@ public:
                           std::abs(box.ymax()), std::abs(box.ymin()), std::abs(box.zmax()), std::abs(box.zmin())});
   }
 
-  // Returns the section, checked by itself: its points are in the plane, its segments in faces, with the positive side on
+  // Computes the section and checks that its points are in the plane, its segments in faces, with the positive side on
   // their left.
   Plane_section operator()(const Plane_3& plane, Measure& measure)
   {
@@ -91,7 +91,7 @@ public:
         const double rise = CGAL::cross_product(normal, q - p) * plane.orthogonal_vector();
         const double largest =
           std::sqrt(normal.squared_length() * (q - p).squared_length() * plane.orthogonal_vector().squared_length());
-        if (m_locations.support(l[i]).size() > 1 || m_locations.support(next).size() > 1) // else there is another face
+        if (m_locations.support(l[i]).size() > 1 || m_locations.support(next).size() > 1) // otherwise there is another face
           CHECK(rise > -1e-6 * largest);
       }
     }
@@ -105,7 +105,7 @@ public:
     Measure measure;
     for (const auto& polyline : polylines)
     {
-      if (polyline.size() < 2) continue; // a touched vertex
+      if (polyline.size() < 2) continue; // a single contact at a vertex
       ++measure.number;
       measure.closed += polyline.front() == polyline.back();
       for (std::size_t i = 1; i < polyline.size(); ++i) measure.length += distance(polyline[i - 1], polyline[i]);
@@ -125,7 +125,7 @@ public:
     CHECK(section.touched_vertices.empty() && section.number_of_faces_in_plane == 0);
     length += ours.length / m_scale;
 
-    // as sources: distance zero there, and all of it a source
+    // as sources: distance zero there, and the whole section is a source
     m_geodesic.clear_sources();
     const std::vector<std::size_t> ids = m_geodesic.add_source_plane_section(plane);
     CHECK(ids.size() == section.polylines.size() && m_geodesic.number_of_sources() == ids.size());
@@ -144,7 +144,7 @@ public:
     }
   }
 
-  double length = 0; // of all sections, over the size of the mesh
+  double length = 0; // of all sections, relative to the size of the mesh
 
 private:
   const TriangleMesh& m_mesh;
@@ -169,7 +169,7 @@ void generated()
     for (unsigned seed = 0; seed < 10; ++seed) check.in_general_position(seed);
     length += check.length;
   }
-  CHECK(length > 100); // planes have met the meshes
+  CHECK(length > 100); // planes intersected the meshes
 }
 
 void data_meshes()
@@ -193,7 +193,7 @@ void data_meshes()
   }
 }
 
-// Through vertices, along edges, and in faces: where it is known what there is.
+// Through vertices, along edges, and in faces: cases with known results.
 template <class TriangleMesh>
 void special_positions()
 {
@@ -209,7 +209,7 @@ void special_positions()
       CHECK(section.touched_vertices.size() == touched && section.number_of_faces_in_plane == faces);
     }
   };
-  const Generated_mesh<TriangleMesh> cube(cube_grid(4)); // the unit cube, 4 x 4 squares a side
+  const Generated_mesh<TriangleMesh> cube(cube_grid(4)); // the unit cube, 4 x 4 squares per side
   Report::instance().set_context("cube");
   expect(cube.mesh, Plane_3(0, 0, 1, -0.5), 4, 1, 1, 0, 0);     // along edges
   expect(cube.mesh, Plane_3(0, 0, 1, -0.6), 4, 1, 1, 0, 0);     // across
@@ -228,9 +228,9 @@ void special_positions()
   expect(grid.mesh, Plane_3(1, -1, 0, 0), 4 * std::sqrt(2.), 1, 0, 0, 0); // along the diagonals
   expect(grid.mesh, Plane_3(1, 1, 0, -4), 4 * std::sqrt(2.), 1, 0, 0, 0); // across them, through vertices
   expect(grid.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 1, 0);    // a corner
-  expect(grid.mesh, Plane_3(0, 0, 1, 0), 20, 1, 1, 0, 48);  // all of it: its border
+  expect(grid.mesh, Plane_3(0, 0, 1, 0), 20, 1, 1, 0, 48); // all faces: the border
 
-  // where two lines of the section cross, polylines end
+  // polylines end where two lines of the section cross
   Soup saddle;
   for (int i = 0; i < 8; ++i)
   {
@@ -244,7 +244,7 @@ void special_positions()
   expect(crossing.mesh, Plane_3(0, 0, 1, 0), 4, 4, 0, 0, 0);
 }
 
-// A section through a flat mesh: its distances are those to a line.
+// A section through a flat mesh: distances are those from a line.
 void distances_to_a_line()
 {
   for (unsigned seed = 0; seed < 20; ++seed)
@@ -260,7 +260,7 @@ void distances_to_a_line()
     Worst_error worst(1e-13, 10);
     for (auto v : data.mesh.vertices())
     {
-      // the nearest point of the line is on the mesh unless that is beyond its border
+      // the nearest point of the line is on the mesh unless it is beyond the border
       const Point_3 p = data.mesh.point(v), foot = plane.projection(p);
       if (foot.y() < 0 || foot.y() > 7) continue;
       CHECK_CLOSE(worst, geodesic.distance_to_sources(v), distance(p, foot));
@@ -272,7 +272,7 @@ void distances_to_a_line()
   }
 }
 
-// With other kernels, the same.
+// Equal results with other kernels.
 template <class Other_kernel>
 void other_kernel(double tolerance)
 {
@@ -325,7 +325,7 @@ void bad_input()
   CHECK(geodesic.add_source_plane_section(Plane_3(0, 0, 1, 2)).empty()); // misses the mesh
   CHECK(geodesic.number_of_sources() == 0);
 
-  test::Surface_mesh isolated; // vertices without faces are not of the surface
+  test::Surface_mesh isolated; // isolated vertices are not part of the surface
   isolated.add_vertex(Point_3(0, 0, 0));
   const auto section = Geodesic(isolated).plane_section(Plane_3(0, 0, 1, 0));
   CHECK(section.polylines.empty() && section.touched_vertices.empty());

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Plane sections as sources against the same sections sampled densely as points: the samples'
-// distance is never smaller (1e-12 relative), and converges to the section's as the sampling is
-// refined.
+// Plane sections as sources against the same sections sampled densely as points: the samples' distance is never smaller
+// (1e-12 relative), and converges to that of the section as the sampling is refined.
 
 #include "data_meshes.h"
 #include "flat_paths.h"
@@ -22,8 +21,7 @@ using namespace test;
 typedef std::vector<Section<test::Surface_mesh>> Sections;
 typedef test::Locations<test::Surface_mesh> Locations;
 
-// Distances of all vertices from each segment's two ends and inner points at `samples` equal steps;
-// the longest step.
+// Distances of all vertices from each segment's ends and inner points at `samples` equal steps; the longest step.
 std::vector<double> sampled_distances(const test::Surface_mesh& mesh, const Sections& sections,
                                       std::size_t samples, double& longest_step)
 {
@@ -63,7 +61,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
 
   const double scale = bounding_box_diagonal(mesh);
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * scale;
-  double largest_excess = 0; // of the section's distance over the samples'
+  double largest_excess = 0; // excess of the section's distance over that of the samples
   std::vector<double> gaps;
   for (std::size_t samples : {1, 4, 16, 64})
   {
@@ -76,7 +74,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
       CHECK(std::isinf(exact) == std::isinf(approximate) && !std::isnan(exact));
       if (std::isinf(exact)) continue;
       CHECK_DETAIL(exact <= approximate * (1 + 1e-12) + rounding, values(exact, approximate));
-      // The sample nearest to the foot of a shortest path is at most half a step away from it.
+      // The sample nearest to the foot of a shortest path is at most half a step away.
       CHECK_DETAIL(approximate <= exact + longest_step / 2 * (1 + 1e-12) + rounding,
                    values(exact, approximate));
       largest_excess = (std::max)(largest_excess, exact - approximate);
@@ -84,8 +82,8 @@ void run(const std::string& name, const test::Surface_mesh& mesh, unsigned seed)
     }
     gaps.push_back(gap);
   }
-  // Between linear (vertices near the section) and quadratic (vertices far from it) in the step: 64
-  // times the samples, so at the very least eight times closer.
+  // The gap is between linear (vertices near the section) and quadratic (distant vertices) in the step: 64 times the
+  // samples reduce it by a factor of at least eight.
   CHECK_DETAIL(gaps.back() <= gaps.front() / 8 + rounding, values(gaps.back(), gaps.front()));
   std::cout << Report::instance().context() << ": " << num_vertices(mesh) << " vertices, "
             << segments << " segments; the section's distance exceeds the samples' by "

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program on bad input: exit code 2 for wrong usage and 1 for bad files, exactly one line of
-// errors, no file left.
+// The program on bad input: exit code 2 for wrong usage and 1 for bad files, exactly one line of errors, no remaining file.
 //
 //   test_program_bad_input PROGRAM
 
@@ -48,7 +47,7 @@ public:
 private:
   static constexpr int usage = 2, input = 1;
 
-  // Asks for every kind of output, so that a partial file would be seen.
+  // Requests every kind of output, so that a partial file would be seen.
   Arguments with_outputs(Arguments arguments) const
   {
     const std::pair<const char*, const char*> outputs[] = {
@@ -62,7 +61,7 @@ private:
     return arguments;
   }
 
-  // Exit code, one line of errors that has all the given words, and the same files as before.
+  // Expects an exit code, one line of errors with all the given words, and unchanged files.
   void expect(int exit_code, const std::string& what, const Arguments& arguments,
               bool add_outputs = true, const Arguments& words = {})
   {
@@ -83,7 +82,7 @@ private:
     std::cout << what << ": " << result.errors << std::flush;
   }
 
-  // With good input the same way of calling works, so the failures below are those that are meant.
+  // Good input with the same arguments succeeds, so the failures below have the intended reasons.
   void sanity()
   {
     Report::instance().set_context("good input");
@@ -195,7 +194,7 @@ private:
       expect_bad_mesh("an empty line in" + format, bad.string());
       for (double part : {0.003, 0.1, 0.5, 0.9})
       {
-        // Cut within a line, where one was begun: an .obj file cut between lines is a whole file.
+        // Cut within a line: an .obj file cut between lines is a complete file.
         std::size_t size = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
         while (size > 1 &&
                (bytes[size - 1] == '\n' || bytes[size] == '\n' || bytes[size - 1] == ' '))
@@ -297,7 +296,7 @@ private:
       expect(input, std::string("an open polyline and the side ") + side,
              {good_, "--source-polyline", curve, "--distance", "0.5", "--side", side}, true,
              {curve, "line 2", "open"});
-    // round the hole of a torus there is no inside; which of two curves is to blame is said
+    // around the hole of a torus there is no inside; the message says which curve is affected
     const Soup torus = test::torus(24, 12);
     const std::string ring = (scratch_ / "torus.off").string();
     CGAL::IO::write_polygon_soup(ring, torus.points, torus.triangles);

@@ -24,7 +24,7 @@ def bulge_length(start, end, bulge):
 
 
 def bulge_point(start, end, bulge, part):
-    """The point at a part of the way: the arc turns by 4 atan(bulge), half of it before the chord's direction."""
+    """The point at parameter `part`: the arc turns by 4 atan(bulge), half of it before the chord's direction."""
     if bulge == 0:
         return start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])
     angle = 4 * math.atan(bulge)
@@ -59,7 +59,7 @@ def test_dxf(bench):
         skip("python3-ezdxf")
     out = bench.path("out.dxf")
 
-    # in a horizontal plane: each curve is one polyline with true arcs, whichever way the faces look
+    # in a horizontal plane: each curve is one polyline with true arcs, independent of the orientation of the faces
     for is_turned in (False, True):
         mesh = bench.grid(HORIZONTAL, is_turned)
         for source, distance, exact, vertices in (
@@ -83,7 +83,7 @@ def test_dxf(bench):
                     for part in (0, 0.1, 0.5, 0.7):
                         check_close(distance(bulge_point(*piece, part)), d, 1e-9, "a point of a polyline")
 
-    # curves that the border of the mesh cuts are open
+    # curves that end on the border of the mesh are open
     mesh = bench.grid(HORIZONTAL)
     stats = bench.run(mesh, *bench.center(HORIZONTAL), "--distance", 7, "--output", out)
     entities = read_dxf(ezdxf, out)
@@ -129,12 +129,12 @@ def test_dxf(bench):
         check_close(math.dist(ridge_unfolded(p), (4.5, 6.2)), d, 1e-9, "a point beyond the ridge")
         check_close(p[2], -0.75 * (p[0] - 6), 1e-12, "a point of the slope")
 
-    # straight over the ridge: nothing is gained by a split
+    # straight over the ridge: no split
     bench.run(bench.path("ridge.off"), "--source-plane", "0,1,0,-6", "--distance", 1.7, "--output", out)
     entities = read_dxf(ezdxf, out)
     check([e.dxftype() for e in entities] == ["POLYLINE"] * 2, "straight curves in one part: %s" % entities)
 
-    # round the border of a plate: its two sides look up and down at the same height
+    # around the border of a plate: its two sides face up and down at the same height
     stats = bench.run(bench.plate(HORIZONTAL), "--source-point", "%g,%g,0.3" % E, "--distance", 3, "--output", out)
     entities = read_dxf(ezdxf, out)
     check([e.dxftype() for e in entities] == ["LWPOLYLINE"] and entities[0].closed, "one polyline on both sides")

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The files of the program: no name of a file loses data, signals and full disks leave no parts of files, and there is one rule
-// for vertices that several fans of faces share.
+// Files of the program: no file name causes a loss of data, signals and full disks leave no partial files, and all programs
+// treat vertices shared by several fans of faces alike.
 //
 //   test_program_files GEODESIC_OFFSET VALIDATE_GEODESIC_DISTANCES
 
@@ -68,7 +68,7 @@ private:
     return run_program("/bin/sh", words);
   }
 
-  // One line that has the words, and no file more than before
+  // Expects one line with the words, and no additional file.
   void expect_error(int exit_code, const std::string& what, const Program_result& result, const Words& words,
                     const std::set<std::string>& files_before)
   {
@@ -87,7 +87,7 @@ private:
     expect_error(2, what, run_program(program_, arguments), words, before);
   }
 
-  // An output that is an input, or another output, by any name
+  // An output that is an input or another output, under any name.
   void aliases()
   {
     const std::string obj = path("in.obj"), curve = path("curve.polylines.txt");
@@ -138,7 +138,7 @@ private:
       CHECK(fs::exists(name) && read_file(name).find("LINES") != std::string::npos);
       fs::remove(name);
     }
-    // a symbolic link remains one, and what it points to gets the offsets, with the permissions of a new file
+    // a symbolic link remains; its target receives the offsets, with the permissions of a new file
     Report::instance().set_context("a symbolic link");
     fs::create_directory(scratch_ / "there");
     write_file(path("there/real.vtk"), "old");
@@ -217,9 +217,9 @@ private:
     const std::set<std::string> before = scratch_.files();
     for (const auto& number : numbers)
     {
-      std::signal(number.second, SIG_DFL); // whoever runs the tests may ignore it
+      std::signal(number.second, SIG_DFL); // the caller of the tests may ignore it
 
-      // while a file is written that takes long
+      // during the output of a large file
       Report::instance().set_context(std::string(number.first) + " while files are written");
       write_file(path("old.txt"), "old");
       const pid_t child = fork();
@@ -241,7 +241,7 @@ private:
       fs::remove(path("old.txt"));
       CHECK(scratch_.files() == before);
 
-      // in the long work of the program
+      // during the computation
       Report::instance().set_context(std::string(number.first) + " in the program");
       const pid_t program = test::internal::start_program(
         program_, {grid, "--source-vertex", "0", "--spacing", "0.02", "--output", path("out.vtk"), "--output", path("out.dxf")},
@@ -301,7 +301,7 @@ private:
 #if defined(GEODESIC_OFFSET_TEST_ADDRESS_SANITIZER)
     std::cout << "limits of the address space: left out, AddressSanitizer does not run with them" << std::endl;
 #elif defined(__linux__)
-    // a file without contents, larger than what may be used
+    // a sparse file larger than the memory limit
     const std::string large = path("large.off");
     write_file(large, "OFF\n");
     fs::resize_file(large, std::uintmax_t(3) << 30);
@@ -333,8 +333,8 @@ private:
     return distances;
   }
 
-  // Paths pass, whether fans are open or closed. The field is the same from any other file of the surface, and 1-Lipschitz; the
-  // warning is not hidden by --quiet; the certified bounds of the other program hold.
+  // Paths pass through, whether fans are open or closed. The field does not depend on the file of the surface, and is
+  // 1-Lipschitz; --quiet does not hide the warning; the certified bounds of the other program hold.
   void shared_vertices()
   {
     struct Case

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The messages of the program: warnings about useless input, limits on the work and on the output,
-// errors with hints, and the progress bar on a terminal.
+// Messages of the program: warnings about useless input, limits on computation and output, errors with hints, and the
+// progress bar on a terminal.
 //
 //   test_program_messages PROGRAM
 
@@ -42,7 +42,7 @@ class Messages
 public:
   explicit Messages(const std::string& program) : program_(program)
   {
-    // 100 x 60 with a hole of 30 x 20 in its middle: all vertices are on the boundary
+    // 100 x 60 with a hole of 30 x 20 in the middle: all vertices are on the boundary
     write_file(scratch_ / "plate.off", "OFF\n8 8 0\n0 0 0\n100 0 0\n100 60 0\n0 60 0\n"
                                        "35 20 0\n65 20 0\n65 40 0\n35 40 0\n"
                                        "3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
@@ -74,8 +74,8 @@ public:
 private:
   static constexpr int usage = 2, input = 1;
 
-  // The largest distance of the plate from its boundary: d from the left side, from the lower side, and from the corner
-  // (35, 20) of the hole, so (35 - d)^2 + (20 - d)^2 = d^2.
+  // Largest distance on the plate from its boundary: d from the left side, from the lower side, and from the corner (35,
+  // 20) of the hole, so (35 - d)^2 + (20 - d)^2 = d^2.
   static double reach_of_plate() { return 55 - std::sqrt(1400.); }
 
   std::string path(const std::string& name) const { return (scratch_ / name).string(); }
@@ -88,7 +88,7 @@ private:
     return lines;
   }
 
-  // A line of the text has all the words.
+  // Checks that a line of the text has all the words.
   static void check_line(const std::string& text, const Words& words)
   {
     const Words lines = lines_of(text);
@@ -107,7 +107,7 @@ private:
     return run_program(program_, arguments);
   }
 
-  // Success, with nothing on the stream of errors.
+  // Expects success without output on standard error.
   Program_result expect_good(const std::string& what, const Words& arguments)
   {
     const Program_result result = run(what, arguments);
@@ -115,7 +115,7 @@ private:
     return result;
   }
 
-  // Success, with one warning that has all the words, also with --quiet, which leaves nothing else.
+  // Expects success with one warning that has all the words, also with --quiet, which suppresses all else.
   Program_result expect_warning(const std::string& what, Words arguments, const Words& words)
   {
     const Program_result result = run(what, arguments);
@@ -130,7 +130,7 @@ private:
     return result;
   }
 
-  // One line of errors that has all the words, and no file more than before.
+  // Expects one line of errors that has all the words, and no additional file.
   void expect_error(int exit_code, const std::string& what, const Words& arguments, const Words& words)
   {
     const std::set<std::string> before = scratch_.files();
@@ -157,7 +157,7 @@ private:
 
   std::string stats() { return read_file(scratch_ / "stats.json"); }
 
-  // The distances that have curves, and the sum of the lengths of all curves, by the statistics
+  // Distances with curves, and the sum of the lengths of all curves, from the statistics.
   std::vector<double> levels_of_stats()
   {
     std::vector<double> levels;
@@ -182,9 +182,9 @@ private:
     const Words level = {"--distance", "5"};
     const auto at_height = [&](const std::string& z)
     { return on_plate({"--source-point", "20,30," + z, "--distance", "5"}); };
-    check_line(expect_good("a point on the surface", at_height("0")).output, {"sources", "1 point", "moved by 0 at most"});
-    check_line(expect_good("a point nearly on the surface", at_height("0.5")).output, {"sources", "moved by 0.5 at most"});
-    check_line(expect_good("a point 1 % off", at_height("-1.16")).output, {"moved by 1.16 at most"});
+    check_line(expect_good("a point on the surface", at_height("0")).output, {"sources", "1 point", "moved to the surface, by at most 0"});
+    check_line(expect_good("a point nearly on the surface", at_height("0.5")).output, {"sources", "moved to the surface, by at most 0.5"});
+    check_line(expect_good("a point 1 % off", at_height("-1.16")).output, {"moved to the surface, by at most 1.16"});
     expect_warning("a point more than 1 % off", at_height("1.17"), {"--source-point 20,30,1.17", "1.17 away", "1 % of"});
     expect_warning("a point far off", at_height("50"), {"--source-point 20,30,50", "50 away", "42.9 % of"});
 
@@ -193,7 +193,7 @@ private:
     const Program_result result =
       expect_warning("a curve 1000 times too large", on_plate({"--source-polyline", curve, "--distance", "5"}),
                      {curve, "line 3", "point 1", "times the diagonal", "unit"});
-    check_line(result.output, {"sources", "4 points", "moved by"});
+    check_line(result.output, {"sources", "4 points", "moved to the surface, by at most "});
     CHECK(!contains(expect_good("no point to be moved", on_plate({"--source-vertex", "0", "--distance", "5"})).output, "moved"));
   }
 
@@ -327,7 +327,7 @@ private:
     levels("distances and a count", {"--distance", "16", "--spacing", "5", "--count", "1"}, {5, 16});
     check_line(levels("a number of distances", {"--distance", "1", "--distance", "2"}, {1, 2}), {"offsets: at 2 distances"});
     check_line(levels("a largest number", {"--spacing", "5"}, {5, 10, 15}), {"offsets: at no more than", "distances"});
-    // more than ten thousand up to a bound that is three times too large, but not up to the largest distance
+    // more than ten thousand levels up to a bound that is three times too large, but not up to the largest distance
     const std::string output = levels("a spacing that is small enough", {"--spacing", "0.005", "--maximum-distance", "0.0125"},
                                       {0.005, 0.01});
     check_line(output, {"no more than 2 distances"});
@@ -428,7 +428,7 @@ private:
       with_unit({"--unit", unit.first});
       CHECK_DETAIL(insunits() == unit.second, std::to_string(insunits()));
       const std::string text = read_file(svg);
-      const bool meters = std::string(unit.first) == "m"; // which the format does not have
+      const bool meters = std::string(unit.first) == "m"; // not in the format
       for (const auto& attribute : {std::make_pair(" width=\"", 90), std::make_pair(" height=\"", 50)})
       {
         const std::size_t at = text.find(attribute.first);
@@ -508,14 +508,14 @@ private:
     all_reached(distances("far from planar", "OFF\n6 1 0\n0 0 0\n1 0 0\n0 0 1\n1 1 1\n0 1 0\n1 1 0\n6 0 1 2 3 4 5\n", note));
     all_reached(distances("a bow tie", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n4 0 2 1 3\n", note));
     all_reached(distances("an edge through a corner", "OFF\n5 1 0\n0 0 0\n4 0 0\n4 2 0\n2 0 0\n0 2 0\n5 0 1 2 3 4\n", note));
-    // round the hole, by (2, 1) or by (1, 2)
+    // around the hole, by (2, 1) or by (1, 2)
     const std::vector<double> around =
       distances("a square with a hole, as one polygon",
                 "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n10 0 1 2 3 0 4 5 6 7 4\n", note);
     all_reached(around);
     if (CHECK(around.size() == 8))
       CHECK_DETAIL(std::abs(around[6] - (std::sqrt(5.) + 1)) < 1e-14, values(around[6], std::sqrt(5.) + 1));
-    // small enough for the best triangulation, and too large for it
+    // below and above the size limit of the best triangulation
     for (const int n : {299, 401, 2001})
     {
       std::string star = "OFF\n" + std::to_string(n) + " 1 0\n", order = std::to_string(n);
@@ -527,7 +527,7 @@ private:
       }
       all_reached(distances("a star with " + std::to_string(n) + " points", star + order + "\n", note));
     }
-    // these have nothing wrong: concave, with a straight angle, a little bent
+    // valid polygons: concave, with a straight angle, slightly bent
     all_reached(distances("an arrow", "OFF\n4 1 0\n0 0 0\n2 1 0\n0 2 0\n1 1 0\n4 0 1 2 3\n", {}));
     all_reached(distances("a straight angle", "OFF\n5 1 0\n0 0 0\n1 0 0\n2 0 0\n2 1 0\n0 1 0\n5 0 1 2 3 4\n", {}));
     all_reached(distances("a little bent", "OFF\n5 1 0\n0 0 0\n1 0 0.1\n2 0 0\n2 1 0.1\n0 1 0\n5 0 1 2 3 4\n", {}));
@@ -542,7 +542,7 @@ private:
                                "--side", "--end", "--tolerance", "--output", "--unit", "--field", "--picture", "--view", "--up",
                                "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
       CHECK_DETAIL(contains(help.output, option), option);
-    check_line(help.output, {"2  0 0 0  1 0 0.5"}); // the format of polylines
+    check_line(help.output, {"2  0 0 0  1 0 0.5"}); // format of polylines
     CHECK(contains(help.output, "one polyline per line"));
     const Program_result version = expect_good("version", {"--version"});
     const Words lines = lines_of(version.output);
@@ -561,7 +561,7 @@ private:
     CHECK(shown.exit_code == 0);
     for (const char* step : {"\rreading '", "\rdistances and offsets [", "#", " % ", "cut", "\rwriting '", "\rpicture ["})
       CHECK_DETAIL(contains(shown.errors, step), step);
-    // it is wiped out in the end
+    // the bar is erased at the end
     const std::string last = shown.errors.substr(shown.errors.rfind('\r', shown.errors.size() - 2));
     CHECK_DETAIL(last.find_first_not_of("\r ") == std::string::npos, last);
     Words quiet = arguments;

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Every output of the program, read back and compared with closed forms on a planar mesh and a box;
-// every kind of source and every mesh format. What the readers of other people make of the outputs is
-// in the tests test_program_*.py.
+// Every output of the program, read back and compared with closed forms on a planar mesh and a box; every kind of source
+// and every mesh format. The tests test_program_*.py read outputs with other software.
 //
 //   test_program_outputs PROGRAM
 
@@ -54,7 +53,7 @@ std::vector<Polyline> read_polylines(const std::filesystem::path& file)
   return result;
 }
 
-// Legacy VTK polydata with one cell a curve.
+// Legacy VTK polydata with one cell per curve.
 std::vector<Polyline> read_vtk(const std::filesystem::path& file)
 {
   std::vector<Polyline> result;
@@ -163,7 +162,7 @@ struct Field
   std::vector<std::vector<std::size_t>> faces;
 };
 
-// Binary little-endian PLY with double x, y, z, distance, perhaps signed_distance, and a list of int a face.
+// Binary little-endian PLY with double x, y, z, distance, optionally signed_distance, and a list of int per face.
 Field read_field(const std::filesystem::path& file)
 {
   Field field;
@@ -220,7 +219,7 @@ Field read_field(const std::filesystem::path& file)
   return field;
 }
 
-// Width and height, after the signature; 0 if it is no PNG file.
+// Width and height, after the signature; 0 for other files than PNG.
 std::pair<std::uint32_t, std::uint32_t> png_size(const std::string& bytes)
 {
   if (bytes.size() < 57 || bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0 ||
@@ -266,7 +265,7 @@ private:
     CHECK_DETAIL(result.exit_code == 0, std::to_string(result.exit_code) + ": " + result.errors);
   }
 
-  // The planar mesh on which `distance_from` is right.
+  // Writes the planar mesh for which `distance_from` is correct.
   void write_planar(const std::string& name) const
   {
     const Soup soup = jittered_grid(12, 12, 5);
@@ -298,7 +297,7 @@ private:
     CHECK(seen.size() == levels.size());
   }
 
-  // Reads and checks the field; the source is given by the distance from it.
+  // Reads and checks the field; the source is given by its distance function.
   template <class Distance>
   void check_field(const std::string& name, const Soup& soup, const Distance& distance)
   {
@@ -346,7 +345,7 @@ private:
          "0.001"});
     const auto distance = [&](const Point_3& p)
     { return std::sqrt(CGAL::squared_distance(p, soup.points[source])); };
-    // The circle of radius 7.5 leaves the square of side 12 on all four sides.
+    // The circle of radius 7.5 crosses all four sides of the square of side 12.
     const std::vector<double> levels = {1.25, 3, 7.5};
     check_curves(read_polylines(scratch_ / "curves.polylines.txt"), levels, 6, 2, distance);
     check_curves(read_vtk(scratch_ / "curves.vtk"), levels, 6, 2, distance);
@@ -416,7 +415,7 @@ private:
     };
     const auto from_point = [](double x, double y)
     { return [=](const Point_3& p) { return std::hypot(p.x() - x, p.y() - y); }; };
-    run_source("--source-point", "5.3,6.1,4"); // above the surface: its nearest point
+    run_source("--source-point", "5.3,6.1,4"); // above the surface: nearest point of the surface
     check_field("source.ply", soup, from_point(5.3, 6.1));
     check_curves(read_vtk(scratch_ / "source.vtk"), {1.5}, 1, 1, from_point(5.3, 6.1));
 
@@ -440,7 +439,7 @@ private:
     const Field field = read_field(scratch_ / "source.ply");
     for (std::size_t i = 0; i < field.points.size(); ++i)
     {
-      // Right where the foot on the line is inside the square, and never smaller.
+      // Equal if the foot on the line is inside the square, and never smaller.
       const Point_3 p = field.points[i];
       const double t = (3 * p.x() + 4 * p.y() - 41.3) / 25, x = p.x() - 3 * t, y = p.y() - 4 * t;
       CHECK(field.distances[i] >= from_line(p) - 1e-12);
@@ -462,7 +461,7 @@ private:
     run({path("cube.off"), "--source-sharp-edges", "60", "--distance", "0.3", "--output",
          path("sharp.vtk"), "--field", path("sharp.ply"), "--quiet"});
     const auto from_cube_edges =
-      [](const Point_3& p) { // the second smallest distance from a plane of a side
+      [](const Point_3& p) { // second smallest distance from the plane of a side
         std::vector<double> d;
         for (int i = 0; i < 3; ++i) d.push_back((std::min)(p[i], 1 - p[i]));
         std::sort(d.begin(), d.end());
@@ -483,7 +482,7 @@ private:
                 });
   }
 
-  // One side of a polyline across the whole square, with the signed distance, and of a closed one.
+  // One side of a polyline across the whole square, with the signed distance, and of a closed polyline.
   void sides()
   {
     write_planar("plane.off");
@@ -532,12 +531,11 @@ private:
     length(4 + 16 + 3 * CGAL_PI); // a closed curve has no ends
   }
 
-  // The same distances from each format, from polygons that are not triangles and from a soup that
-  // must be repaired.
+  // Equal distances from each format, from polygons other than triangles, and from a soup that needs repair.
   void formats()
   {
     const Soup soup =
-      planar_grid(6, 5, Diagonals::alternating); // its coordinates are exact in every format
+      planar_grid(6, 5, Diagonals::alternating); // coordinates are exact in every format
     const auto distance = [](const Point_3& p) { return std::hypot(p.x() - 3, p.y() - 2); };
     for (const char* name : {"grid.off", "grid.obj", "grid.ply"})
     {
@@ -582,7 +580,7 @@ private:
       run_program(program_, {path("turned.off"), "--source-vertex", "17", "--distance", "1.5",
                              "--output", path("turned.vtk")});
     CHECK_DETAIL(result.exit_code == 0 && !(result.output + result.errors).empty(),
-                 result.errors); // repair is reported
+                 result.errors); // the repair is reported
     check_curves(read_vtk(scratch_ / "turned.vtk"), {1.5}, 1, 1, distance);
   }
 

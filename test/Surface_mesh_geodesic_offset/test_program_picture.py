@@ -8,7 +8,7 @@ from program_bench import check, check_close, run_test, skip
 
 WIDTH, HEIGHT = 100, 60  # of the plate
 HOLE = (35, 20, 65, 40)
-# from its left side, its lower side and a corner of its hole, the farthest point of the plate is equally far
+# the farthest point of the plate is equidistant from its left side, its lower side and a corner of its hole
 REACH = 55 - math.sqrt(1400)
 
 

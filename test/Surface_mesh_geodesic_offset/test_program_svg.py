@@ -136,7 +136,7 @@ def test_svg(bench):
     bench.run(mesh, *bench.center(HORIZONTAL), "--distance", 4, "--output", out)
     check_picture(bench, out, 4, lambda p: from_center((p[0], -p[1])))
 
-    # round the border of a plate: the part on the other side is drawn where it is, and turns the other way
+    # around the border of a plate: the part on the other side keeps its position, and turns in the other direction
     bench.run(bench.plate(HORIZONTAL), "--source-point", "%g,%g,0.3" % E, "--distance", 3, "--output", out)
     (text,) = read_svg(out)[2][3]
     path, sides = Path(text), [set(), set()]
@@ -149,7 +149,7 @@ def test_svg(bench):
         sides[abs(above - 3) > abs(below - 3)].add(arc.sweep > 0)
     check(len(sides[0]) == len(sides[1]) == 1 and sides[0] != sides[1], "arcs on both sides turn in different ways")
 
-    # curves on the horizontal half of a mesh that is not planar
+    # curves on the horizontal half of a non-planar mesh
     bench.run(bench.ridge(), "--source-point", "3,6,0", "--distance", 1.5, "--output", out)
     check_close(sum(Path(t).length(error=1e-13) for t in read_svg(out)[2][1.5]), 3 * math.pi, 1e-8, "on the horizontal half")
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program validate_geodesic_distances on good input: exact distances are inside of the enclosure, and what is wrong with
-// others is found, named and summed up as it should be.
+// The program validate_geodesic_distances on good input: exact distances are within the certified bounds, and errors in
+// others are detected, located and summarized correctly.
 //
 //   test_program_validation VALIDATE_GEODESIC_DISTANCES GEODESIC_OFFSET
 
@@ -31,7 +31,7 @@ typedef std::vector<std::string> Arguments;
 
 constexpr int all_inside = 0, some_outside = 3;
 
-/// The lines "label: value (meaning)" of a report.
+/// Lines "label: value (meaning)" of a report.
 class Validation_report
 {
 public:
@@ -49,7 +49,7 @@ public:
   double number(const std::string& label) const { return std::strtod(value(label).c_str(), nullptr); }
   std::size_t count(const std::string& label) const { return static_cast<std::size_t>(number(label)); }
 
-  /// The number behind a word.
+  /// The number after a word.
   double number(const std::string& label, const std::string& word) const
   {
     const std::string line = value(label);
@@ -67,7 +67,7 @@ struct Row
   double lower, upper, distance, error;
 };
 
-/// A mesh in a file, and all that is known about the distances from some of its vertices.
+/// A mesh in a file, and the known distances from some of its vertices.
 class Case
 {
 public:
@@ -87,7 +87,7 @@ public:
   const std::string& mesh_file() const { return mesh_file_; }
   std::size_t size() const { return exact.size(); }
 
-  /// The report on a table, and the rows of the table it writes.
+  /// Report on a table, and rows of the output table.
   Validation_report run(int exit_code, const std::string& table_name, const std::string& table, const Arguments& more = {})
   {
     Report::instance().set_context(name_ + ", " + table_name);
@@ -139,7 +139,7 @@ private:
   std::string program_, name_, mesh_file_;
 };
 
-bool is_close(double a, double b) { return a == b || std::abs(a - b) <= 2e-5 * std::abs(b); } // six digits are written
+bool is_close(double a, double b) { return a == b || std::abs(a - b) <= 2e-5 * std::abs(b); } // output has six digits
 
 void exact_distances_pass(Case& c)
 {
@@ -151,7 +151,7 @@ void exact_distances_pass(Case& c)
     CHECK(report.number("outside, absolute", "largest") == 0);
     for (std::size_t v = 0; v < c.size(); ++v)
     {
-      CHECK(c.rows[v].distance == c.exact[v]); // all digits have arrived
+      CHECK(c.rows[v].distance == c.exact[v]); // all digits were transferred
       CHECK(c.rows[v].error == 0 && c.rows[v].lower <= c.exact[v] && c.exact[v] <= c.rows[v].upper);
     }
   };
@@ -162,7 +162,7 @@ void exact_distances_pass(Case& c)
       expect_all("table.ply", Ply_table(format, name)(c.soup, c.exact, name[0] == 'd'));
 }
 
-// One distance is wrong by 1e-9: it is found, and nothing else is.
+// A single error of 1e-9 is detected, and nothing else.
 void disturbed_distances_are_found(Case& c)
 {
   Random random(3);
@@ -234,7 +234,7 @@ std::vector<double> lengths_along_edges(const Case& c)
   return length;
 }
 
-// All figures once more, from the rows of the table.
+// Recomputes all figures from the rows of the table.
 void check_figures(const Case& c, const Validation_report& report)
 {
   std::vector<double> widths, relative_widths;
@@ -309,7 +309,7 @@ void other_methods_are_judged(Case& c)
     CHECK(c.rows[v].error <= c.rows[worst].error);
   }
 
-  // straight lines in space are never longer than paths on the surface; on a flat and convex one they are the paths
+  // straight lines in space are never longer than paths on the surface; on a flat convex surface they are the paths
   std::vector<double> straight;
   for (std::size_t v = 0; v < c.size(); ++v)
   {
@@ -369,7 +369,7 @@ void infinities(const std::string& program)
   CHECK(none.count("compared") == 0 && none.count("infinite in the table only") == n);
 }
 
-// Sources of all kinds, from the one program to the other.
+// Sources of all kinds, with the field of the other program.
 void fields_of_the_other_program(const std::string& validate, const std::string& geodesic_offset)
 {
   const Scratch_directory scratch;
@@ -402,7 +402,7 @@ void fields_of_the_other_program(const std::string& validate, const std::string&
     CHECK_DETAIL(result.exit_code == all_inside, result.output + result.errors);
     CHECK(Validation_report(result.output).count("inside") == entry.first->points.size());
 
-    // with one source more, the distances are too long: where it is, and nowhere too short
+    // without the additional source the distances are larger there, and nowhere too short
     std::istringstream in(read_file(rows));
     std::string line, farthest;
     std::getline(in, line);

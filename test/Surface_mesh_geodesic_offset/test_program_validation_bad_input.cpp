@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program validate_geodesic_distances on bad input: exit code 2 for wrong usage and 1 for bad files, exactly one line of
-// errors that names what is wrong, and no file left.
+// The program validate_geodesic_distances on bad input: exit code 2 for wrong usage and 1 for bad files, exactly one line
+// of errors that names the fault, and no remaining file.
 //
 //   test_program_validation_bad_input VALIDATE_GEODESIC_DISTANCES GEODESIC_OFFSET
 
@@ -35,7 +35,7 @@ public:
       table_((scratch_ / "good.txt").string()), rows_((scratch_ / "rows.txt").string())
   {
     write_off(mesh_, soup_);
-    // true distances, so that only what is made wrong is wrong
+    // true distances, so that only the intended errors are wrong
     const std::string field = (scratch_ / "field.ply").string();
     CHECK(run_program(geodesic_offset, {mesh_, "--source-vertex", "0", "--field", field, "--quiet"}).exit_code == 0);
     CHECK(run_program(program_, on(field)).exit_code == 0);
@@ -64,7 +64,7 @@ public:
 private:
   static constexpr int usage = 2, input = 1;
 
-  // Exit code, one line of errors that has all the given words, and the same files as before.
+  // Expects an exit code, one line of errors with all the given words, and unchanged files.
   void expect(int exit_code, const std::string& what, const Arguments& arguments, const Arguments& words = {})
   {
     Report::instance().set_context(what);
@@ -90,7 +90,7 @@ private:
     return arguments;
   }
 
-  // What is wrong with this table: the file is named, and so are the words.
+  // Expects that the message for this table names the file and has the words.
   void expect_bad_table(const std::string& what, const std::string& extension, const std::string& bytes, Arguments words,
                         const Arguments& more = {})
   {
@@ -110,7 +110,7 @@ private:
     std::filesystem::remove(file);
   }
 
-  // With good input the same way of calling works, so the failures below are those that are meant.
+  // Good input with the same arguments succeeds, so the failures below have the intended reasons.
   void sanity()
   {
     Report::instance().set_context("good input");
@@ -177,7 +177,7 @@ private:
     std::filesystem::remove(curve);
   }
 
-  // A word that is no distance, and what is said about it.
+  // Words that are no distances, and their messages.
   static std::vector<std::pair<std::string, std::string>> bad_words()
   {
     std::vector<std::pair<std::string, std::string>> words = {{"-1", "negative"}, {"-1e-300", "negative"}};
@@ -312,7 +312,7 @@ private:
                        {"line", "vertex 0", "'" + word.first + "'", word.second});
   }
 
-  // Wherever the file ends within its vertices, or within what CGAL reads.
+  // Files that end within the vertices, or within the part that CGAL reads.
   void truncated_ply()
   {
     for (Ply_format format : {Ply_format::ascii, Ply_format::little_endian, Ply_format::big_endian})
@@ -358,17 +358,17 @@ private:
     return text.find(word) != std::string::npos;
   }
 
-  // What is no reason to stop, and what helps.
+  // Conditions that do not stop the program, and hints.
   void messages()
   {
-    Report::instance().set_context("points that are put on the surface");
+    Report::instance().set_context("points that are moved to the surface");
     const auto from_point = [&](const std::string& point)
     { return run_program(program_, {mesh_, "--source-point", point, "--distances", table_}); };
     const Program_result near = from_point("0.9,0.1,0.2"), far = from_point("900,100,200");
     for (const Program_result* result : {&near, &far})
     {
       CHECK(result->exit_code == 0 || result->exit_code == 3);
-      CHECK_DETAIL(contains(result->output, "1 point put on the surface, moved by "), result->output);
+      CHECK_DETAIL(contains(result->output, "1 point moved to the surface, by at most "), result->output);
     }
     CHECK_DETAIL(near.errors.empty(), near.errors);
     CHECK_DETAIL(far.errors.rfind("validate_geodesic_distances: warning: --source-point 900,100,200 is 9", 0) == 0 &&

@@ -39,7 +39,7 @@ def test_vtk(bench):
     out = bench.path("out.vtk")
     sources = (bench.grid(plane), *bench.center(plane), *bench.segment(plane))
 
-    # both sides of a segment, and a circle round a point that is farther away from it than their sum
+    # both sides of a segment, and a circle around a point whose distance from it exceeds their sum
     far = ("--source-point", ",".join("%.17g" % x for x in plane.space((10.2, 2.1))))
     stats = bench.run(sources[0], *far, *bench.segment(plane), "--distance", 1.25, "--distance", 0.5, "--tolerance", 1e-3,
                       "--output", out)
@@ -88,7 +88,7 @@ def test_vtk(bench):
     check(sorted(l["cell"]["side"] for l in lines) == [1, 2], "both sides without caps")
     check_close(stats["curves"][0]["length"], 2 * LENGTH, 1e-9, "length of both sides without caps")
 
-    # no curve at all is a file, too
+    # a file without curves is valid
     bench.run(*sources, "--distance", 100, "--output", out, warning="no offset at distance 100")
     check(len(read_vtk(vtkPolyDataReader(), out)[0]) == 0, "no lines")
 

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What holds for every distance on every surface, on the meshes and sources of the search for wrong offsets:
+// Properties of every distance on every surface, on the meshes and sources of the search for wrong offsets:
 //
 // - the distance is 1-Lipschitz, and symmetric;
-// - it depends on the surface, not on its faces: dividing faces and edges at exact points and flipping edges in planes changes
-//   nothing; neither do rigid motions, beyond the rounding of coordinates; half turns about an axis change no bit;
+// - it depends on the surface, not on its faces: dividing faces and edges at exact points and flipping edges in planes
+//   changes nothing; neither do rigid motions, beyond the rounding of coordinates; half turns about an axis change no bit;
 // - scaling by a power of two scales distances by it, exact to the bit, and curves, which may be divided into other pieces;
 // - the distance from several sources is the minimum of the distances from each.
 //
-// Two more properties have tests of their own: renumbering changes nothing (test_element_order), and updates equal builds
+// Two further properties have their own tests: renumbering changes nothing (test_element_order), and updates equal builds
 // (test_updates).
 //
 //   test_properties [N [SEED]]     N cases (280) from a seed on (1)
@@ -27,7 +27,7 @@ namespace test_properties {
 
 using namespace test;
 
-// Relative to the distance plus the diagonal of the mesh: some thousand units in the last place
+// Relative to the distance plus the diagonal of the mesh: some thousand units in the last place.
 constexpr double tolerance = 0x1p-40;
 
 struct Totals
@@ -64,7 +64,7 @@ public:
 
 private:
 
-  // Coordinates with 24 digits, so that the middles of edges are exact
+  // Coordinates with 24 digits, so that midpoints of edges are exact.
   Soup drawn_soup(unsigned seed)
   {
     Soup soup = Search_meshes::kinds()[seed % Search_meshes::kinds().size()].second(random_);
@@ -91,7 +91,7 @@ private:
     return result;
   }
 
-  // The largest difference joins `worst`.
+  // Updates `worst` with the difference.
   bool same(double actual, double expected, double& worst)
   {
     ++totals_.distances;
@@ -111,7 +111,7 @@ private:
     const Locations<Surface_mesh> locations(data_.mesh);
     for (int i = 0; i < 40; ++i)
     {
-      // two points of a face, or of the edge that they are on then
+      // two points of a face, or of the edge that contains the first one
       Face_location p(face(), random_barycentric(random_)), q(p.first, random_barycentric(random_));
       if (i % 2 == 0) p.second[0] = q.second[0] = 0;
       for (Face_location* l : {&p, &q})
@@ -157,7 +157,7 @@ private:
     }
   }
 
-  // Sources are vertices, or the border: what other faces leave as it is.
+  // Sources are vertices or the border, which other faces do not change.
   void other_faces()
   {
     if (!has_exact_middles_) return;
@@ -179,7 +179,7 @@ private:
       return of_vertices(geodesic, mesh);
     };
     const std::vector<double> expected = distances(data_.mesh);
-    for (const double part : {0., 0.3}) // only flips, and with divided edges
+    for (const double part : {0., 0.3}) // only flips; flips and divided edges
     {
       Surface_mesh mesh = data_.mesh;
       totals_.flips += retriangulate(mesh, random_, part, true);
@@ -229,7 +229,7 @@ private:
     const Generated_mesh<Surface_mesh> half_turn(turned);
     CHECK(of_vertices(build(half_turn.mesh, sources_[0]), half_turn.mesh) == distances);
 
-    // Rounding moves points by more than the height of a needle.
+    // Rounding displaces points by more than the height of a needle.
     if (kind_ == "needles" || kind_ == "strip" || kind_ == "tiny faces") return;
     const Generated_mesh<Surface_mesh> anywhere(rotated(soup_, unsigned(random_())));
     const std::vector<double> actual = of_vertices(build(anywhere.mesh, sources_[0]), anywhere.mesh);
@@ -247,8 +247,8 @@ private:
   Totals& totals_;
 };
 
-// A saddle vertex on the opposite side of its face, as far as doubles can tell: the rays that it sends through this side have no
-// window, and points in the next face are reached round the ends of two windows that meet where the vertex is.
+// A saddle vertex on the opposite side of its face, as far as doubles can resolve: its rays through this side have no
+// window, and points in the next face are reached around the ends of the two windows that meet at the vertex.
 void flat_cap()
 {
   Report::instance().set_context("a flat cap");

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances and shortest paths at random points (in faces, on edges, at vertices) from point
-// sources, against CGAL::Surface_mesh_shortest_path: 1e-10 relative; paths as long as the distance,
-// 1e-12.
+// Distances and shortest paths at random points (in faces, on edges, at vertices) from point sources, against
+// CGAL::Surface_mesh_shortest_path: 1e-10 relative; path lengths equal distances to 1e-12.
 //
-// Where ours is smaller, the path must prove it: valid on the mesh, from the query point to a
-// source, and of the length we say; that is checked of every path.
+// If our distance is smaller, the path must prove it: every path is checked to be valid on the mesh, from the query point
+// to a source, and as long as the distance.
 //
 //   test_queries_against_shortest_path [QUERIES_PER_MESH [MESH_NAME...]]
-//       default: 1000, ten meshes of the data directory; QUERIES_PER_MESH above 1000 adds meshes
+//
+// default: 1000, ten meshes of the data directory; QUERIES_PER_MESH above 1000 adds meshes
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -55,9 +55,8 @@ std::vector<Query> random_queries(const Mesh_locations& locations, const test::S
   return result;
 }
 
-// From a source on an edge, Surface_mesh_shortest_path 5.5 finds distances that are not the lengths
-// of its own paths (it takes the coordinate of one end for that of the other). So its source is
-// moved off the edge, by 1e-12.
+// From a source on an edge, Surface_mesh_shortest_path 5.5 finds distances that are not the lengths of its own paths (it
+// confuses the coordinates of the two ends). So its source is moved off the edge, by 1e-12.
 Face_location just_inside(Face_location location)
 {
   for (double& w : location.second)
@@ -94,7 +93,7 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
           ? shortest_path.shortest_distance_to_source_points(q.vertex).first
           : shortest_path.shortest_distance_to_source_points(q.location.first, q.location.second)
               .first;
-      result.push_back(d < 0 ? infinity : d); // -1 where nothing reaches
+      result.push_back(d < 0 ? infinity : d); // -1 if unreachable
     }
     return result;
   }
@@ -105,8 +104,8 @@ std::optional<std::vector<double>> reference_distances(const test::Surface_mesh&
   }
 }
 
-// The path from a vertex, without kept windows, against `path`, traced with them. Where there are
-// several shortest paths it may be another one.
+// Compares the path from a vertex, without kept windows, with `path`, traced with kept windows. They may differ if there
+// are several shortest paths.
 void check_without_windows(Path_checker& check, const Geodesic& geodesic, Vertex_index v,
                            const Path_locations& path, Totals& totals)
 {
@@ -171,8 +170,7 @@ void compare(const std::string& name, const test::Surface_mesh& mesh,
   }
 }
 
-// A quarter of the queries each for a vertex, a point on an edge, a point in a face, and five
-// points.
+// A quarter of the queries each for a vertex, a point on an edge, a point in a face, and five points.
 void run(const std::string& name, const test::Surface_mesh& mesh, std::size_t count)
 {
   Random random(11);

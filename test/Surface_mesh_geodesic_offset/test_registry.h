@@ -28,7 +28,7 @@ namespace test {
 
 typedef int (*Test_function)(int argc, char* argv[]);
 
-/// The tests of this program by their names.
+/// The tests of this program by name.
 inline std::map<std::string, Test_function>& registered_tests()
 {
   static std::map<std::string, Test_function> tests;
@@ -40,8 +40,8 @@ struct Test_registration
   Test_registration(const char* name, Test_function function) { registered_tests().emplace(name, function); }
 };
 
-/// The meshes that a test uses. A test that reads meshes of the data directory runs once with each kind, so that the summary
-/// of ctest tells whether the data was there.
+/// The meshes of a test. A test with meshes of the data directory runs once per kind of mesh, so that the summary of ctest
+/// shows whether the data was available.
 struct Mesh_kinds
 {
   bool generated = true;
@@ -54,15 +54,15 @@ inline Mesh_kinds& mesh_kinds()
   return kinds;
 }
 
-/// The case of `run_tests()` that uses the meshes of the data directory
+/// The case of `run_tests()` with the meshes of the data directory.
 constexpr const char* data_case = "data meshes";
 
-/// Exit code of a test that could not check anything, and the value of ctest's SKIP_RETURN_CODE
+/// Exit code of a test without checks: the value of ctest's SKIP_RETURN_CODE.
 constexpr int skipped = 77;
 
 } // namespace test
 
-/// The body of a test, in the namespace of the same name; what it returns is the exit code.
+/// The body of a test, in the namespace of the same name; returns the exit code.
 #define GEODESIC_OFFSET_TEST(name)                                                                 \
   namespace name {                                                                                 \
   int test_main(int argc, char* argv[]);                                                           \

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// 300 x 300 squares, each split in two, source at a corner: all distances right to 1e-12 relative,
-// none infinite. Apexes lie exactly on window boundaries here, and most distances tie.
+// 300 x 300 squares, each split in two, source at a corner: all distances are correct to 1e-12 relative, none infinite.
+// Apexes lie exactly on window boundaries, and most distances tie.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"

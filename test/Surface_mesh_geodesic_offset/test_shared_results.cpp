@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Functions of the user that build anew while a query, a build or an update calls them; copies; objects and curves that were
-// moved from; edges that are not of the mesh. Built with and without AddressSanitizer, which sees memory that is used after it
-// was freed.
+// User functions that start builds while a query, a build or an update calls them; copies; moved-from objects and curves;
+// edges of other meshes. Built with and without AddressSanitizer, which detects uses of freed memory.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -35,7 +34,7 @@ const std::vector<double> levels = {0.2, 0.35, 0.5};
 typedef std::vector<double> Answers;
 typedef std::function<void(double)> Record;
 
-// What is compared of curves
+// Compared values of curves.
 void record_curves(const Offset_curves& curves, const Record& record)
 {
   for (const Offset_curve& curve : curves)
@@ -53,7 +52,7 @@ Answers answers_of(const Offset_curves& curves)
   return answers;
 }
 
-// A property map that calls a function for each value
+// Property map that calls a function for each value.
 template <class Value>
 struct Recording_map
 {
@@ -73,7 +72,7 @@ struct Recording_visitor
   void operator()(Face_index, const Geodesic::Barycentric_coordinates& w) { record(w[0]); }
 };
 
-// Every query that calls functions of the user: here `record`, for each number that the query passes on
+// Queries that call user functions: here `record`, for each number of the result.
 typedef std::function<void(const Geodesic&, const Record&)> Query;
 
 std::vector<std::pair<const char*, Query>> queries_with_callbacks()
@@ -119,7 +118,7 @@ std::vector<std::pair<const char*, Query>> queries_with_callbacks()
            }}};
 }
 
-// A query continues with the result with which it began, whatever its callbacks build.
+// A query completes with the result with which it started, whatever its callbacks build.
 void queries()
 {
   const Generated_mesh<test::Surface_mesh> data(rotated(torus(14, 9), 1));
@@ -127,7 +126,7 @@ void queries()
     for (const bool keeps : {true, false})
     {
       Report::instance().set_context(query.first + std::string(keeps ? ", with windows" : ", without windows"));
-      // Each object is built anew, so that it alone has a share of its result.
+      // Each object has a new build, so that it alone shares its result.
       const auto answers = [&](bool is_disturbed) {
         Answers result;
         Geodesic geodesic(data.mesh);
@@ -150,7 +149,7 @@ void queries()
     }
 }
 
-// Builds and updates within each other: each has the sources of its beginning, and the one that ends last remains.
+// Nested builds and updates: each has the sources of its start, and the one that ends last remains.
 template <class Tag>
 void builds()
 {
@@ -211,7 +210,7 @@ void builds()
   alone.template build_with_offset_curves<Tag>(levels, std::back_inserter(expected));
   CHECK(answers_of(curves) == answers_of(expected));
 
-  // an update, of which the last build is the beginning
+  // an update, which starts from the last build
   for (const bool keeps : {true, false})
   {
     geodesic.clear_sources();
@@ -227,7 +226,7 @@ void builds()
     for (const Vertex_index v : vertices(data.mesh)) CHECK_CLOSE(worst, geodesic.distance_to_sources(v), from_both[i++]);
   }
 
-  // an exception that the visitor throws after a build of its own leaves that one
+  // if the visitor throws after a build of its own, that build remains
   geodesic.clear_sources();
   geodesic.add_source_point(a);
   calls = 0;
@@ -261,7 +260,7 @@ void copies()
   CHECK(second.distance_to_sources(b) == first.distance_to_sources(b));
 }
 
-// Functions that need a mesh or a result throw; the object can be assigned to.
+// Functions that need a mesh or a result throw; the object can be assigned.
 template <class Object>
 void check_moved_from(Object& object, const test::Surface_mesh& mesh, const Vertex_index v)
 {
@@ -373,7 +372,7 @@ void moved_from_curves()
   const double length = curves[0].length();
   const Point_3 p = curves[0].point(0.1);
   const Face_location l = curves[0].location(0.1);
-  const Offset_curve kept(std::move(curves[0])); // it needs no object
+  const Offset_curve kept(std::move(curves[0])); // needs no geodesic object
   CHECK(kept.length() == length && kept.point(0.1) == p);
   const Offset_curve& gone = curves[0];
   std::vector<Point_3> points;
@@ -407,7 +406,7 @@ void foreign_edges(const bool has_indices)
   CHECK_THROWS(geodesic.add_source_edges(std::vector<Edge>()), std::invalid_argument);
   CHECK_THROWS(geodesic.add_source_boundary(boost::graph_traits<Mesh>::null_halfedge()), std::invalid_argument);
   CHECK(geodesic.number_of_sources() == 0);
-  // by its face, or by the index that both meshes have
+  // by its face, or by an index that both meshes have
   const std::vector<Edge> similar{all.front()};
   if (has_indices) geodesic.add_source_edges(similar);
   else CHECK_THROWS(geodesic.add_source_edges(similar), std::invalid_argument);

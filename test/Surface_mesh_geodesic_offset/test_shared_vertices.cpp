@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A vertex that several fans of faces share is one point of the surface, whether the fans are open or closed: distances, paths
-// and offset curves pass through it from each fan into the others.
+// A vertex shared by several fans of faces is one point of the surface, whether the fans are open or closed: distances,
+// paths and offset curves pass through it between all fans.
 
 #include "geodesic_types.h"
 #include "test_check.h"
@@ -22,8 +22,8 @@ using namespace test;
 typedef test::Surface_mesh Mesh;
 typedef Mesh::Vertex_index Vertex;
 
-// Two right-angled corners of cubes with a common tip, vertex 0: faces 0 to 2 and 4 to 6 are at the tip, faces 3 and 7 close the
-// corners. The fans at the tip are closed; without face 2 the first one is open, and without face 6 the second one.
+// Two right-angled corners of cubes with a common tip, vertex 0: faces 0 to 2 and 4 to 6 are at the tip, faces 3 and 7
+// close the corners. The fans at the tip are closed; the first is open without face 2, the second without face 6.
 Mesh two_corners(const std::vector<int>& left_out)
 {
   const Point_3 points[] = {Point_3(0, 0, 0),  Point_3(1, 0, 0),  Point_3(0, 1, 0), Point_3(0, 0, 1),
@@ -32,7 +32,7 @@ Mesh two_corners(const std::vector<int>& left_out)
   Mesh mesh;
   std::vector<Vertex> vertices;
   for (const Point_3& p : points) vertices.push_back(mesh.add_vertex(p));
-  const Vertex copy = mesh.add_vertex(points[0]); // the tip of the second corner at first
+  const Vertex copy = mesh.add_vertex(points[0]); // initially the tip of the second corner
   for (int f = 0; f < 8; ++f)
   {
     if (std::find(left_out.begin(), left_out.end(), f) != left_out.end()) continue;
@@ -57,7 +57,8 @@ void run(const std::string& name, const std::vector<int>& left_out)
 
   Geodesic geodesic(mesh);
   geodesic.add_source_point(Vertex(1));
-  // the tracer may move a level by 1024 units in the last place, and a length is up to 5 times the distance from the tip
+  // the tracer may displace a level by 1024 units in the last place, and a length is up to 5 times the distance from the
+  // tip
   const double rounding = 5 * 1024 * 2.3e-16 * 2;
   const double level = 1.6; // beyond the first corner, and 0.6 from the tip in the second one
   std::vector<Geodesic::Offset_curve> curves;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sides of polylines in the plane, against closed forms: the signed distance at vertices and
-// elsewhere, the sides of pieces, the butt and round ends of open polylines.
+// Sides of polylines in the plane against closed forms: signed distances at vertices and elsewhere, sides of pieces, butt
+// and round ends of open polylines.
 
 #include "planar_polyline.h"
 
@@ -129,7 +129,7 @@ struct Expected_curve
 {
   bool closed;
   double length;
-  Point_2 start, end; // of an open one
+  Point_2 start, end; // of an open curve
 };
 
 // Compares with expected curves, in any order; `straight`: all pieces are segments.
@@ -157,13 +157,13 @@ void check_curves(const Planar_mesh& plane, const Geodesic& geodesic, double lev
                                             std::to_string(e.y()));
     if (found != expected.end()) expected.erase(found);
     for (const Offset_piece& p :
-         curve.pieces()) // none longer than levels are cut below themselves is round
+         curve.pieces()) // only pieces shorter than the shift of levels may be round
       if (straight && p.length() > 1e-12 * level)
         CHECK(p.is_segment() && p.angle() == 0 && p.is_nearest_to_segment());
   }
 }
 
-// One segment: the stadium, cut where its straight sides begin.
+// One segment: the stadium, cut at the ends of its straight sides.
 void one_segment(const Planar_mesh& plane, const Point_2& a, const Point_2& b, double level)
 {
   Report::instance().set_context("segment at level " + std::to_string(level));
@@ -289,8 +289,8 @@ void no_side()
   CHECK(apart.signed_distance_to_sources(inside) == -0.125);
 }
 
-// Polylines along the edges of grids in general position, where all windows meet at vertices of the
-// polyline and rounding decides which of them are told: the sides of all vertices, and the inner side.
+// Polylines along the edges of grids in general position, where all windows meet at vertices of the polyline and rounding
+// decides which of them update the vertex: the sides of all vertices, and the inner side.
 void along_edges_of_grids()
 {
   Totals totals;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Levels ever nearer to a largest distance: how small is the smallest curve round it? With doubles, a curve is left out only
-// as the manual says (Special Levels): shorter than 2^-26 of the level plus the mean edge, and a rise inside of at most
-// 3 * 2^-41 of that. With exact numbers, no curve is left out.
+// The smallest curve around a largest distance, for levels approaching that distance. With doubles, a curve is omitted only
+// as documented (manual, Special Levels): shorter than 2^-26 of the level plus the mean edge, with a rise inside of at most
+// 3 * 2^-41 of that. With exact numbers, no curve is omitted.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -13,7 +13,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -29,14 +29,14 @@ namespace test_smallest_loops {
 
 using namespace test;
 
-/// A mesh with one largest distance from a vertex, or from the border. Near it, distances are linear.
+/// Mesh with one largest distance from a vertex, or from the border. Near it, distances are linear.
 struct Peak
 {
   std::string name;
   Soup soup;
   int source;                    // a vertex; -1: the border
   double numerator, denominator; // of the largest distance
-  double length_per_rise;        // the length of the curve round the largest distance, per rise inside
+  double length_per_rise; // length of the curve around the largest distance, per rise inside
   bool is_closed;
 
   double largest() const { return numerator / denominator; }
@@ -52,7 +52,7 @@ Soup soup_of(const std::vector<Point_3>& points, const std::vector<std::array<st
 
 std::vector<Peak> peaks()
 {
-  // A rhombus whose half diagonals and sides are integers; the distance falls slowly along the longer diagonal.
+  // Rhombus with integer half diagonals and sides; the distance decreases slowly along the longer diagonal.
   const auto rhombus = [](double n) {
     const double a = n * n - 1, b = 2 * n, side = n * n + 1;
     return Peak{"rhombus of 1 : " + std::to_string(int(n / 2)),
@@ -67,7 +67,7 @@ std::vector<Peak> peaks()
   const Soup triangle = soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 3, 0)}, {{{0, 1, 2}}});
   const Soup rectangle = soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 3, 0), Point_3(0, 3, 0)},
                                  {{{0, 1, 3}}, {{1, 2, 3}}});
-  // a cube, and the middle of its top: the largest distance is that of the middle of the bottom
+  // a cube with the center of its top as source: the largest distance is that of the center of the bottom
   const Soup cube = soup_of({Point_3(-1, -1, 0), Point_3(1, -1, 0), Point_3(1, 1, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 2),
                              Point_3(1, -1, 2), Point_3(1, 1, 2), Point_3(-1, 1, 2), Point_3(0, 0, 2)},
                             {{{0, 2, 1}}, {{0, 3, 2}}, {{0, 1, 5}}, {{0, 5, 4}}, {{1, 2, 6}}, {{1, 6, 5}}, {{2, 3, 7}},
@@ -81,7 +81,7 @@ std::vector<Peak> peaks()
           rhombus(0x1p17)};
 }
 
-/// A field and its offsets, from kept windows and in one pass.
+/// Field and its offsets, from kept windows and in one pass.
 template <class Kernel>
 class Field
 {
@@ -143,13 +143,13 @@ private:
   Geodesic geodesic_;
 };
 
-/// The smallest curve that was found, and the largest rise at which none was, per level plus mean edge.
+/// The smallest curve found, and the largest rise without a curve, per level plus mean edge.
 struct Smallest
 {
   double length = std::numeric_limits<double>::infinity(), rise = length, left_out = 0;
 };
 
-// Levels below the largest distance by ever less.
+// Levels approaching the largest distance from below.
 void near_peak(const std::string& name, const Peak& peak, const Soup& soup, Smallest& smallest)
 {
   Report::instance().set_context(name);
@@ -161,7 +161,7 @@ void near_peak(const std::string& name, const Peak& peak, const Soup& soup, Smal
     if (level < peak.largest() / 2) continue; // a flat peak
     const double m = level + edge, rise = peak.largest() - cut_of(level);
     const double expected = rise * peak.length_per_rise;
-    // the rise that the package sees has the error of two distances
+    // the rise known to the package has the error of two distances
     const bool must_exist = rise > (unseen_rise + 2 * distance_error) * m || expected > 1.01 * longest_unseen_curve * m;
     for (const bool is_one_pass : {false, true})
     {
@@ -225,7 +225,7 @@ void exact_numbers()
   std::cout << "with exact numbers, the smallest curve has " << least << " of the level" << std::endl;
 }
 
-// Curves round a vertex that is a source, ever smaller. None of them surrounds a largest distance, so none is left out.
+// Decreasing curves around a source vertex. None of them surrounds a largest distance, so none is omitted.
 template <class AnyKernel>
 void around_source(const std::string& name, int lowest_exponent)
 {

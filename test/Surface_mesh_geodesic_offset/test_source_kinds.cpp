@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The same source said in different ways gives the same distances; removal, cut-off, unreachable
-// parts, bad arguments.
+// Different descriptions of one source give the same distances; removal, distance limits, unreachable parts, invalid
+// arguments.
 
 #include "closed_forms.h"
 #include "flat_paths.h"
@@ -70,7 +70,7 @@ Face_location opposite_description(const Locations& locations, const Face_locati
   return location;
 }
 
-// Inner and boundary halfedges that are not borders themselves.
+// Inner and boundary halfedges that are not border halfedges.
 std::vector<Halfedge_index> some_halfedges(const test::Surface_mesh& mesh, Random& random)
 {
   std::vector<Halfedge_index> result;
@@ -167,8 +167,7 @@ void polylines(const std::string& name, const test::Surface_mesh& mesh, unsigned
   const Locations locations(mesh);
   for (Halfedge_index h : some_halfedges(mesh, random))
   {
-    // A way through the face of h over all kinds of places, starting at a vertex and ending on an
-    // edge.
+    // A path through the face of h with all kinds of places, from a vertex to an edge.
     const std::vector<Face_location> way = {
       locations.at_vertex(source(h, mesh), 2),
       Face_location(face(h, mesh), random_barycentric(random)), locations.on_edge(h, 0.4),
@@ -258,7 +257,7 @@ void edge_sets(const std::string& name, const test::Surface_mesh& mesh, unsigned
   }
 }
 
-// The whole boundary of a rectangle as a source: the distance is that to the nearest side.
+// The whole boundary of a rectangle as a source: the distance is that from the nearest side.
 void boundary_sources()
 {
   for (unsigned seed : {1u, 2u, 3u})
@@ -323,7 +322,7 @@ void removal()
   check_same("through a property map", data.mesh, in_map, from_v);
 }
 
-// Up to the maximum distance, inclusive, all is right; beyond it all is infinite.
+// Distances are correct up to the maximum distance, inclusive, and infinite beyond it.
 void distance_limit()
 {
   const std::size_t n = 20;
@@ -341,8 +340,8 @@ void distance_limit()
       const double x = static_cast<double>(i % (n + 1)), y = static_cast<double>(i / (n + 1));
       const double exact = std::hypot(x, y);
       if ((x == 0 || y == 0) && exact == maximum) ++at_maximum;
-      // Distances that equal the maximum but for rounding may fall on either side, except along the
-      // edges of the grid, where nothing is rounded.
+      // Distances that equal the maximum up to rounding may be on either side, except along the edges of the grid, where
+      // nothing is rounded.
       const bool is_near = std::abs(exact - maximum) < 1e-12 * maximum && x != 0 && y != 0;
       const double actual = geodesic.distance_to_sources(data.vertices[i]);
       if (is_near && std::isinf(actual)) continue;
@@ -401,7 +400,7 @@ void unreachable()
     CHECK(std::isfinite(geodesic.distance_to_sources(data.vertices[i])) == (i < both));
 }
 
-// Arguments that are not allowed are refused, and leave the object usable.
+// Invalid arguments are rejected, and leave the object usable.
 void bad_arguments()
 {
   Report::instance().set_context("bad arguments");
@@ -420,7 +419,7 @@ void bad_arguments()
   CHECK(curves.empty());
   CHECK(std::abs(geodesic.distance_to_sources(data.vertices.back()) - std::hypot(6., 6.)) < 1e-12);
 
-  // vertices that are not of the mesh
+  // vertices of another mesh
   typedef test::Surface_mesh::Vertex_index Vertex_index;
   geodesic.build(CGAL::parameters::relative_tolerance(1e-6));
   for (const Vertex_index bad : {test::Surface_mesh::null_vertex(), Vertex_index(100000)})
@@ -440,7 +439,7 @@ void bad_arguments()
   CHECK(on_more.number_of_sources() == 0);
 }
 
-// A point of a polyline on an edge, repeated by the name that it has in the face beyond, is no corner.
+// A point of a polyline on an edge, repeated as a location in the adjacent face, is no corner.
 void points_with_two_names()
 {
   Report::instance().set_context("points with two names");
@@ -473,7 +472,7 @@ void points_with_two_names()
     }
 }
 
-// Meshes of any size that numbers allow; others are refused.
+// Meshes of any size within the range of the number type; others are rejected.
 void scales()
 {
   Report::instance().set_context("scales");
@@ -517,7 +516,7 @@ void scales()
   }
 }
 
-// Several points at once: each is a source of its own.
+// Several points in one call: each is a separate source.
 void sets_of_points()
 {
   Report::instance().set_context("sets of points");
@@ -548,7 +547,7 @@ void sets_of_points()
   CHECK(at_once.number_of_sources() == 7);
 }
 
-// A square ring, and apart from it a square and a tetrahedron; with edges that have no face.
+// A square ring, and separate from it a square and a tetrahedron; with edges without faces.
 void boundaries()
 {
   Report::instance().set_context("boundaries");
@@ -598,7 +597,7 @@ void boundaries()
       for (Vertex_index v : cycle) CHECK(geodesic.nearest_source(v)->source == source);
     }
     CHECK(sources.size() == 3);
-    // as far from two sides of the ring as from a corner inside
+    // as far from two sides of the ring as from an inner corner
     CHECK(std::abs(geodesic.largest_distance() - (6 - std::sqrt(18.))) < 1e-14);
 
     Geodesic one(mesh);
@@ -611,7 +610,7 @@ void boundaries()
   };
   check();
 
-  // an edge that hangs on the ring, and one for itself
+  // an edge attached to the ring, and an isolated one
   const auto add_edge = [&mesh](Vertex_index a, Vertex_index b)
   {
     const Halfedge_index h = mesh.add_edge(a, b), g = mesh.opposite(h);

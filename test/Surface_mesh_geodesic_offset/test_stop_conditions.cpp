@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds that stop early, against the full field: at targets, at a cut-off, when they are
-// cancelled. What they know is right and says how far it goes; paths and offsets work.
+// Builds that stop early, against the full field: at targets, at a distance limit, by cancellation. Their known part is
+// correct and its extent is reported; paths and offsets work.
 //
 //   test_stop_conditions [N]      N times as many cases
 
@@ -17,8 +17,7 @@ struct Totals
   std::size_t near_windows = 0, far_windows = 0, all_windows = 0, cancelled = 0, calls = 0;
 };
 
-// What is known of a field that was stopped early: the full field up to the covered distance, and
-// nothing beyond it.
+// The known part of a stopped field: the full field up to the covered distance, and nothing beyond it.
 void check_covered(Query_case& c, const Geodesic& part, const Geodesic& full, bool keep,
                    Random& random)
 {
@@ -79,7 +78,7 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   totals.calls += fractions.size();
   const double largest = largest_vertex_distance(full, c.mesh);
-  // lower envelopes, which windows that are kept need, are a few windows less
+  // lower envelopes, which kept windows need, have slightly fewer windows
   const auto windows_without_keeping = [&]
   {
     Geodesic whole(c.mesh);
@@ -133,7 +132,7 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
     }
     check_covered(c, part, full, keep, random);
   }
-  // a cut-off, with paths
+  // a distance limit, with paths
   step("a cut-off");
   Geodesic cut(c.mesh);
   for (const Any_source& s : sources) s.add_to(cut);
@@ -141,7 +140,7 @@ void stops(Query_case& c, unsigned seed, bool keep, Totals& totals)
   cut.build(CGAL::parameters::keep_windows(keep).distance_limit(maximum));
   CHECK(cut.covered_distance() == maximum && !cut.is_cancelled());
   check_covered(c, cut, full, keep, random);
-  // a cancel
+  // cancellation
   step("a cancel");
   const double until = uniform(random, 0.05, 0.9);
   bool refused = false;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All const queries from several threads on one object, with the answers of one thread. Built with
-// and without ThreadSanitizer.
+// All const queries from several threads on one object, against the results of one thread. Built with and without
+// ThreadSanitizer.
 
 #include "generated_meshes.h"
 #include "path_tools.h"
@@ -30,7 +30,7 @@ void add(Answers& answers, const Point_3& p)
   for (int i = 0; i < 3; ++i) answers.push_back(p[i]);
 }
 
-// Not `Sequence_collector`, which checks, and checks count in one place.
+// Replaces `Sequence_collector`, whose checks are not thread-safe.
 struct Sequence_answers
 {
   void operator()(Halfedge_index h, double t)
@@ -71,8 +71,7 @@ void ask(const Geodesic& geodesic, const Query& query, Answers& answers)
   geodesic.shortest_path_sequence_to_sources(query, sequence);
 }
 
-// Everything that one thread asks; `turn` says where it begins, so that threads ask for different
-// things at the same time.
+// All queries of one thread; `turn` selects the first one, so that threads run different queries concurrently.
 std::vector<Answers> ask_all(const Geodesic& geodesic, const test::Surface_mesh& mesh,
                              const Path_locations& points, bool keep, std::size_t turn)
 {
@@ -133,7 +132,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   Report::instance().set_context(name + (keep ? ", with windows" : ", without windows"));
   Random random(5);
   const Mesh_locations locations(mesh);
-  // Two objects alike: one for the threads, so that they are the first to ask it.
+  // Two equal objects: the threads are the first to query one of them.
   Geodesic alone(mesh), shared(mesh);
   const Face_location point = random_location(locations, mesh, random, 0);
   const auto sections = random_plane_section(mesh, 3);
@@ -147,7 +146,7 @@ void run(const std::string& name, const test::Surface_mesh& mesh, bool keep)
   for (std::size_t i = 0; i < 60; ++i)
     points.push_back(random_location(locations, mesh, random, i % 3));
 
-  // two threads are the first to locate points: at first without a tree, which is built on the way
+  // two threads are the first to locate points: initially without a tree, which is built meanwhile
   const std::size_t turns[] = {0, 3, 3, 4}, number = 4;
   std::vector<std::vector<Answers>> answers(number);
   std::vector<std::thread> threads;

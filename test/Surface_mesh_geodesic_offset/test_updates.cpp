@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sources that are added to a built field, and `update()`, against a build from scratch, on 100
-// random cases, with and without kept windows.
+// Sources added to a built field, and `update()`, against a new build, on 100 random cases, with and without kept windows.
 //
 //   test_updates [N]      N times as many cases
 
@@ -18,7 +17,7 @@ struct Totals
   double curves = 0;
 };
 
-// All that can be asked of two objects with the same sources is the same, but for rounding.
+// All queries of two objects with the same sources agree up to rounding.
 void check_same(Query_case& c, const Geodesic& a, const Geodesic& b, bool keep, Random& random,
                 Worst_error& worst, double& worst_curves)
 {
@@ -57,8 +56,7 @@ Geodesic from_scratch(const Query_case& c, const std::vector<Any_source>& source
   return result;
 }
 
-// One to three updates, each with one to three new sources; one after a removal; one after a
-// cancelled build.
+// One to three updates, each with one to three new sources; one after a removal; one after a cancelled build.
 void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
 {
   const auto step = [&](const std::string& what)
@@ -79,13 +77,13 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
       ids.push_back(sources.back().add_to(geodesic));
     }
   };
-  if (seed % 10 != 0) add(); // sometimes there is nothing at first
+  if (seed % 10 != 0) add(); // sometimes initially empty
   geodesic.build(CGAL::parameters::keep_windows(keep));
   for (std::size_t round = 0; round < 1 + seed % 3; ++round)
   {
     step("update " + std::to_string(round + 1));
-    if (seed % 7 != 0 || round > 0) add(); // sometimes nothing has changed
-    if (seed % 4 == 0)                     // a visitor may watch
+    if (seed % 7 != 0 || round > 0) add(); // sometimes without changes
+    if (seed % 4 == 0) // sometimes with a visitor
     {
       double last = 0;
       geodesic.update(CGAL::parameters::visitor(
@@ -99,7 +97,7 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
     }
     else
     {
-      if (seed % 4 == 1) // a cancelled one changes nothing
+      if (seed % 4 == 1) // a cancelled update changes nothing
       {
         const double before = geodesic.distance_to_sources(*vertices(c.mesh).begin());
         geodesic.update(CGAL::parameters::visitor([](double) { return false; }));
@@ -142,7 +140,7 @@ void updates(Query_case& c, unsigned seed, bool keep, Totals& totals)
     geodesic.update();
     check_same(c, geodesic, from_scratch(c, sources, keep), keep, random, worst, totals.curves);
   }
-  if (seed % 3 == 2) // of a build that went only so far: the same parameters again
+  if (seed % 3 == 2) // of a build with a maximum distance: the same parameters again
   {
     step("of a cut-off");
     const double cut = uniform(random, 0.1, 0.6) * largest_vertex_distance(geodesic, c.mesh);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Polylines that stand for curves: how near they are, and how many points are needed (Douglas-Peucker).
+// Polylines for curves: their distance from the curve, and the necessary number of points (Douglas-Peucker).
 
 #ifndef GEODESIC_OFFSET_TEST_THIN_POLYLINES_H
 #define GEODESIC_OFFSET_TEST_THIN_POLYLINES_H
@@ -37,8 +37,8 @@ inline double polyline_length(const Polyline_3& polyline)
   return sum;
 }
 
-/// Whether points are within a distance of a polyline. The segments are in the cells of a grid that are as wide as four times
-/// the distance at least; a segment is in the cells of points of it that are half a cell apart.
+/// Tests whether points are within a distance of a polyline. The cells of a grid, at least four times as wide as the
+/// distance, contain the segments; a segment is in the cells of its points half a cell apart.
 class Near_polyline
 {
 public:
@@ -87,9 +87,9 @@ private:
   std::map<Cell, std::vector<std::size_t>> segments_;
 };
 
-/// Whether the Frechet distance of two polylines is at most a distance, by the free space diagram of Alt and Godau. A polyline
-/// that runs on over a turn back of the other one is farther from it than that, although each point of both is near the other.
-/// Only the cells of the diagram that are reached are visited.
+/// Decides whether the Frechet distance of two polylines is at most a given distance, by the free space diagram of Alt and
+/// Godau. A polyline that continues past a reversal of the other one is farther from it, although each point of both is
+/// near the other. Only reached cells of the diagram are visited.
 class Frechet_decision
 {
 public:
@@ -99,8 +99,8 @@ public:
   {
     const std::size_t n = p_.size() - 1, m = q_.size() - 1;
     if (!is_near(p_[0], q_[0]) || !is_near(p_[n], q_[m])) return false;
-    // What is reached of segment i of p at vertex j of q, for i in [first, end), of which the first and last are not empty; and
-    // whether vertex 0 of p is reached at vertex j.
+    // Reached part of segment i of p at vertex j of q, for i in [first, end), nonempty for the first and last; and whether
+    // vertex 0 of p is reached at vertex j.
     std::vector<Interval> reached(n), next(n);
     std::size_t first = 0, end = 0;
     for (bool goes_on = true; goes_on && end < n; goes_on = reached[end - 1].high == 1)
@@ -112,7 +112,7 @@ public:
     bool is_start_reached = true;
     for (std::size_t j = 0; j < m; ++j)
     {
-      Interval below; // what is reached of segment j of q at vertex i of p
+      Interval below; // reached part of segment j of q at vertex i of p
       if (is_start_reached) below = free_part(p_[0], q_[j], q_[j + 1]);
       if (below.low > 0) below = Interval();
       is_start_reached = below.high == 1;
@@ -153,7 +153,7 @@ private:
 
   bool is_near(const Point_3& p, const Point_3& q) const { return CGAL::squared_distance(p, q) <= distance_ * distance_; }
 
-  // The part of a segment that is near a point; it ends at 0 and 1 exactly where the ends are near.
+  // The part of a segment near a point; it ends exactly at 0 or 1 if that end is near.
   Interval free_part(const Point_3& p, const Point_3& a, const Point_3& b) const
   {
     Interval result;
@@ -175,9 +175,9 @@ private:
   double distance_;
 };
 
-/// The number of points that Douglas and Peucker select: of a part between two points that are selected, the point that is
-/// farthest from their segment if it is farther than the tolerance. Of a closed polyline, which ends with its first point, the
-/// point that is farthest from the first one is selected, too.
+/// Number of points selected by the algorithm of Douglas and Peucker: between two selected points, the point farthest from
+/// their segment is selected if it is farther than the tolerance. Of a closed polyline, whose last point equals the first,
+/// the point farthest from the first one is also selected.
 inline std::size_t points_needed(const Polyline_3& polyline, double tolerance)
 {
   if (polyline.size() < 3) return polyline.size();
@@ -220,9 +220,10 @@ Polyline_3 piecewise_points(const Curve& curve, double tolerance)
   return points;
 }
 
-/// The polyline of a curve is within the tolerance of the curve and the curve within the tolerance of it, as samples show, and
-/// so is their Frechet distance; its points are on the curve; it has the ends of an open curve, and closes a closed one; it has no more points than the
-/// polyline that goes from piece to piece. `size`: of the coordinates.
+/// Checks that the polyline of a curve and the curve are within the tolerance of each other, by samples, and so is their
+/// Frechet distance; that the points of the polyline are on the curve; that it has the ends of an open curve, and closes a
+/// closed one; and that it has no more points than the polyline with a point at each end of a piece. `size`: of the
+/// coordinates.
 template <class Curve>
 void check_thin_polyline(const Curve& curve, double tolerance, double size)
 {
@@ -242,7 +243,7 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
                std::to_string(points.size()) + " points, piece by piece " + std::to_string(piecewise.size()));
   CHECK(polyline_length(points) <= curve.length() * (1 + 1e-9));
 
-  // of the tolerance: the height of the curve over the chords of `samples`
+  // height of the curve over the chords of `samples`, relative to the tolerance
   const double part = tolerance > 1e-5 * size ? 1. / 1024 : 1. / 64;
   const Polyline_3 samples = piecewise_points(curve, part * tolerance);
   const Near_polyline is_near_polyline(points, tolerance * (1 + 1e-9) + rounding);
@@ -265,7 +266,7 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
     return Frechet_decision(points, s, tolerance * (1 + part) + rounding)();
   };
   bool is_frechet_near_any = !curve.is_closed() && is_frechet_near(samples);
-  // a closed polyline begins at the end of some piece; a curve may pass a point twice
+  // a closed polyline may begin at any end of a piece; a curve may pass a point twice
   for (std::size_t i = 0; curve.is_closed() && !is_frechet_near_any && i + 1 < samples.size(); ++i)
   {
     if (samples[i] != points.front()) continue;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A model of SurfaceMeshGeodesicOffsetTraits that has what the concept says and nothing else: what
-// compiles with it needs no more.
+// Model of SurfaceMeshGeodesicOffsetTraits with exactly the requirements of the concept: code that compiles with it has no
+// other requirements.
 
 #ifndef GEODESIC_OFFSET_TEST_TRAITS_ARCHETYPE_H
 #define GEODESIC_OFFSET_TEST_TRAITS_ARCHETYPE_H
@@ -14,7 +14,7 @@
 
 namespace test {
 
-/// Functors with a state, to see that the object's own are used: they count their calls.
+/// Functors with a state that counts calls, to test that the object's own functors are used.
 template <class TriangleMesh>
 class Traits_archetype
 {

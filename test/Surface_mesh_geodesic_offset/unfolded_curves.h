@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves in the planes of the patches of a generated mesh, and back: locations of points of
-// a patch.
+// Offset curves in the planes of the patches of a generated mesh, and locations of points of a patch.
 
 #ifndef GEODESIC_OFFSET_TEST_UNFOLDED_CURVES_H
 #define GEODESIC_OFFSET_TEST_UNFOLDED_CURVES_H
@@ -19,8 +18,7 @@
 
 namespace test {
 
-/// As the documentation of `offset_curves()` says: levels are cut 2^-42 of their value below
-/// themselves.
+/// As documented for `offset_curves()`: levels are cut below themselves by a fraction of 2^-42.
 inline double cut_level(double level)
 {
   return level - std::ldexp(level, -42);
@@ -46,22 +44,22 @@ public:
                    w[0] * c[0].y() + w[1] * c[1].y() + w[2] * c[2].y());
   }
 
-  /// A point of the frame that the library documents for a face.
+  /// Patch coordinates of a point in the face frame that the library documents.
   Point_2 uv(face_descriptor f, const Point_2& p) const
   {
     const auto& c = data_.uv[data_.face_number(f)];
     return c[0] + p.x() * x_axis(f) + p.y() * quarter_turn(x_axis(f));
   }
 
-  /// The other way.
+  /// Inverse of uv().
   Point_2 in_frame(face_descriptor f, const Point_2& p) const
   {
     const Vector_2 v = p - data_.uv[data_.face_number(f)][0];
     return Point_2(x_axis(f) * v, cross(x_axis(f), v));
   }
 
-  /// A piece of an offset curve: from its ends and its angle, whose rounding does not grow with the
-  /// distance of the center from the face.
+  /// A piece of an offset curve, from its ends and its angle, whose rounding does not grow with the distance of the center
+  /// from the face.
   template <class Piece>
   Planar_piece operator()(const Piece& piece) const
   {
@@ -72,8 +70,7 @@ public:
     return Planar_piece::arc(center, piece.radius(), piece.angle(), start, end);
   }
 
-  /// The location of a point of a patch; on the edge or at the vertex if it is there up to
-  /// rounding.
+  /// Location of a point of a patch; on an edge or at a vertex if the point is there up to rounding.
   Face_location locate(std::size_t patch, const Point_2& p) const
   {
     Face_location best;
@@ -111,10 +108,9 @@ private:
   const Mesh_data& data_;
 };
 
-/// What holds for every curve, up to `tolerance`: pieces join; the points of arcs are at their
-/// radius from the center, those of segments on their line; radius and way to the vertex where
-/// paths bend sum up to the level. Pieces shorter than the tolerance, where a level passes a
-/// vertex, need only join.
+/// Checks of every curve, up to `tolerance`: pieces are joined; the points of arcs are at their radius from the center,
+/// those of segments on their line; radius plus distance of the bending vertex is the level. Pieces shorter than the
+/// tolerance, at a vertex on the level, must only be joined.
 template <class Geodesic>
 class Piece_checker
 {
@@ -156,7 +152,6 @@ public:
       }
       if (piece.is_arc())
       {
-        ++number_of_arcs_;
         const double level = piece.radius() + way_to_center;
         CHECK_DETAIL(std::abs(level - cut_level(curve.distance())) <= tolerance_,
                      values(level, cut_level(curve.distance())));
@@ -178,14 +173,13 @@ public:
   double worst_gap() const { return worst_gap_; }
   double worst_off() const { return worst_off_; }
   std::size_t number_of_specks() const { return number_of_specks_; }
-  std::size_t number_of_arcs() const { return number_of_arcs_; }
   std::size_t number_of_segments() const { return number_of_segments_; }
 
 private:
   const Geodesic& geodesic_;
   double tolerance_;
   double worst_gap_ = 0, worst_off_ = 0;
-  std::size_t number_of_arcs_ = 0, number_of_segments_ = 0, number_of_specks_ = 0;
+  std::size_t number_of_segments_ = 0, number_of_specks_ = 0;
 };
 
 } // namespace test

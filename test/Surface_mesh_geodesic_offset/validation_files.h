@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes and tables of distances as files, as the tests of validate_geodesic_distances need them.
+// Files of meshes and distance tables for the tests of validate_geodesic_distances.
 
 #ifndef GEODESIC_OFFSET_TEST_VALIDATION_FILES_H
 #define GEODESIC_OFFSET_TEST_VALIDATION_FILES_H
@@ -42,7 +42,7 @@ inline void write_off(const std::filesystem::path& path, const Soup& soup)
   write_file(path, text);
 }
 
-/// One distance a line, in the order of the vertices.
+/// One distance per line, in the order of the vertices.
 inline std::string column_table(const std::vector<double>& distances)
 {
   std::string text = "# distances\n";
@@ -50,7 +50,7 @@ inline std::string column_table(const std::vector<double>& distances)
   return text;
 }
 
-/// Lines of a vertex and its distance, in any order.
+/// Lines with a vertex and its distance, in any order.
 inline std::string pair_table(const std::vector<double>& distances, unsigned seed)
 {
   std::vector<std::size_t> order(distances.size());
@@ -63,7 +63,7 @@ inline std::string pair_table(const std::vector<double>& distances, unsigned see
 
 enum class Ply_format { ascii, little_endian, big_endian };
 
-/// A PLY file of the soup with a property of the vertices, of type float or double, between other properties.
+/// A PLY file of the soup with a vertex property of type float or double between other properties.
 class Ply_table
 {
 public:

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a tolerance saves: windows from one vertex of a smooth shape at 1K, 4K, 16K, ... vertices, exactly and with relative
-// tolerances, and from a corner of grids that are flat but for noise, with a merging tolerance. Counts, not times, so the
-// tables are the same on any machine.
+// Windows saved by a tolerance, from one vertex of a smooth shape at 1K, 4K, 16K, ... vertices, with exact builds and
+// relative tolerances, and from a corner of noisy planar grids, with a merging tolerance. The figures are counts, not
+// times, so the tables are the same on any machine.
 //
 //   bounded_error [--limit N] [--first N]          default: 1024 to 262144 vertices
 //
-// Two Markdown tables. In the first, the last line of each tolerance has the exponent e of the curve c n^e that fits best.
-// The largest error is that of all vertices against the exact build. The exit code is 1 if one is beyond its bound, or a
-// distance is larger than the exact one by more than rounding.
+// Two Markdown tables. In the first, the last line per tolerance is the exponent e of the best fit c n^e. The largest error
+// is that of all vertices relative to the exact build. The exit code is 1 if an error exceeds its bound, or a distance
+// exceeds the exact one by more than rounding.
 
 #include "generated_flat_meshes.h"
 #include "growth_exponent.h"
@@ -42,7 +42,7 @@ struct Largest_error
   bool is_sound = true;
 };
 
-// Of a build against an exact one.
+// Error of a build relative to an exact one.
 Largest_error largest_error(const Mesh& mesh, const Geodesic& geodesic, const std::vector<double>& exact)
 {
   Largest_error result;

@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turns a scanned polygon soup into a manifold triangle mesh: merges duplicate points, orients,
-// splits what is not manifold, removes degenerate faces, keeps the largest component and no
-// isolated vertex. Prints "x y z diagonal" of the bounding box: its centre and the length of its
-// diagonal.
+// Converts a scanned polygon soup to a manifold triangle mesh: merges duplicate points, orients, splits non-manifold
+// elements, removes degenerate faces, and keeps the largest component without isolated vertices. Prints "x y z diagonal" of
+// the bounding box: its center and the length of its diagonal.
 //
 //   clean_mesh IN OUT.off
 
@@ -43,7 +42,7 @@ int main(int argc, char* argv[])
   }
   std::cerr << "read " << points.size() << " points, " << polygons.size() << " polygons\n";
   PMP::repair_polygon_soup(points, polygons);
-  PMP::orient_polygon_soup(points, polygons); // splits what is not manifold
+  PMP::orient_polygon_soup(points, polygons); // splits non-manifold elements
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   PMP::triangulate_faces(mesh);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Counts what is on the heap, by operators new and delete of its own: for one source file of a program.
+// Measures heap memory by its own operators new and delete; for one source file of a program.
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_COUNTED_HEAP_H
 #define GEODESIC_OFFSET_BENCHMARK_COUNTED_HEAP_H
@@ -19,7 +19,7 @@ struct Heap_count
   static inline std::size_t now = 0, peak = 0;
 };
 
-// What has come onto the heap since it was made, in bytes as asked for.
+// Bytes allocated on the heap since the construction, as requested.
 class Counted_heap
 {
 public:
@@ -31,7 +31,7 @@ private:
   const std::size_t m_before;
 };
 
-// The size stands before each block, in as many bytes as it is aligned to.
+// The size precedes each block, in as many bytes as the alignment of the block.
 constexpr std::size_t heap_header = alignof(std::max_align_t);
 
 inline void* counted(void* block, std::size_t n, std::size_t header)
@@ -53,7 +53,7 @@ inline void free_counted(void* p, std::size_t header)
 
 } // namespace benchmark
 
-// Not inlined: compilers pair them with each other only as functions.
+// Not inlined: compilers match new and delete only as functions.
 BOOST_NOINLINE void* operator new(std::size_t n)
 {
   return benchmark::counted(std::malloc(n + benchmark::heap_header), n, benchmark::heap_header);
@@ -62,7 +62,7 @@ BOOST_NOINLINE void* operator new(std::size_t n)
 BOOST_NOINLINE void operator delete(void* p) noexcept { benchmark::free_counted(p, benchmark::heap_header); }
 BOOST_NOINLINE void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
-// For over-aligned types, as windows are. The size to allocate is to be a multiple of the alignment.
+// For over-aligned types such as windows. The size must be a multiple of the alignment.
 BOOST_NOINLINE void* operator new(std::size_t n, std::align_val_t alignment)
 {
   const std::size_t a = static_cast<std::size_t>(alignment);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The lengths of shortest paths along edges, by Dijkstra's algorithm of Boost.
+// Lengths of shortest paths along edges, by Boost's Dijkstra algorithm.
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_EDGE_DISTANCES_H
 #define GEODESIC_OFFSET_BENCHMARK_EDGE_DISTANCES_H
@@ -20,7 +20,7 @@
 
 namespace benchmark {
 
-/// A vertex without a way to the start is at infinity.
+/// Unreachable vertices are at infinity.
 template <class Mesh>
 std::vector<double> edge_distances(const Mesh& mesh, const Initial_distances<Mesh>& start)
 {

@@ -1,16 +1,16 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What one exact offset costs, as a Markdown table with one line per mesh: random convex hulls, graded discs and regular
-// grids, with the first vertex as source.
+// Cost of an exact offset, as a Markdown table with one line per mesh: random convex hulls, graded discs and regular grids,
+// with the first vertex as source.
 //
 //   exact_offsets [--part P] [--seeds N] [--kind KIND] [--faces F]
 //
-// The level is the part P (0.5) of the largest distance of a vertex; random meshes have N (3) seeds; with a kind or number of
-// faces, only such meshes are measured. Seconds are those of build_with_offset_curves() with the kernel
-// Exact_predicates_exact_constructions_kernel_with_sqrt. The last columns are the number of signs, of those that intervals of
-// up to 256 bits leave open, and of those among them that take exact arithmetic or more. The exit code is 1 if the length of
-// the curves differs from that of the curves of doubles by more than test::same_length.
+// The level is P (0.5) times the largest vertex distance; random meshes have N (3) seeds; with a kind or number of faces,
+// only such meshes are measured. Seconds are those of build_with_offset_curves() with the kernel
+// Exact_predicates_exact_constructions_kernel_with_sqrt. The last columns are the number of signs, of those that intervals
+// of up to 256 bits leave open, and of those among them that need exact arithmetic or more. The exit code is 1 if the
+// length of the curves differs from that in doubles by more than test::same_length.
 
 #include "exact_offset_meshes.h"
 
@@ -18,7 +18,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 
 #include <chrono>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Fast marching on a triangle mesh, of first order: approximate distances of the vertices.
+// First-order fast marching on a triangle mesh: approximate vertex distances.
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_FAST_MARCHING_H
 #define GEODESIC_OFFSET_BENCHMARK_FAST_MARCHING_H
@@ -21,10 +21,11 @@
 
 namespace benchmark {
 
-/// Vertices are accepted in the order of their distances. An accepted vertex updates the others of its faces: if a face has
-/// two accepted vertices, by the linear function on the face that has their values and a gradient of length one, provided
-/// that its front comes to the third vertex through the face and after both; else along the edges. Faces with an obtuse
-/// angle are not split: where the front comes from outside of such a face, its vertex gets the value along an edge.
+/// Vertices are accepted in the order of their distances. An accepted vertex updates the others of its faces. If a face has
+/// two accepted vertices, the update uses the linear function on the face with their values and a gradient of length one,
+/// provided that its front reaches the third vertex through the face and after both others; otherwise the update is along
+/// the edges. Faces with an obtuse angle are not split: if the front comes from outside such a face, its vertex gets the
+/// value along an edge.
 template <class Mesh>
 class Fast_marching
 {
@@ -43,7 +44,7 @@ public:
     {
       const Vertex_index v = m_queue.top().second;
       m_queue.pop();
-      if (m_accepted[v]) continue; // an older and larger value
+      if (m_accepted[v]) continue; // an outdated, larger value
       m_accepted[v] = true;
       for (auto h : CGAL::halfedges_around_target(v, m_mesh))
       {
@@ -71,9 +72,9 @@ private:
   }
 
   // With the edges p and q from `v` to the accepted vertices as a basis, and their matrix of scalar products G, the linear
-  // function with the values s and t there and d at v has a gradient with the coordinates w = G^-1 (s - d, t - d), whose
-  // squared length is (s - d, t - d) w. That it is one is a quadratic equation for d. The front comes through the face if
-  // both coordinates are negative.
+  // function with values s and t there and d at v has a gradient with coordinates w = G^-1 (s - d, t - d) and squared
+  // length (s - d, t - d) w. Setting it to one gives a quadratic equation for d. The front comes through the face if both
+  // coordinates are negative.
   void update_across_face(Vertex_index v, Vertex_index first, Vertex_index second)
   {
     const Point& origin = m_mesh.point(v);

@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/// The fastest of several measured runs: up to `most` of them, as long as they have not taken a second together. Short
-/// runs vary more than long ones, and other work on the machine can only slow a run down.
+/// The fastest of up to `most` measured runs, within a total of one second. Short runs vary more than long ones, and other
+/// work on the machine can only slow a run down.
 template <class Computation>
 Measured_run fastest_run(const Computation& computation, int most = 9)
 {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Windows on flat and developable meshes, where a solver that does not merge windows drowns: time,
-// windows a vertex and error against closed forms, as a Markdown table. The exit code is 1 if a
-// jittered grid needs more than 4 windows a vertex, or if a distance is off by more than 1e-12.
+// Windows on flat and developable meshes, on which the number of windows explodes in solvers that do not merge windows:
+// time, windows per vertex, and error against closed forms, as a Markdown table. The exit code is 1 if a jittered grid
+// needs more than 4 windows per vertex, or if a distance has an error above 1e-12.
 
 #include "closed_forms.h"
 #include "generated_flat_meshes.h"
@@ -30,7 +30,7 @@ template <class ClosedForm>
 bool run(const std::string& name, const Soup& soup, const ClosedForm& closed_form,
          std::size_t source, double limit)
 {
-  // A patch of each vertex, and its coordinates there.
+  // A patch of each vertex, and the vertex's coordinates in it.
   std::vector<Leg> places(soup.points.size());
   for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)

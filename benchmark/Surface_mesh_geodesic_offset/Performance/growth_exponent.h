@@ -11,8 +11,8 @@
 
 namespace benchmark {
 
-/// The exponent e of the curve c n^e through the points (n[i], y[i]) that fits best, by least squares of the logarithms.
-/// Not a number if there are fewer than two points.
+/// Exponent e of the best fit c n^e for the points (n[i], y[i]), by least squares of the logarithms. NaN for fewer than two
+/// points.
 inline double growth_exponent(const std::vector<double>& n, const std::vector<double>& y)
 {
   const double count = static_cast<double>(n.size());

@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-/// The vertices at which a method on vertices starts, and their distances.
+/// Start vertices of a method on vertices, with their distances.
 template <class Mesh>
 using Initial_distances = std::vector<std::pair<typename Mesh::Vertex_index, double>>;
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sizes of a ladder of meshes, as programs are told them: [--limit N] [--first N]
+// Sizes of a ladder of meshes on the command line: [--limit N] [--first N]
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_LADDER_SIZES_H
 #define GEODESIC_OFFSET_BENCHMARK_LADDER_SIZES_H
@@ -19,7 +19,7 @@ struct Ladder_sizes
 {
   std::size_t first = 1024, limit = 262144;
 
-  /// False if the arguments are not understood; then the usage is on `std::cerr`.
+  /// Returns false after printing the usage on `std::cerr` if the arguments are invalid.
   bool read(int argc, char* argv[], const char* program)
   {
     try

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs a computation in a process of its own and measures its time and the memory it needs beyond
-// what was there (POSIX).
+// Runs a computation in a separate process and measures its time and additional memory (POSIX).
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_MEASURED_RUN_H
 #define GEODESIC_OFFSET_BENCHMARK_MEASURED_RUN_H
@@ -26,7 +25,7 @@ struct Measured_run
 {
   double seconds = 0;
   std::size_t peak_bytes = 0; // beyond the memory in use at the start
-  std::uint64_t windows = 0;  // as the computation reports
+  std::uint64_t windows = 0; // reported by the computation
   std::vector<double> distances;
 };
 
@@ -64,13 +63,13 @@ inline bool read_all(int file, void* data, std::size_t size)
   return true;
 }
 
-/// `computation(distances, windows)` fills its arguments; what it leaves in this process is lost
-/// but for those. Throws `std::runtime_error` if it fails.
+/// `computation(distances, windows)` fills its arguments; all other effects in the process are lost. Throws
+/// `std::runtime_error` if it fails.
 template <class Computation>
 Measured_run measured_run(const Computation& computation)
 {
 #ifdef __GLIBC__
-  malloc_trim(0); // memory that was freed before must not hide what the computation needs
+  malloc_trim(0); // freed memory must not hide the demand of the computation
 #endif
   int channel[2];
   if (pipe(channel) != 0) throw std::runtime_error("pipe failed");

@@ -1,22 +1,21 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What families of offsets cost: equally spaced distances from a plane section of a mesh, in one
-// propagation, as a Markdown table. The curves are given up as they come, so the memory is that of the
-// solver alone.
+// Cost of families of offsets: equally spaced distances from a plane section of a mesh, in one propagation, as a Markdown
+// table. Curves are dropped on arrival, so the memory is that of the solver alone.
 //
 //   offset_families MESH [number of distances ...] [--validate]        default: 1 20 200
 //
-// --validate lets the oracle of the tests look at all curves of the last family; the exit code is 1 if it finds a fault.
+// With --validate, the oracle of the tests checks all curves of the last family; the exit code is 1 if it finds a fault.
 
 #include "measured_run.h"
 #include "plane_section.h"
+#include "validation/Offset_validation.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +33,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>>
   Geodesic;
 
-// The plane through the centre of the bounding box across its longest side, tilted so that it is not
-// parallel to an axis.
+// Plane through the center of the bounding box, across its longest side, tilted against the axes.
 std::vector<Section<Mesh>> section(const Mesh& mesh, const CGAL::Bbox_3& box)
 {
   const double size[3] = {box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()};

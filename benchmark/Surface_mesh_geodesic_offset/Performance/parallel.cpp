@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Builds with Parallel_tag on one thread, two and all cores, against Sequential_tag, as a Markdown table: the wavy torus at
-// three sizes, from one vertex and from 64, and meshes that are given, refined by Loop's subdivision until they have 100,000
-// vertices.
+// three sizes, from one vertex and from 64, and given meshes, refined by Loop's subdivision to at least 100,000 vertices.
 //
 //   parallel [--runs N] [mesh files]          default: 7
 //
-// Times are those of `build()`; how many times faster the mesh is set up, and offset curves are cut at 20 levels, stands
-// beside them. The ways take turns, N times, and the fastest run of each counts: other work on the machine can only slow a
-// run down, and two threads more than one. In the same turns, for two threads and more, run as many sequential builds at one
-// time, each for itself: how many times more they do together than one alone is what the cores and their memory give. The
-// exit code is 1 if a distance differs by more than 1e-13 of itself from the sequential one, or at all between numbers of
-// threads, or if memory grows by half.
+// Times are those of `build()`; further columns are the speed-ups of the mesh set-up and of cutting offset curves at 20
+// levels. The variants alternate, N times, and the fastest run of each counts: other work on the machine can only slow a
+// run down, and two threads more than one. For two threads and more, as many independent sequential builds run concurrently
+// in the same turns: their throughput relative to one build is what the cores and their memory can provide. The exit code
+// is 1 if a distance differs from the sequential one by more than 1e-13 relative, or at all between numbers of threads, or
+// if memory grows by half.
 
 #include "measured_run.h"
 #include "wavy_torus.h"
@@ -51,7 +50,7 @@ typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
 typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
 typedef std::vector<Mesh::Vertex_index> Vertices;
 
-// The steps whose times are taken, and at how many levels offset curves are cut.
+// The timed steps, and the number of levels of offset curves.
 enum Step { SETTING_UP, BUILD, CUTTING, number_of_steps };
 constexpr std::size_t number_of_levels = 20;
 
@@ -95,7 +94,7 @@ benchmark::Measured_run run(const Mesh& mesh, const Vertices& sources, int threa
     });
 }
 
-// Sequential builds at one time. The only figure is the time of the slowest one.
+// Concurrent sequential builds. The only figure is the time of the slowest one.
 double seconds_side_by_side(const Mesh& mesh, const Vertices& sources, int number)
 {
   const auto run = [&](std::vector<double>& figures, std::uint64_t&)

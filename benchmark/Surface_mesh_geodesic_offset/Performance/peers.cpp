@@ -1,20 +1,20 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Time, memory and error of other methods beside ours, in one run, each in a process of its own:
+// Time, memory and error of other methods and ours in one run, each in a separate process:
 //
 //   peers [--smsp-limit VERTICES] [--torus VERTICES]... [MESH]...
 //
-// on the meshes, and on generated tori with waves, from one vertex, from 64 vertices, and from the curve where a plane cuts
-// the mesh. The methods: ours; CGAL::Surface_mesh_shortest_path, up to 30000 vertices by default; CGAL::Heat_method_3, if
-// this was built with Eigen; shortest paths along edges; fast marching. From the curve, these are given the middles of its
-// segments (SMSP, which in CGAL 5.5 finds wrong distances from sources on edges), the nearer end of each edge that it
-// crosses (heat method), or all corners of its faces with their distances from it (edges, fast marching); and ours is given
-// k points of each of its segments, for increasing k.
+// on the given meshes, and on generated tori with waves, from one vertex, from 64 vertices, and from a plane section of the
+// mesh. The methods: ours; CGAL::Surface_mesh_shortest_path, up to 30000 vertices by default; CGAL::Heat_method_3, if built
+// with Eigen; shortest paths along edges; fast marching. For the section, the sources of the other methods are the
+// midpoints of its segments (SMSP, which in CGAL 5.5 finds wrong distances from sources on edges), the nearer end of each
+// crossed edge (heat method), or all corners of its faces with their distances (edges, fast marching); ours also runs with
+// k points per segment, for increasing k.
 //
-// A table with tabs on stdout. `seconds` contain the construction and reading all distances. Errors are those of the
-// distances of the vertices, relative to our distances from the true source; `unreached` is the number of vertices that
-// are at infinity with one of the two alone. A method that fails has no figures.
+// A tab-separated table on stdout. `seconds` include the construction and the output of all distances. Errors are those of
+// vertex distances, relative to our distances from the true source; `unreached` is the number of vertices at infinity for
+// exactly one of the two. A failing method has no figures.
 
 #include "edge_distances.h"
 #include "fast_marching.h"
@@ -56,11 +56,11 @@ typedef benchmark::Initial_distances<Mesh> Initial_distances;
 typedef Geodesic::Face_location Face_location;
 typedef test::Section<Mesh> Section;
 
-// What the methods start from.
+// Sources of the methods.
 struct Source
 {
   std::string name;
-  std::vector<Mesh::Vertex_index> vertices; // for the heat method; the very source, if there is no curve
+  std::vector<Mesh::Vertex_index> vertices; // for the heat method; the exact source, if there is no curve
   Initial_distances initial;
   std::vector<Section> curve;
 };
@@ -101,7 +101,7 @@ Source curve_source(const Mesh& mesh, const std::vector<Section>& curve)
   return {"curve", {nearer.begin(), nearer.end()}, {corners.begin(), corners.end()}, curve};
 }
 
-// k points on each segment, its first end among them, and the ends of open curves.
+// k points on each segment, including its first end, and the ends of open curves.
 std::vector<Face_location> samples(const Mesh& mesh, const std::vector<Section>& curve, std::size_t k)
 {
   const test::Locations<Mesh> on_mesh(mesh);

@@ -1,15 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One vertex source, all vertex distances: CGAL::Surface_mesh_shortest_path against
-// Surface_mesh_geodesic_offset in one run, each in a process of its own, as a Markdown table. Times
-// contain construction, build and all answers. Where TBB was found, once more with Parallel_tag:
-// "several threads"; the other columns are of one thread.
+// One vertex source, all vertex distances: CGAL::Surface_mesh_shortest_path against Surface_mesh_geodesic_offset in one
+// run, each in a separate process, as a Markdown table. Times include construction, build and all queries. With TBB, the
+// column "several threads" is for Parallel_tag; the others are for one thread.
 //
-//   point_source_against_smsp [--vertex I] [--repeat N] MESH...        the medians of N runs each;
-//   default: 0, 1
+//   point_source_against_smsp [--vertex I] [--repeat N] MESH...
 //
-// The rows of CGAL's data/meshes to look at: bunny00.off, refined_elephant.off, armadillo.off.
+// The medians of N runs each; default: 0, 1. Recommended meshes of CGAL's data/meshes: bunny00.off, refined_elephant.off,
+// armadillo.off.
 
 #include "measured_run.h"
 

@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One vertex source, queries at random points inside faces: CGAL::Surface_mesh_shortest_path
-// against Surface_mesh_geodesic_offset in one run, each in a process of its own, as a Markdown
-// table: queries per second, of the distance and of the whole path as points in space; memory a
-// vertex, of the tree (growth of the peak) and of the kept windows (as they say; and growth of the
-// peak).
+// One vertex source, queries at random points inside faces: CGAL::Surface_mesh_shortest_path against
+// Surface_mesh_geodesic_offset in one run, each in a separate process, as a Markdown table: queries per second, for the
+// distance and for the whole path as points in space; memory per vertex, of the tree (growth of the peak) and of the kept
+// windows (as reported, and growth of the peak).
 //
 //   queries_against_smsp [--queries N] [--vertex I] [--repeat N] MESH...
-//       default: 10000, 0, 1; of N runs, the fastest counts
 //
-// The rows of CGAL's data/meshes to look at: bunny00.off, refined_elephant.off, armadillo.off.
+// default: 10000, 0, 1; the fastest of N runs counts. Recommended meshes of CGAL's data/meshes: bunny00.off,
+// refined_elephant.off, armadillo.off.
 
 #include "measured_run.h"
 
@@ -74,8 +73,8 @@ double seconds_since(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// What a process reports, before the distances: the seconds of the build, of all distances and of
-// all paths; bytes of kept windows; points of all paths.
+// Figures before the distances in the output of a process: seconds of the build, of all distances and of all paths; bytes
+// of kept windows; points of all paths.
 enum
 {
   BUILD,
@@ -111,7 +110,7 @@ void measure(const std::vector<Face_location>& points, std::vector<double>& out,
   out[PATH_POINTS] = static_cast<double>(count);
 }
 
-// The fastest times of some runs.
+// The fastest times of several runs.
 template <class Computation>
 Measured_run fastest_run(std::size_t repetitions, const Computation& computation)
 {

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How time, memory and windows grow with the size of the mesh: one smooth shape at 1K, 2K, 4K, ... vertices, from one
+// Growth of time, memory and windows with the size of the mesh: one smooth shape at 1K, 2K, 4K, ... vertices, from one
 // vertex, from 64 vertices, and from a closed curve; without offsets, with one, and with 100 equally spaced ones.
 //
 //   size_ladder [--limit N] [--first N]          default: 1024 to 262144 vertices
 //
-// A table with tabs on stdout. `seconds` contain the construction, the build, and reading all distances; `levels` is the
-// number of offset distances, whose curves are given up as they come. Lines that start with # are the exponents e of the
-// curves c n^e that fit best, over all sizes.
+// A tab-separated table on stdout. `seconds` include the construction, the build, and reading all distances; `levels` is
+// the number of offset distances, whose curves are dropped on arrival. Lines that start with # are the exponents e of the
+// best fits c n^e over all sizes.
 
 #include "fastest_run.h"
 #include "growth_exponent.h"
@@ -72,7 +72,7 @@ std::vector<Source> sources(const Shape& shape)
   throw std::runtime_error("the plane section has no closed curve");
 }
 
-// `farthest`: the largest distance of a vertex, for offsets to be spread over
+// `farthest`: largest vertex distance, the range of the offsets
 Row run(const Mesh& mesh, const Source& source, std::size_t levels, double farthest)
 {
   const benchmark::Measured_run result = benchmark::fastest_run(
@@ -115,7 +115,7 @@ void print(const Row& r)
   std::fflush(stdout);
 }
 
-// The exponents of each source and number of levels.
+// Prints the exponents for each source and number of levels.
 void print_exponents(const std::vector<Row>& rows)
 {
   struct Series

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One smooth closed surface without symmetries at any resolution: a torus with waves, given by a formula.
+// A smooth closed surface without symmetries at any resolution: a torus with waves, given by a formula.
 
 #ifndef GEODESIC_OFFSET_BENCHMARK_WAVY_TORUS_H
 #define GEODESIC_OFFSET_BENCHMARK_WAVY_TORUS_H
@@ -15,8 +15,8 @@
 
 namespace benchmark {
 
-/// A mesh of about `n` vertices, all of them on the surface: a grid in the two angles, jittered within the surface, each
-/// square split by its shorter diagonal.
+/// Mesh of about `n` vertices, all on the surface: a grid in the two angles, jittered within the surface, with each square
+/// split by its shorter diagonal.
 template <class Mesh>
 class Wavy_torus
 {

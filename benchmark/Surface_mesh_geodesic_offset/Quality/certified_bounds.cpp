@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What certified bounds cost beside distances, and how close together they are, as a Markdown table: one line for each mesh,
-// with the first vertex as source.
+// Cost of certified bounds relative to distances, and their widths, as a Markdown table: one line per mesh, with the first
+// vertex as source.
 //
 //   certified_bounds [--repeat N] [--bits B] MESH...
 //
-// Times are the shortest of N runs in turns: rounded side tests, exact side tests, bounds. With --bits, a run with numbers
-// of so many bits must lie within the bounds; it takes some 50 microseconds a window. The exit code is 1 if it does not, if
-// the distances of doubles are outside by more than 1e-12 of themselves, or if no mesh could be read.
+// Times are the shortest of N alternating runs: rounded side tests, exact side tests, bounds. With --bits, the distances of
+// a run with numbers of B bits must be within the bounds; it takes some 50 microseconds per window. The exit code is 1 if
+// they are not, if distances of doubles are outside by more than 1e-12 relative, or if no mesh could be read.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
@@ -38,7 +38,7 @@ typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset
 template <class K>
 using Distance = CGAL::Surface_mesh_geodesic_distance<CGAL::Surface_mesh_geodesic_offset_traits<K, Mesh>>;
 
-// Builds and keeps the shortest time.
+// Builds, and updates the shortest time.
 template <class Solver>
 void build(Solver& solver, double& seconds)
 {

@@ -1,19 +1,19 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lengths and areas of offsets: the derivative of the area of {D < d} by d is the length of the offset at d, the integral of
-// all lengths is the area of the surface, and both sides together are the whole.
+// Lengths and areas of offsets: the derivative of the area of {D < d} with respect to d is the length of the offset at d,
+// the integral of all lengths is the area of the surface, and both sides together are the whole offset.
 //
 //   offset_integrals [--faces LIMIT] [--levels N] [--whole LIMIT] [MESH or FOLDER]...
 //
-// Meshes of up to --faces faces (200000), with three sources each: the first vertex, five points in faces, the curve where a
-// plane cuts the mesh. On each N levels (10), the derivative at random distances; on meshes of up to --whole faces (500), the
+// Meshes of up to --faces faces (200000), with three sources each: the first vertex, five points in faces, a plane section.
+// For each source N levels (10), with the derivative at random distances; on meshes of up to --whole faces (500), the
 // integral over all levels.
 //
-// A table with tabs on stdout: mesh, sources, faces; the number of distances and how many of them lie at events, where there
-// is no derivative; the largest relative difference of the derivative and the length; of the sides and the whole; that of the
-// integral of all lengths and the area, the sum of what is left over at each of its levels, and their number. Meshes that
-// cannot be used are named on stderr. The exit code is 1 if a difference is larger than 1e-9.
+// A tab-separated table on stdout: mesh, sources, faces; number of distances, and of those at events, where the derivative
+// does not exist; the largest relative difference of derivative and length; that of both sides and the whole; that of the
+// integral of all lengths and the area, the sum of the remainders over its levels, and their number. Unusable meshes are
+// named on stderr. The exit code is 1 if a difference exceeds 1e-9.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"

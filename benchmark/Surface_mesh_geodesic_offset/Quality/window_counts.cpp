@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many windows are propagated, and how many there have to be: those that are the nearest somewhere on their edge, the
-// lower envelope of the windows from both sides and of the paths by way of its two vertices. As a Markdown table; and what
-// memory that takes.
+// Number of propagated windows, relative to the necessary number: windows that are nearest somewhere on their edge, that
+// is, in the lower envelope of the windows from both sides and of the paths via the two vertices. As a Markdown table, with
+// the memory of windows.
 //
 //   window_counts [--vertex I] MESH...        default: 0
 //
-// `set-up` are the bytes a vertex of the unfolded mesh, `peak` those of a build at its peak, unfolded mesh and front
-// included, `front` those of the windows that are held at one time, which are part of the peak.
+// `set-up`: bytes per vertex of the unfolded mesh; `peak`: peak of a build, including unfolded mesh and front; `front`: the
+// most windows held at one time, which are part of the peak.
 
 #include "../Performance/counted_heap.h"
 
@@ -39,7 +39,7 @@ typedef boost::property_map<Mesh, boost::face_index_t>::const_type Face_index_ma
 typedef boost::property_map<Mesh, boost::vertex_point_t>::const_type Vertex_point_map;
 typedef internal::Geodesic_surface<Traits, Vertex_index_map, Face_index_map, Vertex_point_map> Surface;
 
-// The window on the twin of its halfedge, which is as long.
+// The window on the twin of its halfedge, which has the same length.
 Window seen_from_behind(const Window& window, double length)
 {
   Window w = window;
@@ -73,7 +73,8 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
   for (internal::Index h = 0; h < unfolded.number_of_halfedges(); ++h)
   {
     const internal::Index twin = unfolded.twin(h);
-    if (unfolded.source(h) == internal::no_index || twin < h) continue; // the border has no twin, and comes by itself
+    // border halfedges have no twin, and are visited on their own
+    if (unfolded.source(h) == internal::no_index || twin < h) continue;
     const double length = unfolded[h].length;
     const auto& distance = build.field.distance;
     const double allowance = internal::pruning_allowance<double>(distance[unfolded.source(h)] + length);

@@ -1,20 +1,20 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Everything on everything: meshes as they are and perturbed, sources of all kinds, levels at and beside the distances of
-// vertices. Is there a run that is wrong, crashes, or hangs?
+// Search for wrong runs, crashes and endless loops: meshes unchanged and perturbed, sources of all kinds, levels at and
+// near vertex distances.
 //
 //   corpus [--seed N] [--runs N] [--seconds S] [--printed N] [--verbose] [--write PREFIX] [MESH or FOLDER]...
 //
-// Without a mesh, the generated meshes of offset_search. Run i has the seed N + i, which determines the mesh, its perturbation,
-// the sources and the levels: each mesh meets each perturbation once before one repeats. So `--seed N --runs 1` repeats a run
-// with the same meshes. A run is a process of its own, and ends after --seconds (60).
+// Without a mesh, the generated meshes of offset_search. Run i has seed N + i, which determines the mesh, its perturbation,
+// the sources and the levels: each mesh meets each perturbation once before a combination repeats. So `--seed N --runs 1`
+// repeats a run with the same meshes. A run is a separate process, which ends after --seconds (60).
 //
-// A run reads the mesh as the program geodesic_offset does, perturbs it, and reads it again. Distances must be 1-Lipschitz and
-// within certified bounds, curves valid, both up to 1e-10 of the distance plus the diagonal.
+// A run reads the mesh as the program geodesic_offset does, perturbs it, and reads it again. Distances must be 1-Lipschitz
+// and within certified bounds, curves valid, both up to 1e-10 of the distance plus the diagonal.
 //
-// Runs that fail, up to --printed (50), then outcomes by perturbation and by source on stdout. --write PREFIX writes the meshes
-// and sources of wrong runs. The exit code is 1 if a run fails, and 2 for options that are wrong.
+// Output: failing runs, up to --printed (50), then outcomes by perturbation and by source. --write PREFIX writes the meshes
+// and sources of wrong runs. The exit code is 1 if a run fails, and 2 for wrong options.
 
 #include "corpus_run.h"
 

@@ -1,19 +1,19 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes that are hard for methods with windows: flat ones, where paths tie and nothing ends a window; needles; tiny faces;
-// saddles. Are the distances right, and are there not too many windows?
+// Correctness of distances and number of windows on meshes that are hard for methods with windows: flat ones, where paths
+// tie and nothing ends a window; needles; tiny faces; saddles.
 //
 //   hard_meshes [--faces LIMIT] [MESH or FOLDER]...
 //
-// Generated meshes, then those given, up to 200000 faces; from the first vertex, and from the curve where a plane cuts the
-// mesh. Distances of doubles must lie within the certified bounds, by which distances are proven, up to 1e-12 of themselves,
-// and points must be unreachable for both alike; else the exit code is 1. Meshes that are given but cannot be used are named
-// on stderr.
+// Generated meshes, then the given ones, up to 200000 faces; from the first vertex, and from a plane section. Distances of
+// doubles must be within the certified bounds up to 1e-12 relative, and the same points must be unreachable for both;
+// otherwise the exit code is 1. Given meshes that are unusable are named on stderr.
 //
-// A table with tabs on stdout. `seconds` and `bounds_seconds` are those of the builds, `width` is the largest relative
-// difference of two bounds, `outside` the number of vertices whose distances are wrong, and `excess` the largest relative
-// distance of one from its bounds, wrong or not; `excess_of_size` is the largest one in diagonals of the bounding box.
+// A tab-separated table on stdout. `seconds` and `bounds_seconds` are those of the builds, `width` is the largest relative
+// difference of two bounds, `outside` the number of vertices with wrong distances, and `excess` the largest relative
+// distance of a vertex distance from its bounds, wrong or not; `excess_of_size` is the largest one in diagonals of the
+// bounding box.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -55,7 +55,7 @@ double seconds_of_build(Solver& solver)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// What the distances of the vertices are beside their bounds.
+// Comparison of vertex distances with their bounds.
 struct Agreement
 {
   std::size_t unreachable = 0, outside = 0;
@@ -156,8 +156,8 @@ void run_flat_meshes(Run& run)
   run("prism, random", test::Prism(12, 1, 4).triangulated(700, 20, 1));
 }
 
-// Rotated, the thinnest needles show what doubles cannot do: a distance that is far shorter than the faces are long has the
-// round-off of their lengths.
+// The thinnest needles, rotated, show the limits of doubles: a distance far below the length of the faces has the round-off
+// of that length.
 void run_needles(Run& run)
 {
   for (const double height : {1e-2, 1e-4, 1e-6, 1e-8})
@@ -167,7 +167,8 @@ void run_needles(Run& run)
     run(name, test::random_rectangle(1, height, 2000, 60, 1));
     run(std::string(name) + ", rotated", test::rotated(test::random_rectangle(1, height, 2000, 60, 1), 5));
   }
-  // from the curve the windows grow with the square: each segment is a source of its own, and all of them see all edges
+  // from the curve, the number of windows grows quadratically: each segment is a source, and all edges are visible from all
+  // sources
   for (const std::size_t count : {500, 1000, 2000})
     run("disc of " + std::to_string(count) + " needles", test::needle_fan(count));
 }

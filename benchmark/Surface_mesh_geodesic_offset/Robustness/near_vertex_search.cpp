@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from sources beside vertices and edges, 1e-16 to 1e-6 of an edge away. Is a distance wrong by more than 1e-11 of the
-// distance plus the longest edge?
+// Search for wrong distances from sources within 1e-16 to 1e-6 edge lengths of vertices and edges, that is, wrong by more
+// than 1e-11 of the distance plus the longest edge.
 //
 //   near_vertex_search [--seed N] [--meshes N] [--queries N] [--printed N]
 //
-// Case i has the seed N + i, which determines its mesh, its sources and its queries; so `--seed N --meshes 1` repeats a case.
+// Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case.
 //
-// Wrong distances, then a table by kind on stdout: meshes, queries, wrong ones, meshes with wrong ones, the largest relative
-// error. The exit code is 1 if a distance is wrong, and 2 for options that are wrong.
+// Output: wrong distances, then a table by kind: meshes, queries, wrong ones, meshes with wrong ones, the largest relative
+// error. The exit code is 1 if a distance is wrong, and 2 for wrong options.
 
 #include "near_vertex_search.h"
 

@@ -1,24 +1,24 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offset curves face by face against exact arrangements of the same windows: the same gates connected, the same number of
-// loops, chains no farther apart than rounding.
+// Offset curves face by face against exact arrangements of the same windows: the same gates must be connected, the number
+// of loops equal, and chains no farther apart than rounding.
 //
 //   offset_oracle [--seed N] [--faces N] [--random] [--real] [--each N] [--seconds S] [--windows N] [--printed N]
 //
-// --random: one level in each of --faces faces (1000) with random windows: point and parallel windows, images near and far,
-// tangent circles, ties. --real: as many faces of generated meshes, at most --each (20) of one mesh, with point and polyline
-// sources; half of the levels are general, half of them at or next to distances where the topology changes. Without either,
-// both. Case i has the seed N + i; so `--seed N --faces 1 --random` repeats a random face, and `--seed N --real --each E
-// --faces 1` starts with the same mesh. Faces with more than --windows windows (80) are left out. No case starts after
-// --seconds. Up to --printed differences (20) are printed, with the windows of the face.
+// --random: one level in each of --faces faces (1000) with random windows: point and parallel windows, near and distant
+// images, tangent circles, ties. --real: as many faces of generated meshes, at most --each (20) per mesh, with point and
+// polyline sources; half of the levels are general, half of them at or near events. Without either option, both. Case i has
+// seed N + i; so `--seed N --faces 1 --random` repeats a random face, and `--seed N --real --each E --faces 1` starts with
+// the same mesh. Faces with more than --windows windows (80) are skipped. No case starts after --seconds. Up to --printed
+// differences (20) are printed, with the windows of the face.
 //
-// A table on stdout, a row for each kind: faces; of these, faces that the level does not pass; chains from gate to gate, loops
-// and pieces of the tracer; windows; faces whose topology is that of a level that differs by rounding, see offset_oracle.h;
-// faces whose chains bound the level of a distance that differs by rounding; faces whose chains are farther apart than rounding, as are the exact chains of levels that differ by rounding; faces left
-// out; faces with other topology; faces whose chains are too far apart; faces with forced joints; exceptions; and the largest
-// distance of chains that rounding has not moved, in levels plus lengths of the longest edge of the face. The exit code is 1 if
-// anything differs, and 2 for options that are wrong.
+// A table on stdout, one row per kind: faces; of these, faces not crossed by the level; chains from gate to gate, loops and
+// pieces of the tracer; windows; faces with the topology of a level that differs by rounding, see offset_oracle.h; faces
+// whose chains bound the level of a distance that differs by rounding; faces whose chains are farther apart than rounding,
+// as are the exact chains of levels that differ by rounding; skipped faces; faces with another topology; faces whose chains
+// are too far apart; faces with forced joints; exceptions; and the largest distance of well-conditioned chains, in levels
+// plus lengths of the longest edge of the face. The exit code is 1 if anything differs, and 2 for wrong options.
 
 #include "oracle_run.h"
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Searches for wrong offset curves, on meshes and at levels where they are hard to cut: levels at and next to the distances
-// where the topology of the curves changes; meshes with ties, noise far below the size of the faces, and needles. See the
-// text of --help below, offset_search.h for the search, and level_judge.h for what is right.
+// Search for wrong offset curves, on meshes and at levels where cutting is difficult: levels at and near events; meshes
+// with ties, noise far below the size of the faces, and needles. See the text of --help below, offset_search.h for the
+// search, and level_judge.h for the criteria.
 
 #include "offset_search.h"
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers of binary files, in either order of their bytes.
+// Numbers of binary files, in either byte order.
 
 #ifndef GEODESIC_OFFSET_BYTE_SCANNER_H
 #define GEODESIC_OFFSET_BYTE_SCANNER_H
@@ -27,7 +27,7 @@ public:
 
   std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_at); }
 
-  // Precondition: at least as many bytes remain.
+  // Precondition: at least `bytes` bytes remain.
   void skip(std::size_t bytes) { m_at += bytes; }
 
   // Reads an integer or a floating point number. Precondition: sizeof(Number) bytes remain.
@@ -42,7 +42,7 @@ public:
   }
 
 private:
-  // The lowest bytes of `bits` as a number
+  // The lowest bytes of `bits` as a number.
   template <class Number>
   static Number number_of_bits(std::uint64_t bits)
   {

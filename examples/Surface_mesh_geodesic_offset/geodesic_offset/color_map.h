@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Colours of light, and the scale of colours for distances.
+// Light colours, and the colour scale of distances.
 
 #ifndef GEODESIC_OFFSET_COLOR_MAP_H
 #define GEODESIC_OFFSET_COLOR_MAP_H
@@ -15,7 +15,7 @@
 
 namespace geodesic_offset {
 
-// Intensities of light: these can be added and averaged, unlike the numbers in an image file.
+// Intensities of light, which can be added and averaged, unlike the numbers in an image file.
 struct Color
 {
   float r = 0, g = 0, b = 0;
@@ -35,7 +35,7 @@ inline Color srgb(int r, int g, int b)
   return {linear_from_srgb(r / 255.0), linear_from_srgb(g / 255.0), linear_from_srgb(b / 255.0)};
 }
 
-// The number for an image file. From a table: the formula takes longer than all the rest of a pixel.
+// Number for an image file, from a table: the formula would take most of the time per pixel.
 class Srgb_encoder
 {
   std::vector<std::uint8_t> m_table;
@@ -58,7 +58,7 @@ public:
   }
 };
 
-// The Oklab colour space (Ottosson 2020), in which equal steps look equal
+// The Oklab colour space (Ottosson 2020), in which equal steps look equal.
 inline Color color_from_oklab(double lightness, double a, double b)
 {
   const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
@@ -70,8 +70,8 @@ inline Color color_from_oklab(double lightness, double a, double b)
           clamp(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
-// Light and warm next to the sources, darker and cooler far away. Lightness falls evenly, so that the order of distances
-// is also seen without colours, and stays high enough for dark lines to be seen everywhere.
+// Light and warm near the sources, darker and cooler far away. Lightness decreases evenly, so that the order of distances
+// is visible without colours, and stays high enough for dark lines to be visible everywhere.
 class Color_map
 {
   std::vector<Color> m_table;
@@ -96,14 +96,14 @@ public:
       const Stop &p = stops[k - 1], &q = stops[k];
       const double s = (t - p.t) / (q.t - p.t), smooth = s * s * (3 - 2 * s);
       const auto between = [&](double x, double y, double w) { return x + w * (y - x); };
-      // on straight lines through the colour plane; the hue wheel would add colours that belong to neither end
+      // straight lines through the colour plane; the hue circle would add unrelated colours
       const double a = between(p.chroma * std::cos(p.hue * degree), q.chroma * std::cos(q.hue * degree), smooth);
       const double b = between(p.chroma * std::sin(p.hue * degree), q.chroma * std::sin(q.hue * degree), smooth);
       m_table[i] = color_from_oklab(between(p.lightness, q.lightness, s), a, b);
     }
   }
 
-  // t from 0 to 1
+  // t from 0 to 1.
   Color operator()(double t) const
   {
     const double clamped = std::min(std::max(t, 0.0), 1.0);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From the command line to words and numbers. Everything that is wrong here is a Usage_error.
+// Words and numbers of the command line. All errors are Usage_errors.
 
 #ifndef GEODESIC_OFFSET_COMMAND_LINE_H
 #define GEODESIC_OFFSET_COMMAND_LINE_H
@@ -31,7 +31,7 @@ inline double positive_number(const std::string& option, const std::string& word
   return value;
 }
 
-// Like "0,0,1,0"
+// Numbers such as "0,0,1,0".
 template <std::size_t N>
 std::array<double, N> numbers(const std::string& option, const std::string& word)
 {
@@ -42,13 +42,13 @@ std::array<double, N> numbers(const std::string& option, const std::string& word
   return values;
 }
 
-// All words that were given for an option, or none
+// All values of an option, possibly none.
 inline Words option_words(const po::variables_map& map, const char* name)
 {
   return map.count(name) ? map[name].as<Words>() : Words();
 }
 
-// An empty text if the option was not given
+// Empty if the option was not given.
 inline std::string option_word(const po::variables_map& map, const char* name)
 {
   if(map.count(name) == 0)
@@ -76,7 +76,7 @@ inline std::optional<std::size_t> optional_whole_number(const po::variables_map&
   return number;
 }
 
-// The options of the description, and words without an option as "mesh"
+// Parses the options of the description, and words without an option as "mesh".
 inline po::variables_map parsed_command_line(int argc, const char* const* argv, const po::options_description& description)
 {
   po::options_description all = description;
@@ -89,7 +89,7 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
     throw Usage_error("the name of MESH is empty");
   try
   {
-    // no abbreviations: a misspelt option is an error and not another option
+    // no abbreviations: a misspelt option must not be taken for another one
     using Style = po::command_line_style::style_t;
     const int style = Style::allow_long | Style::long_allow_adjacent | Style::long_allow_next;
     const po::parsed_options parsed =
@@ -103,7 +103,7 @@ inline po::variables_map parsed_command_line(int argc, const char* const* argv, 
   }
   catch(const po::invalid_command_line_syntax& error)
   {
-    // nothing follows the option, or nothing follows its equal sign
+    // nothing follows the option or its equal sign
     if(error.kind() == error.missing_parameter || error.kind() == error.empty_adjacent_parameter)
       throw Usage_error(error.get_option_name() + " needs a value");
     throw Usage_error(error.what());

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The types that all parts of the programs share.
+// Types shared by the programs.
 
 #ifndef GEODESIC_OFFSET_COMMON_H
 #define GEODESIC_OFFSET_COMMON_H
@@ -21,7 +21,7 @@ using Mesh     = CGAL::Surface_mesh<Point>;
 using Traits   = CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>;
 using Geodesic = CGAL::Surface_mesh_geodesic_offset<Traits>;
 
-// what takes sources and locates points, whatever it computes from them
+// base class for adding sources and locating points
 using Geodesic_sources = CGAL::Surface_mesh_geodesic_sources<Traits>;
 
 using Vertex        = Mesh::Vertex_index;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The offsets and their files.
+// Offsets and their files.
 
 #ifndef GEODESIC_OFFSET_CURVE_FILES_H
 #define GEODESIC_OFFSET_CURVE_FILES_H
@@ -23,14 +23,14 @@ namespace geodesic_offset {
 
 struct Offsets
 {
-  std::vector<Offset_curve> curves;     // by increasing distance
-  std::size_t               points = 0; // of their polylines, at the chord tolerance
+  std::vector<Offset_curve> curves; // sorted by distance
+  std::size_t               points = 0; // of polylines within the chord tolerance
 };
 
 namespace internal {
 
-// Measured on files of curved meshes, for the progress bar; 0: unknown. Formats with arcs need fewer bytes for curves in a
-// plane.
+// Measured on files of curved meshes, for the progress bar; 0: unknown. Formats with arcs need fewer bytes for planar
+// curves.
 inline std::uintmax_t bytes_per_point(const std::string& file)
 {
   switch(CGAL::IO::offset_file_format(file))
@@ -45,7 +45,7 @@ inline std::uintmax_t bytes_per_point(const std::string& file)
 
 } // namespace internal
 
-// Adds the files. If the curves cannot be written in the format of one of them, leaves it out and returns the reason.
+// Adds the files. Omits a file whose format cannot represent the curves, and returns the reason.
 inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets,
                                    double tolerance)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Detects as early as possible that offsets do not lie in one plane, as .svg files require.
+// Early detection of offsets that do not lie in one plane, as .svg files require.
 
 #ifndef GEODESIC_OFFSET_DRAWING_H
 #define GEODESIC_OFFSET_DRAWING_H
@@ -19,7 +19,7 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Whether no two neighbouring faces lie in one plane, with a tolerance for coordinates of six digits
+// Whether no two adjacent faces are coplanar, within a tolerance for coordinates of six digits.
 inline bool is_curved_everywhere(const Mesh& mesh, double diagonal)
 {
   const double tolerance = 1e-6 * diagonal;
@@ -39,12 +39,12 @@ inline bool is_curved_everywhere(const Mesh& mesh, double diagonal)
 
 class Drawing_check
 {
-  std::string m_file; // empty: there is no .svg file, or the mesh is planar
+  std::string m_file; // empty: no .svg file, or the mesh is planar
   std::string m_problem;
 
 public:
-  // Throws Input_error if the mesh is curved everywhere: then only a circle round a source point, within its face, lies in
-  // one plane.
+  // Throws Input_error if the mesh is curved everywhere: then only a circle around a source point within its face is
+  // planar.
   Drawing_check(const std::vector<std::string>& outputs, const Mesh& mesh, double diagonal, const Sources& sources)
   {
     for(const std::string& output : outputs)
@@ -74,7 +74,7 @@ public:
     }
   }
 
-  // The message about the first distance whose offsets do not lie in one plane; empty if there is none so far
+  // Message about the first distance whose offsets do not lie in one plane; empty if there is none so far.
   const std::string& problem() const { return m_problem; }
 
 private:

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances inside the faces, as exact as colours can show.
+// Distances inside faces, as accurate as colours can show.
 
 #ifndef GEODESIC_OFFSET_FACE_DISTANCES_H
 #define GEODESIC_OFFSET_FACE_DISTANCES_H
@@ -16,22 +16,22 @@
 namespace geodesic_offset {
 
 // The distance is Lipschitz continuous with constant 1. So linear interpolation between the corners c_i of a face, with
-// weights w_i and edges no longer than h, has an error of at most h / sqrt(3): it is at most the sum of w_i |p - c_i|, whose
-// square is at most the sum of w_i |p - c_i|^2, which equals that of w_i w_j |c_i - c_j|^2 over the three pairs, where the
-// w_i w_j add up to at most 1/3. If this error is less than a step of colours, distances are interpolated. In faces with
-// longer edges each distance is computed from the kept windows.
+// weights w_i and edges no longer than h, has an error of at most h / sqrt(3): the error is at most the sum of w_i |p -
+// c_i|, whose square is at most the sum of w_i |p - c_i|^2, which equals the sum of w_i w_j |c_i - c_j|^2 over the three
+// pairs, and the sum of w_i w_j is at most 1/3. If this error is less than a colour step, distances are interpolated. In
+// faces with longer edges they are computed from the kept windows.
 class Face_distances
 {
-  static constexpr double color_steps = 255; // in the largest distance: as many as a channel of an image can tell apart
+  static constexpr double color_steps = 255; // in the largest distance: the resolution of an image channel
 
   const Mesh&         m_mesh;
   const Geodesic&     m_geodesic;
   double              m_largest;
   std::vector<double> m_at_vertices;
-  std::vector<bool>   m_is_long; // of faces; empty: there are none
+  std::vector<bool>   m_is_long; // by face; empty: none
 
 public:
-  // Reads the last build. `largest`: the largest distance of the surface.
+  // Uses the last build. `largest`: the largest distance of the surface.
   Face_distances(const Mesh& mesh, const Geodesic& geodesic, double largest)
     : m_mesh(mesh), m_geodesic(geodesic), m_largest(largest), m_at_vertices(mesh.number_of_vertices())
   {
@@ -42,13 +42,13 @@ public:
 
   double largest() const { return m_largest; }
 
-  // Whether distances in some faces need kept windows
+  // Whether distances in some faces need kept windows.
   bool need_windows() const { return !m_is_long.empty(); }
 
-  // From now on, interpolates in all faces.
+  // Switches to interpolation in all faces.
   void interpolate_everywhere() { m_is_long.clear(); }
 
-  // u and v: barycentric coordinates of the second and the third corner. Infinite where the distance is not known.
+  // u and v: barycentric coordinates of the second and the third corner. Infinite for unknown distances.
   double operator()(Face f, double u, double v) const
   {
     u = std::max(u, 0.0);

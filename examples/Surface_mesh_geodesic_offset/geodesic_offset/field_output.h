@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances at the vertices of the file, with and without their sides, as a binary PLY file with the vertices and faces of the file.
+// Output of the distances at the vertices of the file, with and without their sides, as a binary PLY file with the vertices
+// and faces of the file.
 
 #ifndef GEODESIC_OFFSET_FIELD_OUTPUT_H
 #define GEODESIC_OFFSET_FIELD_OUTPUT_H
@@ -18,7 +19,7 @@
 
 namespace geodesic_offset {
 
-// One distance for each vertex of the file. It is infinite where no source reaches and at vertices without faces.
+// One distance per vertex of the file; infinite for unreachable vertices and vertices without faces.
 struct File_distances
 {
   std::vector<double> distances;
@@ -65,7 +66,7 @@ inline void append_double(std::vector<char>& bytes, double value)
 
 } // namespace internal
 
-// But for the header
+// Size without the header.
 inline std::uintmax_t bytes_of_field(const Soup& soup, const File_distances& field)
 {
   std::uintmax_t bytes = (field.signed_distances.empty() ? 4 : 5) * sizeof(double) * soup.points.size();
@@ -88,7 +89,7 @@ inline void write_field(std::ostream& out, const Soup& soup, const File_distance
       << "element face " << soup.polygons.size() << "\n"
       << "property list " << (small ? "uchar" : "uint") << " int vertex_indices\nend_header\n";
 
-  // one write a block instead of one a number
+  // one write per block, not per number
   constexpr std::size_t block = 1 << 16;
   std::vector<char> bytes;
   const auto flush = [&](std::size_t at_least) {

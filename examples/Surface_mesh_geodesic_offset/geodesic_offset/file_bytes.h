@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The bytes of an input file. Readers get the whole file: they know its size before they believe any number in it, and they
-// are several times as fast as with a stream. The file is copied and not mapped, because a mapped file that another program
-// shortens ends this program with a signal.
+// The bytes of an input file. Readers get the whole file: they compare its size with the numbers in it before they use
+// these, and are several times as fast as with a stream. The file is copied, not mapped: if another program shortened a
+// mapped file, a signal would end this program.
 
 #ifndef GEODESIC_OFFSET_FILE_BYTES_H
 #define GEODESIC_OFFSET_FILE_BYTES_H
@@ -37,7 +37,7 @@ class File_bytes
   static std::string reason() { return errno == 0 ? std::string("unknown error") : std::string(std::strerror(errno)); }
 
 public:
-  // Throws Input_error, also if the file is empty. Pipes and devices are read until they end.
+  // Throws Input_error, also for an empty file. Pipes and devices are read to their end.
   explicit File_bytes(const std::string& path)
   {
     std::error_code error;
@@ -52,7 +52,7 @@ public:
       require_memory(quoted(path), expected);
     try
     {
-      // one byte more than expected, so that the end of the file is seen without another block
+      // one byte more than expected, to detect the end of the file without another block
       constexpr std::size_t block = 1 << 16;
       read(*file, error || expected == 0 ? block : static_cast<std::size_t>(expected) + 1);
     }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether two names mean one file: one name may have links, dots, or be absolute.
+// Whether two names denote one file: names may be absolute, or contain links and dots.
 
 #ifndef GEODESIC_OFFSET_FILE_IDENTITY_H
 #define GEODESIC_OFFSET_FILE_IDENTITY_H
@@ -16,7 +16,7 @@
 
 namespace geodesic_offset {
 
-// The name without links and dots, also of a file that does not exist yet in a folder that does. Symbolic links are followed.
+// The name without links and dots, also of a new file in an existing folder. Symbolic links are followed.
 inline std::filesystem::path canonical_path(const std::string& name)
 {
   std::error_code error;
@@ -24,7 +24,7 @@ inline std::filesystem::path canonical_path(const std::string& name)
   return error ? std::filesystem::path(name) : path;
 }
 
-// By device and inode if both files exist, else by their canonical names
+// Compares device and inode if both files exist, otherwise canonical names.
 inline bool is_same_file(const std::string& a, const std::string& b)
 {
   std::error_code error;
@@ -33,8 +33,8 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   return canonical_path(a) == canonical_path(b);
 }
 
-// Throws Usage_error if a file that is written is one that is read, or is written twice. The files that are read are read
-// before anything is written: writing over them would still lose them.
+// Throws Usage_error if an output is an input, or is written twice. Inputs are read before any output is written, but their
+// contents would be lost.
 inline void check_different_files(const std::vector<std::string>& read, const std::vector<std::string>& written)
 {
   for(std::size_t i = 0; i < written.size(); ++i)

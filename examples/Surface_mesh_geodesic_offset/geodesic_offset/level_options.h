@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances of the offsets, and the part of them that is wanted, as the command line has them.
+// Options for the distances of the offsets, and for sides and ends.
 
 #ifndef GEODESIC_OFFSET_LEVEL_OPTIONS_H
 #define GEODESIC_OFFSET_LEVEL_OPTIONS_H
@@ -24,12 +24,12 @@ struct Level_options
   std::optional<std::size_t> count; // of the spacing
   std::optional<double>      maximum_distance;
   std::string                side; // empty: not given
-  std::string                end;  // empty: not given
+  std::string                end; // empty: not given
   CGAL::Offset_selection     selection;
 
   bool has_levels() const { return !distances.empty() || spacing; }
 
-  // Whether the number of levels depends on the extent of the surface
+  // Whether the number of levels depends on the extent of the surface.
   bool is_open_ended() const { return spacing && !count; }
 };
 
@@ -44,8 +44,8 @@ inline po::options_description level_options_description()
     ("distance", words("D"), "offset at distance D (repeatable, also together with --spacing)")
     ("spacing", word("S"), "offsets at S, 2 S, 3 S, ... until the whole surface is covered")
     ("start", word("D"), "with --spacing: offsets at D, D + S, D + 2 S, ... instead")
-    ("count", word("N"), "with --spacing: no more than N of them")
-    ("maximum-distance", word("D"), "compute nothing farther than D")
+    ("count", word("N"), "with --spacing: at most N of them")
+    ("maximum-distance", word("D"), "do not compute points farther than D")
     ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
     ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
                          "none (default with one side)");
@@ -68,7 +68,7 @@ inline CGAL::Offset_selection selection(const std::string& side, const std::stri
   else if(!side.empty() && side != "both")
     throw Usage_error("--side must be left, right, both, inside or outside, not " + quoted(side));
 
-  // what lies beyond an end is on neither side
+  // points beyond an end are on neither side
   result.end = (result.side == Offset_side::BOTH) ? Offset_end::ROUND : Offset_end::BUTT;
   if(end == "round")
     result.end = Offset_end::ROUND;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances of the offsets on this mesh, with limits on their number and size.
+// Distances of the offsets on this mesh, with limits on their number and size.
 
 #ifndef GEODESIC_OFFSET_LEVELS_H
 #define GEODESIC_OFFSET_LEVELS_H
@@ -19,8 +19,8 @@
 
 namespace geodesic_offset {
 
-// The smallest length that makes sense, as a part of the bounding-box diagonal: 13 of the 53 bits of a coordinate are left
-// for the shape of a curve of this size.
+// Minimum of lengths relative to the bounding-box diagonal: 13 of the 53 bits of a coordinate remain for the shape of a
+// curve of this size.
 constexpr double smallest_part_of_diagonal = 1.0 / (std::size_t(1) << 40);
 
 // Throws Usage_error.
@@ -34,8 +34,8 @@ inline void check_length(const char* option, const std::optional<double>& length
 
 class Levels
 {
-  // A typing error must not start hours of work or fill the disk. Without a count the limit is far above what people look
-  // at; with a count it is where the list of levels alone takes noticeable memory and time.
+  // A typing error must not start hours of work or fill the disk. Without a count the limit is far above the number of
+  // curves that people look at; with a count it is where the list of levels alone needs noticeable memory and time.
   static constexpr std::size_t most_without_count = 10000;
   static constexpr std::size_t most = 1000000;
 
@@ -44,8 +44,8 @@ class Levels
   bool                m_is_open_ended;
 
 public:
-  // bound_of_reach(): an upper bound of the largest distance of the surface. exact_reach(): this distance; slow, called only
-  // if the bound gives too many levels. Throws Usage_error.
+  // bound_of_reach(): upper bound of the largest distance of the surface. exact_reach(): the largest distance; slow, called
+  // only if the bound gives too many levels. Throws Usage_error.
   template <class Bound, class Exact>
   Levels(const Level_options& options, double diagonal, const Bound& bound_of_reach, const Exact& exact_reach)
     : m_distances(options.distances), m_is_open_ended(options.is_open_ended())
@@ -70,13 +70,14 @@ public:
   std::size_t size() const { return m_distances.size(); }
   double      largest() const { return m_distances.back(); }
 
-  // In increasing order
+  // In increasing order.
   const std::vector<double>& distances() const { return m_distances; }
 
-  // The levels that the user named, one by one or by a count, in increasing order. Of a spacing without a count, the first.
+  // Levels given one by one or by a count, in increasing order. For a spacing without a count, the first level.
   const std::vector<double>& named() const { return m_named; }
 
-  // Whether the number of levels follows from the bound of the distances. Then the last levels may be beyond the surface.
+  // Whether the number of levels follows from the bound of the distances. Then the last levels may exceed the largest
+  // distance.
   bool is_open_ended() const { return m_is_open_ended; }
 
 private:
@@ -84,7 +85,7 @@ private:
   void add_spaced(const Level_options& options, const Bound& bound_of_reach, const Exact& exact_reach)
   {
     const double spacing = *options.spacing;
-    // the number of levels up to a distance; at least one, on which the program can report
+    // number of levels up to a distance; at least one, so that a report is possible
     const auto number_up_to = [&](double reach) {
       const double farthest = std::min(reach, options.maximum_distance.value_or(infinity));
       return std::max(1.0, std::floor((farthest - options.start.value_or(spacing)) / spacing) + 1);
@@ -105,7 +106,7 @@ private:
       if(number > static_cast<double>(most_without_count))
         throw Usage_error("--spacing " + short_number(spacing) + " would give " + short_number(number) +
                           " offsets of this mesh; more than " + std::to_string(most_without_count) +
-                          " must be asked for with --count");
+                          " need --count");
     }
     const double last = options.start ? *options.start + (number - 1) * spacing : number * spacing;
     if(options.count && !std::isfinite(last))

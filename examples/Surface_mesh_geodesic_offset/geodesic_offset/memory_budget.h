@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the machine can give, before the program asks for it: a machine that runs out of memory becomes slow, and ends programs
+// Checks of available memory before large allocations: a machine that runs out of memory becomes slow, and ends programs
 // without a message.
 
 #ifndef GEODESIC_OFFSET_MEMORY_BUDGET_H
@@ -23,8 +23,8 @@
 
 namespace geodesic_offset {
 
-// Bytes that the program can still get: by the machine, by the limits of its control group and by those of the process. A large
-// number where the system does not tell.
+// Bytes that the program can still allocate, according to the machine, its control group, and the limits of the process. A
+// large number if the system provides no information.
 inline std::uintmax_t available_memory()
 {
   std::uintmax_t available = std::numeric_limits<std::uintmax_t>::max();
@@ -50,7 +50,7 @@ inline std::uintmax_t available_memory()
   return available;
 }
 
-// "1.5 GB"
+// For example "1.5 GB".
 inline std::string memory_size(std::uintmax_t bytes)
 {
   char text[48];
@@ -59,7 +59,7 @@ inline std::string memory_size(std::uintmax_t bytes)
   return text;
 }
 
-// Throws Input_error if something needs more bytes than there are.
+// Throws Input_error if `needed` exceeds the available memory.
 inline void require_memory(const std::string& what, std::uintmax_t needed)
 {
   const std::uintmax_t available = available_memory();

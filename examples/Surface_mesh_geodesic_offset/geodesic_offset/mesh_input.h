@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From points and polygons to a triangle mesh that the solver can work on: oriented, stitched, triangulated, without
-// degenerate faces. The order of the file is kept track of, so that vertices can be named and listed as they stand there.
+// From points and polygons to a triangle mesh for the solver: oriented, stitched, triangulated, without degenerate faces.
+// Tracks the order of the file, so that vertices can be named and listed as in the file.
 //
-// There is one rule for vertices that are not manifold. Where fans of faces share a vertex, and each edge there has one face or
-// two that agree in their orientation, the vertex is one point of the surface: paths pass through it from each fan into the
-// others, whether the fans are open or closed. Where an edge has more than two faces, or two that cannot be oriented alike, the
-// surface is cut along this edge, ends included, and no path crosses the cut.
+// Rule for non-manifold vertices: if several fans of faces share a vertex, and each edge there has one face or two
+// consistently oriented faces, the vertex is one point of the surface: paths pass through it between all fans, whether
+// these are open or closed. If an edge has more than two faces, or two faces without a consistent orientation, the surface
+// is cut along this edge, ends included, and no path crosses the cut.
 
 #ifndef GEODESIC_OFFSET_MESH_INPUT_H
 #define GEODESIC_OFFSET_MESH_INPUT_H
@@ -36,7 +36,7 @@
 
 namespace geodesic_offset {
 
-// The mesh and how it came from the file
+// The mesh, with its relation to the file.
 class Mesh_input
 {
   Soup                     m_soup;
@@ -45,11 +45,11 @@ class Mesh_input
   std::string              m_warning;
   double                   m_diagonal = 0;
 
-  // The vertices of the mesh at a vertex of the file: none if no face uses it, several where the surface had to be cut
+  // Vertices of the mesh at a vertex of the file: none if no face uses it, several at a cut.
   std::vector<Vertex>                m_first_vertex;
   std::multimap<std::size_t, Vertex> m_further_vertices;
 
-  // While the mesh is built: its faces, with the vertices of the file (names) and with those of the mesh to be (polygons).
+  // Faces during the construction of the mesh, with the vertices of the file (names) and of the future mesh (polygons).
   // Corners correspond.
   struct Faces
   {
@@ -60,7 +60,7 @@ class Mesh_input
     std::vector<Polygon>     polygons;
     std::vector<Vertex>      vertices; // of the points
 
-    // Points that were added so that each has one fan, with the point that they are a copy of. Not those of cuts.
+    // Points added so that each has one fan, with the original point. Excludes points added by cuts.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
 
     void add(std::size_t position, Polygon name)
@@ -72,7 +72,7 @@ class Mesh_input
   };
 
 public:
-  // join_borders: whether border edges at the same place become one edge
+  // join_borders: whether border edges at the same place become one edge.
   Mesh_input(const std::string& path, bool join_borders) : m_soup(read_soup(path)), m_remarks(m_soup.remarks)
   {
     require_memory_for_faces(path);
@@ -96,10 +96,10 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   double      bounding_box_diagonal() const { return m_diagonal; }
 
-  // What was changed, one line each
+  // Description of the changes, one line each.
   const std::vector<std::string>& remarks() const { return m_remarks; }
 
-  // What changes the meaning of distances, in one line; empty if nothing does
+  // One line on a condition that changes the meaning of distances; empty if there is none.
   const std::string& warning() const { return m_warning; }
 
   template <class Function>
@@ -116,11 +116,11 @@ public:
 private:
   using Vertex_pairs = std::vector<std::pair<Vertex, Vertex>>;
 
-  // Before the mesh is built
+  // Called before the mesh is built.
   void require_memory_for_faces(const std::string& path) const
   {
-    // The soup, the mesh and its unfolded form, without any window: 320 bytes were measured on a grid with 2 million faces. Less
-    // than that, because allocators differ, and some of it is in use already.
+    // Soup, mesh and unfolded mesh, without windows: measured 320 bytes on a grid with 2 million faces. The limit is lower,
+    // since allocators differ, and part of the memory is already in use.
     constexpr std::uintmax_t smallest_bytes_per_triangle = 200;
     std::uintmax_t triangles = 0;
     for(const Polygon& polygon : m_soup.polygons)
@@ -138,14 +138,14 @@ private:
     for(int c = 0; c < 3; ++c)
       square += (box.max(c) - box.min(c)) * (box.max(c) - box.min(c));
     m_diagonal = std::sqrt(square);
-    // squares of lengths, and products of two of them, must stay within the range of double
+    // squares of lengths, and products of two of these, must be within the range of double
     if(!(m_diagonal < 1e70) || (m_diagonal > 0 && m_diagonal < 1e-70))
       throw Input_error(quoted(path) + ": the coordinates are too " + (m_diagonal > 1 ? "large" : "small"));
     if(m_diagonal == 0)
       throw Input_error(quoted(path) + ": all vertices are at the same place");
   }
 
-  // Removes repetitions of a vertex that follow each other. Returns whether a polygon is left.
+  // Removes consecutive repetitions of a vertex. Returns whether a polygon remains.
   static bool clean(Polygon& polygon)
   {
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -224,7 +224,7 @@ private:
       m_remarks.push_back("cut where it is not an orientable manifold: " + counted(added, "vertex", "vertices") + " added");
   }
 
-  // Gives each vertex one fan. Returns how many vertices had to be added along cuts.
+  // Gives each vertex one fan. Returns the number of vertices added along cuts.
   std::size_t make_manifold(const std::string& path, Faces& faces)
   {
     if(make_mesh(faces))
@@ -245,7 +245,7 @@ private:
     return faces.points.size() - number_of_points - find_copies(faces, before, number_of_points);
   }
 
-  // Finds the copies of points with several fans that no cut passes through: polygons before and after they were oriented.
+  // Finds the copies of points with several fans and without cuts, by comparing polygons before and after the orientation.
   // Returns their number.
   static std::size_t find_copies(Faces& faces, const std::vector<Polygon>& before, std::size_t number_of_points)
   {
@@ -266,7 +266,7 @@ private:
         edges.emplace_back(polygon[k], polygon[(k + 1) % polygon.size()]);
       }
     }
-    // two faces with the same direction along an edge: it is cut
+    // two faces with the same direction along an edge: the edge is cut
     std::sort(edges.begin(), edges.end());
     std::vector<bool> is_cut(number_of_points, false);
     for(std::size_t i = 1; i < edges.size(); ++i)
@@ -289,7 +289,8 @@ private:
     return true;
   }
 
-  // Returns whether the polygons are a manifold as they are, with one fan per vertex. Much faster than to ask first.
+  // Builds the mesh if the polygons are a manifold with one fan per vertex; returns whether they are. Much faster than a
+  // separate test.
   bool make_mesh(Faces& faces)
   {
     std::vector<bool> used(faces.points.size(), false);
@@ -340,7 +341,7 @@ private:
     faces.positions.resize(kept);
   }
 
-  // Makes one of those vertices that are at the same place. Parts that touch elsewhere are not connected by that.
+  // Merges vertices at the same place if they are in `double_borders`. Parts that only touch remain separate.
   void merge(const std::vector<Vertex>& double_borders, Faces& faces) const
   {
     std::vector<bool> is_double(m_mesh.number_of_vertices(), false);
@@ -358,7 +359,7 @@ private:
       Polygon result = polygon;
       for(std::uint32_t& v : result)
         v = merged[v];
-      // a face with an edge of length zero keeps its own vertices, and will be dealt with as a degenerate one
+      // a face with an edge of length zero keeps its own vertices, and is removed later as degenerate
       if(!has_repetition(result))
         polygon = std::move(result);
     }
@@ -399,7 +400,7 @@ private:
     m_remarks.push_back(counted(others.size(), "face") + " with more than three vertices triangulated");
   }
 
-  // Faces have no numbers of the file any more when they are looked at, but their vertices have.
+  // Named by vertices: at this stage faces no longer have their numbers of the file.
   std::string name_of(Face face) const
   {
     std::vector<std::size_t> file_vertices;
@@ -433,7 +434,7 @@ private:
       entry.second = new_vertex[entry.second];
   }
 
-  // Makes one vertex of copies.
+  // Merges copies into one vertex.
   void join(const std::string& path, const Vertex_pairs& copies)
   {
     if(copies.empty())
@@ -441,7 +442,7 @@ private:
     std::vector<Vertex> new_vertex;
     const std::vector<Vertex> shared = join_vertices(m_mesh, copies, new_vertex);
     renumber_vertices(new_vertex);
-    // a vertex of the file may have the same vertex of the mesh several times now
+    // a vertex of the file may now have the same vertex of the mesh several times
     for(auto it = m_further_vertices.begin(); it != m_further_vertices.end();)
     {
       bool is_known = m_first_vertex[it->first] == it->second;

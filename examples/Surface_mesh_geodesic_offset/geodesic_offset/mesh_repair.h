@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Changes to a mesh that leave the surface as it is: what the solver needs and files often do not give.
+// Repairs that leave the surface unchanged, for requirements of the solver that files often violate.
 
 #ifndef GEODESIC_OFFSET_MESH_REPAIR_H
 #define GEODESIC_OFFSET_MESH_REPAIR_H
@@ -26,11 +26,11 @@
 
 namespace geodesic_offset {
 
-// Whether fans of faces share a vertex. A fan is a set of faces round a vertex that are connected by their edges there; it is
-// open if two of these edges are on the border, and closed if none is. Expects a mesh without garbage.
+// Whether fans of faces share a vertex. A fan is a maximal set of faces around a vertex that are connected by edges at the
+// vertex; it is open if two of these edges are on the border, otherwise closed. Precondition: the mesh has no garbage.
 inline bool has_shared_vertex(const Mesh& mesh)
 {
-  // a closed fan has as many inner edges as corners, and an open one has one less
+  // a closed fan has as many inner edges as corners, an open fan one less
   std::vector<std::uint32_t> halfedges(mesh.number_of_vertices(), 0), borders(mesh.number_of_vertices(), 0);
   for(Halfedge h : mesh.halfedges())
   {
@@ -51,15 +51,15 @@ inline bool has_shared_vertex(const Mesh& mesh)
       --halfedges[v];
       h = mesh.opposite(mesh.next(h));
     } while(h != first);
-    if(halfedges[v] != 0) // a closed fan that is not connected with the others
+    if(halfedges[v] != 0) // a closed fan not connected with the others
       return true;
   }
   return false;
 }
 
-// Makes one vertex of each set of vertices that are connected by pairs: its fans keep their faces and borders. A mesh cannot
-// be changed by flips and collapses afterwards, as rotations round a vertex reach only one of its fans. new_vertex[v] is what
-// became of v. Returns the vertices with several fans.
+// Merges vertices that are connected by pairs; fans keep their faces and borders. Afterwards the mesh must not be changed
+// by flips and collapses, since rotations around a vertex reach only one of its fans. new_vertex[v] is the new vertex of v.
+// Returns the vertices with several fans.
 inline std::vector<Vertex> join_vertices(Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs,
                                          std::vector<Vertex>& new_vertex)
 {
@@ -112,7 +112,7 @@ inline std::size_t number_of_border_edges(const Mesh& mesh)
     std::count_if(edges.begin(), edges.end(), [&](Edge e) { return mesh.is_border(e); }));
 }
 
-// The ends of border edges that lie at the same place as another border edge
+// Ends of border edges that coincide with another border edge.
 inline std::vector<Vertex> vertices_of_double_borders(const Mesh& mesh)
 {
   struct Border
@@ -146,7 +146,7 @@ inline std::vector<Face> degenerate_faces(const Mesh& mesh)
   return faces;
 }
 
-// What no flip and no collapse may change: the numbers of parts and of borders, and the Euler characteristic
+// Invariants of flips and collapses: numbers of components and of borders, and the Euler characteristic.
 inline std::array<std::size_t, 3> shape_of(Mesh& mesh)
 {
   auto part = mesh.add_property_map<Face, std::size_t>("f:part").first;
@@ -157,8 +157,8 @@ inline std::array<std::size_t, 3> shape_of(Mesh& mesh)
   return {parts, borders.size(), mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges()};
 }
 
-// A face without area is a fold of the file and not of the surface. Flips of edges take it out and, where vertices lie at
-// the same place, collapses. new_vertex[v] tells what became of v. Returns false if that did not work.
+// Removes faces without area, which are folds of the file but not of the surface, by edge flips and, for coincident
+// vertices, by collapses. new_vertex[v] is the new vertex of v. Returns false on failure.
 inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degenerate, std::vector<Vertex>& new_vertex)
 {
   const auto shape = shape_of(mesh);
@@ -198,8 +198,8 @@ inline bool remove_degenerate_faces(Mesh& mesh, const std::vector<Face>& degener
   return true;
 }
 
-// Whether the middle vertex of a face lies on its longest side, as far as doubles can tell: its height is below the rounding of
-// the shorter sides. Rays from this vertex through that side have no width there, so no window can hold them. `longest` becomes
+// Whether the middle vertex of a face lies on its longest side in double precision: its height is below the rounding of the
+// shorter sides. Rays from this vertex through that side have no width, so no window represents them. `longest` receives
 // the halfedge of that side.
 inline bool is_flat_cap(const Mesh& mesh, Face face, Halfedge& longest)
 {
@@ -218,8 +218,8 @@ inline bool is_flat_cap(const Mesh& mesh, Face face, Halfedge& longest)
   return height <= rounding * shorter;
 }
 
-// Flips the longest sides of flat caps, and removes caps whose longest side is on the border: the surface stays the same up to
-// rounding. Caps that cannot be changed in this way stay. Returns the number of changes. No vertex may be shared.
+// Flips the longest sides of flat caps, and removes caps whose longest side is on the border: the surface is unchanged up
+// to rounding. Other caps remain. Returns the number of changes. Precondition: no shared vertices.
 inline std::size_t flip_flat_caps(Mesh& mesh)
 {
   std::vector<Face> caps;
@@ -228,7 +228,7 @@ inline std::size_t flip_flat_caps(Mesh& mesh)
     if(is_flat_cap(mesh, f, longest))
       caps.push_back(f);
   std::size_t changes = 0;
-  // a flip can leave another cap behind, along a row of vertices on one line
+  // a flip can create another cap, along a row of collinear vertices
   for(const std::size_t most = 8 * caps.size(); !caps.empty() && changes < most;)
   {
     const Face f = caps.back();

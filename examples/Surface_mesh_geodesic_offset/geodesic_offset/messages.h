@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The two kinds of failure that all parts of the programs share, and the words of their messages.
+// The two kinds of failure of the programs, and words of messages.
 
 #ifndef GEODESIC_OFFSET_MESSAGES_H
 #define GEODESIC_OFFSET_MESSAGES_H
@@ -15,13 +15,13 @@
 
 namespace geodesic_offset {
 
-// The command line is wrong: exit code 2.
+// Error in the command line: exit code 2.
 struct Usage_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-// The command line is right, but something that it names is not: exit code 1.
+// Error in something that the command line names: exit code 1.
 struct Input_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -35,7 +35,7 @@ inline bool has_extension(const std::string& path, const std::string& extension)
          });
 }
 
-// Messages may hold parts of damaged files.
+// Messages may contain parts of damaged files.
 inline std::string one_line(std::string text)
 {
   for(char& c : text)
@@ -47,10 +47,10 @@ inline std::string one_line(std::string text)
 
 inline std::string quoted(const std::string& s) { return "'" + s + "'"; }
 
-// A word of a file in a message, not more than its first 40 characters
+// A word of a file for messages, at most its first 40 characters.
 inline std::string quoted_word(std::string_view word) { return quoted(std::string(word.substr(0, 40))); }
 
-// "1 face", "2 faces"
+// "1 face", "2 faces".
 inline std::string counted(std::size_t n, const std::string& singular, const std::string& plural = "")
 {
   return std::to_string(n) + ' ' + (n == 1 ? singular : plural.empty() ? singular + 's' : plural);

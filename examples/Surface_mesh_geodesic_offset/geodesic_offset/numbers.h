@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers as they stand on the command line and in text files: the whole word must be one finite decimal number.
-// The streams of the standard library stop silently at the first character that they do not understand.
+// Numbers on the command line and in text files: the whole word must be one finite decimal number. Streams of the standard
+// library would silently stop at the first invalid character.
 
 #ifndef GEODESIC_OFFSET_NUMBERS_H
 #define GEODESIC_OFFSET_NUMBERS_H
@@ -20,19 +20,20 @@ namespace geodesic_offset {
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// These return false, and leave the value, if the whole word is not a number. The format does not depend on the locale of the program. Numbers too small for a double become 0.
+// Returns false, and leaves `value` unchanged, if the whole word is not a number. The format does not depend on the locale.
+// Numbers too small for a double become 0.
 inline bool parse_number(std::string_view word, double& value)
 {
   if(!word.empty() && word.front() == '+')
     word.remove_prefix(1);
-  // std::from_chars also reads "nan" and "inf", and "+-1" would pass
+  // std::from_chars also accepts "nan", "inf", and would accept "+-1"
   if(word.empty() || !(word.front() == '-' || word.front() == '.' || is_digit(word.front())))
     return false;
   double number = 0;
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
   if(result.ptr != word.data() + word.size())
     return false;
-  if(result.ec == std::errc::result_out_of_range) // too large or too small, and `number` is as it was
+  if(result.ec == std::errc::result_out_of_range) // too large or too small; `number` is unchanged
     number = std::strtod(std::string(word).c_str(), nullptr);
   else if(result.ec != std::errc())
     return false;
@@ -54,7 +55,7 @@ inline bool parse_index(std::string_view word, std::size_t& value)
   return true;
 }
 
-// N numbers separated by commas
+// N numbers separated by commas.
 template <class Array>
 bool parse_numbers(const std::string& word, Array& values)
 {
@@ -72,7 +73,7 @@ bool parse_numbers(const std::string& word, Array& values)
   return true;
 }
 
-// As short as it can be said without losing anything that a person would want to know.
+// Shortest useful form of a number for people.
 inline std::string short_number(double value)
 {
   std::ostringstream stream;

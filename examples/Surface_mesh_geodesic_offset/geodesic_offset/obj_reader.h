@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// .obj files: the lines "v" and "f". All others are skipped. Vertices may follow the faces that use them.
+// Reader of .obj files: lines "v" and "f"; skips all others. Vertices may follow the faces that use them.
 
 #ifndef GEODESIC_OFFSET_OBJ_READER_H
 #define GEODESIC_OFFSET_OBJ_READER_H
@@ -24,7 +24,7 @@ class Obj_reader
   Text_scanner m_text;
   Soup&        m_soup;
 
-  // The largest vertex index, from 1, and where it stands
+  // The largest vertex index, from 1, with its line and face.
   std::size_t m_largest = 0, m_line_of_largest = 0, m_face_of_largest = 0;
 
 public:
@@ -78,7 +78,7 @@ private:
       m_text.fail_here(face(m_soup.polygons.size() - 1) + " has only " + counted(polygon.size(), "vertex", "vertices"));
   }
 
-  // "7", "7/1", "7//3", "7/1/3", or counted back from here: "-2". Returns the index from 0.
+  // "7", "7/1", "7//3", "7/1/3", or counted backwards: "-2". Returns the index from 0.
   std::uint32_t read_index()
   {
     const std::string_view word = m_text.word();

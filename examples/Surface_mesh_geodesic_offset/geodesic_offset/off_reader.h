@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// .off files: [ST][C][N][4][n]OFF, as text or binary. Texture coordinates, colours and normals are skipped.
-// In text, each vertex stands on a line of its own: colours have no fixed number of words. The vertex indices of a face may
-// continue on further lines.
+// Reader of .off files: [ST][C][N][4][n]OFF, as text or binary. Skips texture coordinates, colours and normals. In text,
+// each vertex is on a separate line, since colours have no fixed number of words; the vertex indices of a face may continue
+// on further lines.
 
 #ifndef GEODESIC_OFFSET_OFF_READER_H
 #define GEODESIC_OFFSET_OFF_READER_H
@@ -23,7 +23,7 @@
 namespace geodesic_offset {
 namespace internal {
 
-// "the file ends after 3 of 8 vertices"
+// For example "the file ends after 3 of 8 vertices".
 inline std::string missing(const std::string& elements, std::size_t found, std::size_t announced)
 {
   return "the file ends after " + std::to_string(found) + " of " + std::to_string(announced) + ' ' + elements;
@@ -38,7 +38,7 @@ class Off_reader
   bool        m_has_textures = false, m_has_colors = false, m_has_normals = false;
   bool        m_is_homogeneous = false, m_has_dimension = false, m_is_binary = false;
   std::size_t m_vertices = 0, m_faces = 0;
-  std::size_t m_long_face = 0, m_long_line = 0; // the first face whose indices continue on another line; line 0: none
+  std::size_t m_long_face = 0, m_long_line = 0; // first face whose indices continue on another line; line 0: none
 
 public:
   Off_reader(const std::string& path, std::string_view bytes, Soup& soup)
@@ -53,7 +53,7 @@ public:
     if(m_is_binary)
       return read_binary();
     read_sizes();
-    // a coordinate or an index is at least a digit and a blank
+    // a coordinate or an index has at least a digit and a blank
     m_soup.points.reserve(std::min(m_vertices, m_text.remaining() / 6 + 1));
     for(std::size_t i = 0; i < m_vertices; ++i)
       read_vertex(i);
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  // Returns whether the keyword continues with this part, and removes it.
+  // Removes a prefix of the keyword; returns whether it was there.
   static bool takes(std::string_view& keyword, std::string_view part)
   {
     if(keyword.substr(0, part.size()) != part)
@@ -119,7 +119,7 @@ private:
     m_vertices = size();
     m_faces = size();
     require_sizes();
-    if(!m_text.is_at_line_end()) // the number of edges, which is not used
+    if(!m_text.is_at_line_end()) // number of edges, unused
       m_text.next_line();
   }
 
@@ -147,7 +147,7 @@ private:
     m_text.next_line();
   }
 
-  // A face that continues on the next line is right if all that follows is.
+  // If an earlier face continued on the next line, that face is probably the error.
   [[noreturn]] void fail_in_faces(const std::string& text) const
   {
     if(m_long_line != 0)
@@ -188,10 +188,10 @@ private:
         fail("the vertex index " + quoted_word(here.word()) + ", but there are " + counted(m_vertices, "vertex", "vertices"));
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
-    m_text.next_line(); // its colour
+    m_text.next_line(); // colour
   }
 
-  // Geomview's binary format: big endian, 32 bits per number
+  // Geomview's binary format: big endian, 32 bits per number.
   void read_binary()
   {
     m_text.next_line();

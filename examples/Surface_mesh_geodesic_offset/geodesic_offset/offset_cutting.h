@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The long work: distances are propagated over the surface, and offsets are cut on the way.
+// The main computation: propagation of distances, and cutting of offsets during the propagation.
 
 #ifndef GEODESIC_OFFSET_OFFSET_CUTTING_H
 #define GEODESIC_OFFSET_OFFSET_CUTTING_H
@@ -26,11 +26,11 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Collects the offsets, which come by increasing distance, and checks whether they can be written.
+// Collects the offsets, which arrive by increasing distance, and checks whether they can be written.
 class Offset_collector
 {
-  // 1.2 GB of text per file, at 60 bytes per point, and up to 3 GB of memory, at 150 bytes per piece of a curve, which has
-  // at least one point
+  // 1.2 GB of text per file, at 60 bytes per point, and up to 3 GB of memory, at 150 bytes per piece of a curve, each of
+  // which has at least one point
   static constexpr std::size_t most_points = 20000000;
 
   double         m_tolerance;
@@ -41,7 +41,7 @@ class Offset_collector
   double         m_distance = 0;
 
 public:
-  // is_only_drawn: all outputs are .svg files
+  // is_only_drawn: all outputs are .svg files.
   Offset_collector(double tolerance, bool is_only_drawn, Drawing_check& drawing, Offsets& offsets)
     : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_drawing(drawing), m_offsets(offsets)
   {
@@ -62,7 +62,7 @@ public:
         m_offsets.points += piece.number_of_chords(m_tolerance);
     if(m_offsets.points > most_points)
       throw Usage_error("the offsets up to distance " + short_number(distance) + " have more than " +
-                        std::to_string(most_points) + " points: ask for fewer distances, or a larger --tolerance than " +
+                        std::to_string(most_points) + " points: use fewer distances, or a --tolerance larger than " +
                         short_number(m_tolerance));
     m_drawing.look_at(curves);
     if(m_is_only_drawn && !m_drawing.problem().empty())
@@ -72,7 +72,7 @@ public:
   }
 };
 
-// The progress bar while the front runs and the offsets are cut behind it
+// Progress bar of propagation and cutting.
 class Solving_bar
 {
   const Levels&           m_levels;
@@ -86,7 +86,7 @@ public:
   {
   }
 
-  // `done`: the part of the surface that the front has passed. With a distance limit it ends below 1.
+  // `done`: fraction of the surface that the front has passed. With a distance limit the last value is below 1.
   bool operator()(double done) const
   {
     if(m_levels.empty())
@@ -107,7 +107,7 @@ inline bool is_only_drawn(const Options& options)
 
 } // namespace internal
 
-// The largest distance that is computed. Without a field or a picture, it is that of the largest offset.
+// Limit of computed distances: without a field or a picture, the largest offset distance.
 inline double distance_limit(const Options& options, const Levels& levels)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
@@ -138,7 +138,7 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
   }
   catch(const std::invalid_argument&)
   {
-    // the library knows sources by their numbers, the user by their files
+    // name polylines by their files instead of their numbers
     if(options.selection.side == CGAL::Offset_side::INSIDE || options.selection.side == CGAL::Offset_side::OUTSIDE)
       sources.check_insides();
     throw;

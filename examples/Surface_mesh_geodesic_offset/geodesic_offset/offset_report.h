@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The reasons why requested offsets do not exist.
+// Reasons for missing offsets.
 
 #ifndef GEODESIC_OFFSET_OFFSET_REPORT_H
 #define GEODESIC_OFFSET_OFFSET_REPORT_H
@@ -19,7 +19,7 @@
 
 namespace geodesic_offset {
 
-// The warning about --side if no source has sides; otherwise empty
+// Warning about --side if no source has sides; otherwise empty.
 inline std::string useless_side(const Options& options, const Sources& sources)
 {
   if(options.selection.side == CGAL::Offset_side::BOTH || sources.has_polylines())
@@ -29,7 +29,7 @@ inline std::string useless_side(const Options& options, const Sources& sources)
 
 namespace internal {
 
-// "distance 7", "3 distances from 7 on"
+// For example "distance 7", "3 distances from 7 on".
 inline std::string named_distances(const std::vector<double>& distances)
 {
   return distances.size() == 1 ? "distance " + short_number(distances.front())
@@ -39,8 +39,8 @@ inline std::string named_distances(const std::vector<double>& distances)
 
 } // namespace internal
 
-// One sentence per reason why named distances have no offset. `curves` are sorted by distance; `reach` is the largest
-// distance that was computed.
+// One sentence per reason for named distances without offset. `curves` are sorted by distance; `reach` is the largest
+// computed distance.
 inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
                                                 const std::vector<Offset_curve>& curves, double reach)
 {
@@ -68,7 +68,7 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
   if(!not_selected.empty())
     reasons.push_back("no offset at " + internal::named_distances(not_selected) + " with " +
                       (options.side.empty() ? "--end " + options.end : "--side " + options.side) +
-                      ": the surface has no points there that are as far from the sources");
+                      ": the selected part of the surface has no points at this distance");
   return reasons;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the user asked for. Everything that can be judged without opening a file is judged here.
+// Options of the user, with all checks that need no file.
 
 #ifndef GEODESIC_OFFSET_OPTIONS_H
 #define GEODESIC_OFFSET_OPTIONS_H
@@ -40,9 +40,9 @@ inline po::options_description options_description()
                               "MESH is an .off, .obj, .ply or .stl file");
   po::options_description others("Others");
   others.add_options()
-    ("no-stitch", po::bool_switch(), "leave border edges of the mesh apart that lie at the same place")
-    ("threads", po::value<std::string>()->value_name("N"), "work with no more than N threads (default: as many as there are)")
-    ("quiet", po::bool_switch(), "print nothing but warnings and errors")
+    ("no-stitch", po::bool_switch(), "keep border edges at the same place apart")
+    ("threads", po::value<std::string>()->value_name("N"), "work with at most N threads (default: those of the machine)")
+    ("quiet", po::bool_switch(), "print only warnings and errors")
     ("version", po::bool_switch(), "print the version")
     ("help", po::bool_switch(), "print this");
   all.add(source_options_description()).add(level_options_description()).add(output_options_description()).add(others);

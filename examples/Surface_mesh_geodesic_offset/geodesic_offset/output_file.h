@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All outputs or none. Every output is first written to a new file in the folder of its target; when all of them are complete
-// they are renamed. A program that fails on the way, or that a signal ends, leaves neither parts of files nor a mix of old and
-// new ones: old files are kept under another name until all new ones have theirs. An output that fails can be left out.
+// All outputs or none: every output is first written to a new file in the folder of its target; when all are complete they
+// are renamed. A failure or a signal leaves neither partial files nor a mix of old and new files: old files keep another
+// name until all new ones are in place. An output that fails can be left out.
 
 #ifndef GEODESIC_OFFSET_OUTPUT_FILE_H
 #define GEODESIC_OFFSET_OUTPUT_FILE_H
@@ -53,7 +53,7 @@ public:
     setp(m_block.data(), m_block.data() + m_block.size());
   }
 
-  // The error number of the first failure, 0 if there was none
+  // Error number of the first failure, 0 if there was none.
   int error() const { return m_error; }
 
 protected:
@@ -97,16 +97,16 @@ private:
 class Output_files
 {
 public:
-  // Called periodically with the number of bytes of a file that have been written, and with the expected number of all, or 0.
+  // Called periodically with the number of bytes written to a file, and the expected total, or 0.
   using Report = std::function<void(const std::string& target, std::uintmax_t bytes, std::uintmax_t expected)>;
 
 private:
   struct Entry
   {
-    std::string target; // as it was named
-    std::string file;   // the target without symbolic links, which stay
+    std::string target; // as given
+    std::string file; // the target with symbolic links resolved, so that the links remain
     std::string temporary;
-    std::string old;    // another name of the file that the target was, while it may be needed; empty: none
+    std::string old; // temporary name of the previous file at the target; empty: none
   };
 
   Report             m_report;
@@ -133,7 +133,7 @@ public:
       remove(entry.temporary);
   }
 
-  // To be called before the long work: nobody wants to wait for it and then hear that the folder does not exist.
+  // Checks a target before the long computation.
   static void check(const std::string& target)
   {
     std::error_code error;
@@ -151,7 +151,7 @@ public:
       fail(target, reason());
   }
 
-  // Calls write(stream). After an exception the file is left out. `expected`: number of bytes, for the report
+  // Calls write(stream). If it throws, the file is left out. `expected`: number of bytes, for the report.
   template <class Write>
   void add(const std::string& target, const Write& write, std::uintmax_t expected = 0)
   {
@@ -169,7 +169,7 @@ public:
     }
   }
 
-  // Gives the files the names of their targets. After an exception all targets are as they were.
+  // Renames the files to their targets. If it throws, all targets are unchanged.
   void commit()
   {
     Temporary_files& temporaries = Temporary_files::instance();
@@ -194,7 +194,7 @@ public:
     }
   }
 
-  // The files that have been added
+  // Targets of the added files.
   std::vector<std::string> targets() const
   {
     std::vector<std::string> targets;
@@ -204,8 +204,8 @@ public:
   }
 
 private:
-  // Short names, because a target may have the longest name that its folder allows; and random ones, because other runs of
-  // the program may use the folder, too.
+  // Short, since a target may have the longest name that its folder allows; random, since other runs of the program may use
+  // the folder.
   static std::string unused_name_beside(const std::string& file)
   {
     static std::random_device random;
@@ -216,7 +216,7 @@ private:
     return (std::filesystem::path(file).parent_path() / name).string();
   }
 
-  // Creates an empty file with the permissions that the user's mask gives to new files.
+  // Creates an empty file with the permissions for new files under the user's mask.
   static std::string new_file_beside(const Entry& entry)
   {
     Temporary_files& temporaries = Temporary_files::instance();
@@ -247,11 +247,11 @@ private:
     temporaries.forget(temporary);
   }
 
-  // Gives the file that the target is a second name. File systems without links rename it.
+  // Gives the target's file a second name. File systems without links rename it.
   static bool keep_old(Entry& entry)
   {
     std::error_code error;
-    if(std::filesystem::is_directory(entry.file, error)) // since it was checked
+    if(std::filesystem::is_directory(entry.file, error)) // created since the check
     {
       errno = EISDIR;
       return false;
@@ -278,7 +278,7 @@ private:
     if(!entry.old.empty())
     {
       std::rename(entry.old.c_str(), entry.file.c_str());
-      ::unlink(entry.old.c_str()); // two names of one file: rename does nothing
+      ::unlink(entry.old.c_str()); // if both names denote one file, rename does nothing
       entry.old.clear();
     }
     else if(is_renamed)

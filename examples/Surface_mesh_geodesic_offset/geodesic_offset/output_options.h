@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The files that the command line asks for, and what they look like.
+// Options for the output files and their appearance.
 
 #ifndef GEODESIC_OFFSET_OUTPUT_OPTIONS_H
 #define GEODESIC_OFFSET_OUTPUT_OPTIONS_H
@@ -38,7 +38,7 @@ struct Output_options
     return result;
   }
 
-  // Whether something is written that has the distances of the whole surface
+  // Whether an output contains the distances of the whole surface.
   bool shows_field() const { return !field.empty() || !picture.empty(); }
 };
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A picture of the mesh coloured by distance, with sources and offsets drawn on it.
+// Picture of the mesh coloured by distance, with sources and offsets.
 
 #ifndef GEODESIC_OFFSET_PICTURE_H
 #define GEODESIC_OFFSET_PICTURE_H
@@ -27,7 +27,7 @@ namespace geodesic_offset {
 
 using Polyline = std::vector<Point>;
 
-// Pixels from left to right and from top to bottom, three bytes each
+// Pixels from left to right and from top to bottom, three bytes each.
 struct Image
 {
   int                       width = 0;
@@ -76,14 +76,14 @@ public:
     compute_normals();
   }
 
-  // Finer than what can be seen
+  // Below the visible resolution.
   double chord_tolerance() const { return 0.05 / m_scale; }
 
   void add_offset(const Polyline& polyline) { m_offsets.push_back(place(polyline)); }
   void add_source(const Polyline& polyline) { m_sources.push_back(place(polyline)); }
   void add_source(const Point& point) { m_source_points.push_back(place(point)); }
 
-  // Calls report(part) with the part of the picture that is done.
+  // Calls report(fraction) with the completed fraction of the picture.
   template <class Report>
   Image render(const Report& report) const
   {
@@ -93,7 +93,7 @@ public:
     image.bytes.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(m_height));
     const Srgb_encoder encode;
     const auto shade = [this](std::uint32_t thing, float u, float v) { return color_of(thing, u, v); };
-    // nothing, outline of the surface, offset, white round the sources, source, writing
+    // none, outline of the surface, offset, white margin of the sources, source, text
     const std::array<Marking, number_of_marks> markings = {{{Color(), 0},
                                                             {srgb(40, 44, 58), 0.75f},
                                                             {srgb(24, 22, 40), 0.8f},
@@ -127,7 +127,7 @@ public:
   }
 
 private:
-  // Things that are no faces
+  // Numbers of things other than faces.
   static constexpr std::uint32_t legend_bar = 0xffffffff, legend_frame = 0xfffffffe;
 
   static Color ink() { return srgb(48, 52, 66); }
@@ -173,7 +173,7 @@ private:
     return points;
   }
 
-  // Smooth where the surface is smooth; edges sharper than this are seen as edges.
+  // Smooth normals, except at edges that are sharper than the crease angle.
   void compute_normals()
   {
     constexpr double cosine_of_crease = 0.8; // 37 degrees
@@ -222,7 +222,7 @@ private:
 
   static double power_of_64(double x)
   {
-    // arithmetic with the tiny numbers that would come out is very slow
+    // avoid very slow arithmetic with denormal numbers
     if(x < 0.7)
       return 0;
     for(int i = 0; i < 6; ++i)
@@ -230,7 +230,7 @@ private:
     return x;
   }
 
-  // Light from the viewer's left shoulder, and some from everywhere
+  // Light from the left above the viewer, and some ambient light.
   static Color lit(Color color, double nx, double ny, double nz)
   {
     const double norm = std::sqrt(nx * nx + ny * ny + nz * nz);
@@ -241,7 +241,7 @@ private:
     const double head = std::max(0.0, nz);
     const double sky = 0.5 + 0.5 * ny;
     const double diffuse = 0.20 + 0.14 * sky + 0.46 * key + 0.26 * head;
-    // half way between the light and the viewer
+    // halfway between light and viewer
     const double half = std::max(0.0, -0.195 * nx + 0.237 * ny + 0.952 * nz);
     const float shine = static_cast<float>(0.10 * power_of_64(half));
     if(inside)
@@ -262,7 +262,7 @@ private:
 
   void draw_curves(Raster& raster, int first, int rows) const
   {
-    // the surface beside a line on a slope is nearer to the viewer than the line
+    // beside a line on a slope, the surface is nearer to the viewer than the line
     const auto bias = [](double radius) { return 3 * radius + 1; };
     const auto draw = [&](const std::vector<View_point>& line, double radius, Mark mark) {
       for(std::size_t i = 0; i + 1 < line.size(); ++i)
@@ -307,7 +307,7 @@ private:
     }
   }
 
-  // A round number of which there are four to eight in the largest distance
+  // A round number; the largest distance has four to eight of it.
   static double tick_step(double largest)
   {
     const double power = std::pow(10.0, std::floor(std::log10(largest)));

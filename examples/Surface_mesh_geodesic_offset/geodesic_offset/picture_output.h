@@ -41,7 +41,7 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
   return choose_view(mesh, points, up);
 }
 
-// If some faces are too long for interpolation, builds once more, with kept windows.
+// If some faces are too large for interpolation, builds again with kept windows.
 template <class Concurrency_tag>
 Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest, Progress& progress)
 {
@@ -68,8 +68,8 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
 
 } // namespace internal
 
-// `largest`: the largest distance of the surface. The last build must have all distances that are wanted. Another build with
-// the same distances may replace it.
+// `largest`: the largest distance of the surface. Precondition: the last build has all requested distances. May replace it
+// by another build with the same distances.
 template <class Concurrency_tag>
 Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
                  const std::vector<Offset_curve>& curves, double largest, Progress& progress)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The grammar of .ply files: the header, and the rows of its elements, as text or in either binary format.
+// Grammar of .ply files: header, and rows of elements, as text or in either binary format.
 
 #ifndef GEODESIC_OFFSET_PLY_FILE_H
 #define GEODESIC_OFFSET_PLY_FILE_H
@@ -52,7 +52,7 @@ inline std::size_t size_of(Ply_type type)
   }
 }
 
-// Every number of these types is a double.
+// All numbers of these types are exact in double.
 inline double read_number(Byte_scanner& bytes, Ply_type type)
 {
   switch(type)
@@ -73,8 +73,8 @@ struct Ply_property
 {
   std::string             name;
   std::string             type_name; // as in the header, like "list uchar int"
-  Ply_type                type = Ply_type::float32; // of a list: of its items
-  std::optional<Ply_type> count_type;               // of a list
+  Ply_type                type = Ply_type::float32; // for a list: type of its items
+  std::optional<Ply_type> count_type; // for a list
 
   bool is_list() const { return count_type.has_value(); }
 };
@@ -88,7 +88,7 @@ struct Ply_element
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool is_face() const { return name == "face" || name == "faces"; }
 
-  // The index of a property, or the number of all properties if there is none of this name
+  // Index of a property, or the number of properties if the name does not exist.
   std::size_t find(std::string_view property) const
   {
     return static_cast<std::size_t>(
@@ -99,12 +99,12 @@ struct Ply_element
   bool has(std::string_view property) const { return find(property) < properties.size(); }
 };
 
-// The rows must be read in the order of the elements. A reader of rows has the functions
+// Rows must be read in the order of the elements. A reader of rows has the functions
 //   void begin_row(std::size_t row)
-//   void number(std::size_t property, double value)            of binary files
-//   void word(std::size_t property, std::string_view word)     of text, instead; maybe no number
+//   void number(std::size_t property, double value)            for binary files
+//   void word(std::size_t property, std::string_view word)     for text files; may not be a number
 //   void begin_list(std::size_t property, std::size_t size)    followed by number() or word() for its items
-//   bool reads(std::size_t property)                            whether it wants to get a property
+//   bool reads(std::size_t property)                           whether it uses a property
 class Ply_file
 {
   std::string_view            m_bytes;
@@ -112,7 +112,7 @@ class Ply_file
   bool                        m_is_ascii = false, m_is_big_endian = false;
   bool                        m_has_vertices = false, m_has_faces = false;
   std::vector<Ply_element>    m_elements;
-  std::optional<Byte_scanner> m_data; // of binary files
+  std::optional<Byte_scanner> m_data; // for binary files
 
 public:
   // Reads the header. Throws Input_error.
@@ -153,12 +153,12 @@ public:
 
   const std::vector<Ply_element>& elements() const { return m_elements; }
 
-  // Where a text is read: "line 7: ", and nothing in a binary file
+  // Position for messages: "line 7: " in a text, empty in a binary file.
   std::string where() const { return m_is_ascii ? "line " + std::to_string(m_text.line()) + ": " : std::string(); }
 
   [[noreturn]] void fail(const std::string& text) const { m_text.fail(text); }
 
-  // Bytes behind the rows that have been read. Blanks do not count in a text.
+  // Number of bytes after the last row; trailing blanks of a text do not count.
   std::size_t number_of_bytes_left()
   {
     if(m_data)
@@ -166,7 +166,7 @@ public:
     return m_text.find_word() ? m_text.remaining() : 0;
   }
 
-  // An upper bound of the number of rows that the rest of the file has, for reserve()
+  // Upper bound of the number of rows in the rest of the file, for reserve().
   std::size_t most_rows(const Ply_element& element) const
   {
     const std::size_t row = std::max(std::size_t(1), m_data ? smallest_row(element) : 2 * element.properties.size());

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// .ply files as meshes: coordinates of every number type, and faces as lists of every integer type. Other elements and
-// properties are skipped.
+// Reader of .ply files as meshes: coordinates of every number type, and faces as lists of every integer type. Skips other
+// elements and properties.
 
 #ifndef GEODESIC_OFFSET_PLY_READER_H
 #define GEODESIC_OFFSET_PLY_READER_H
@@ -26,7 +26,7 @@ class Ply_reader
   Soup&       m_soup;
   std::size_t m_vertices = 0; // as announced
 
-  // The rows of the vertices
+  // Reader of the vertex rows.
   class Vertex_rows
   {
     const Ply_reader& m_reader;
@@ -82,7 +82,7 @@ class Ply_reader
     }
   };
 
-  // The rows of the faces
+  // Reader of the face rows.
   class Face_rows
   {
     const Ply_reader& m_reader;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// PNG files, by Boost.GIL and libpng.
+// Writer of PNG files, by Boost.GIL and libpng.
 
 #ifndef GEODESIC_OFFSET_PNG_OUTPUT_H
 #define GEODESIC_OFFSET_PNG_OUTPUT_H

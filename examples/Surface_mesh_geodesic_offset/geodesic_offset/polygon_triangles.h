@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Triangulation of polygons whose projection to a plane is not simple: far from planar, crossing themselves, or passing twice
-// through a vertex.
+// Triangulation of polygons whose projection to a plane is not simple: far from planar, self-intersecting, or with a
+// repeated vertex.
 
 #ifndef GEODESIC_OFFSET_POLYGON_TRIANGLES_H
 #define GEODESIC_OFFSET_POLYGON_TRIANGLES_H
@@ -41,7 +41,7 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
   if(polygon.size() == 3)
     return true;
   const std::vector<Point> p = internal::corners_of(polygon, points);
-  if(p.size() == 4) // then, with one diagonal at least, the two triangles do not lie on each other
+  if(p.size() == 4) // then with at least one diagonal the two triangles do not overlap
     return area_vector(p[0], p[1], p[2]) * area_vector(p[0], p[2], p[3]) > 0 ||
            area_vector(p[1], p[2], p[3]) * area_vector(p[1], p[3], p[0]) > 0;
   Vector normal = CGAL::NULL_VECTOR;
@@ -50,8 +50,8 @@ inline bool is_simple(const Polygon& polygon, const std::vector<Point>& points)
   return normal != CGAL::NULL_VECTOR && CGAL::is_simple_2(p.begin(), p.end(), CGAL::Projection_traits_3<Kernel>(normal));
 }
 
-// The triangulation with the smallest dihedral angles and the smallest area. A fan if all triangles are degenerate, or if the
-// polygon is large: the time is cubic in its size.
+// Triangulation with the smallest dihedral angles and the smallest area. A fan if all triangles are degenerate, or if the
+// polygon is large, since the time is cubic in its size.
 inline std::vector<Polygon> triangles_of(const Polygon& polygon, const std::vector<Point>& points)
 {
   using Triangle = CGAL::Triple<int, int, int>;

@@ -34,7 +34,7 @@ inline std::string polyline_format_help()
 
 namespace internal {
 
-// What to do about a line that does not have the format
+// Hint for lines in a wrong format.
 inline std::string polyline_format_hint()
 {
   return " (a line is a whole polyline: the number of its points, then their coordinates, as in '2  0 0 0  1 0 0.5')";
@@ -42,7 +42,7 @@ inline std::string polyline_format_hint()
 
 } // namespace internal
 
-// Reads polylines from the bytes of a file. The path is for errors. Throws Input_error.
+// Reads polylines from the bytes of a file. `path` is for messages. Throws Input_error.
 inline std::vector<File_polyline> parse_polylines(const std::string& path, std::string_view bytes)
 {
   Text_scanner text(path, bytes, Text_style::with_comments);

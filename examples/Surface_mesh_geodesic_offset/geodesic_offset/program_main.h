@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is around every program: all that goes wrong ends in one line of errors and an exit code.
+// Frame of every program: all errors end in one line of errors and an exit code.
 
 #ifndef GEODESIC_OFFSET_PROGRAM_MAIN_H
 #define GEODESIC_OFFSET_PROGRAM_MAIN_H
@@ -21,18 +21,18 @@
 namespace geodesic_offset {
 namespace internal {
 
-// What CGAL finds wrong becomes an exception, which is reported in one line.
+// CGAL's errors become exceptions, which are reported in one line.
 inline void be_silent(const char*, const char*, const char*, int, const char*) {}
 
 } // namespace internal
 
-// For what is no reason to stop, but should be looked at
+// Prints a warning; the program continues.
 inline void print_warning(const std::string& program, const std::string& text)
 {
   std::cerr << program << ": warning: " << one_line(text) << std::endl;
 }
 
-// Throws Input_error if something that was printed could not be written.
+// Throws Input_error if printing to standard output failed.
 inline void check_standard_output()
 {
   errno = 0;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Messages of the program while it works: lines with times on the standard output, warnings on the standard error, and, if
-// that is a terminal, a progress bar in its last line.
+// Progress messages: lines with times on standard output, warnings on standard error, and, if that is a terminal, a
+// progress bar in its last line.
 
 #ifndef GEODESIC_OFFSET_PROGRESS_H
 #define GEODESIC_OFFSET_PROGRESS_H
@@ -34,25 +34,25 @@ public:
 
 class Progress
 {
-  static constexpr double      interval = 0.1; // seconds between two states of the bar
-  static constexpr std::size_t columns = 79;   // fits into a terminal of 80: a wrapped line could not be erased
+  static constexpr double      interval = 0.1; // seconds between updates of the bar
+  static constexpr std::size_t columns = 79; // fits into a terminal of 80; a wrapped line could not be erased
   static constexpr std::size_t bar_columns = 25;
 
   bool        m_quiet;
-  bool        m_has_bar; // a terminal that may be written on
-  std::size_t m_shown = 0; // characters of the bar that are on the terminal
+  bool        m_has_bar; // standard error is a terminal, and not --quiet
+  std::size_t m_shown = 0; // characters of the bar on the terminal
   std::string m_step;
   Stopwatch   m_since_shown;
 
 public:
-  // Quiet: nothing but warnings.
+  // Quiet: only warnings.
   explicit Progress(bool quiet) : m_quiet(quiet), m_has_bar(!quiet && ::isatty(STDERR_FILENO) == 1) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   ~Progress() { erase(); }
 
-  // Flushed, because the next step may take long. Throws Input_error if the standard output is full or closed.
+  // Flushed, since the next step may take long. Throws Input_error if standard output is full or closed.
   void line(const std::string& text)
   {
     erase();
@@ -69,21 +69,21 @@ public:
     line(text + time);
   }
 
-  // Also with --quiet
+  // Also with --quiet.
   void warning(const std::string& text)
   {
     erase();
     print_warning("geodesic_offset", text);
   }
 
-  // A step of unknown length
+  // Step of unknown length.
   void show(const std::string& step, const std::string& detail = "")
   {
     if(is_time_for(step))
       put(step + (detail.empty() ? " ..." : "  " + detail));
   }
 
-  // `done`: the part of the step from 0 to 1
+  // `done`: completed fraction of the step.
   void show(const std::string& step, double done, const std::string& detail = "")
   {
     if(!is_time_for(step))
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  // A new step is shown at once.
+  // A new step is shown immediately.
   bool is_time_for(const std::string& step)
   {
     if(!m_has_bar || (step == m_step && m_shown != 0 && m_since_shown.seconds() < interval))

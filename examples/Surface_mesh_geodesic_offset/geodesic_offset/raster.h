@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A strip of the picture, several samples a pixel in each direction, with depths. Pictures are drawn strip by strip: the
-// samples of a whole picture would take more memory than the mesh.
+// Strip of the picture, with several samples per pixel in each direction, and depths. Pictures are drawn strip by strip:
+// the samples of a whole picture would need more memory than the mesh.
 
 #ifndef GEODESIC_OFFSET_RASTER_H
 #define GEODESIC_OFFSET_RASTER_H
@@ -19,7 +19,7 @@
 
 namespace geodesic_offset {
 
-// What is drawn on top of the surface; a higher one covers a lower one.
+// Marks on top of the surface; larger values cover smaller ones.
 enum class Mark : std::uint8_t { none, outline, offset, halo, source, ink };
 constexpr std::size_t number_of_marks = 6;
 
@@ -33,14 +33,14 @@ struct Marking
 class Raster
 {
 public:
-  static constexpr int samples = 4; // a pixel, in each direction
-  static constexpr int margin = 4;  // rows of samples above and below, for what looks at neighbours
+  static constexpr int samples = 4; // per pixel, in each direction
+  static constexpr int margin = 4; // rows of samples above and below, for neighbourhood operations
 
 private:
-  static constexpr float nothing = -3e38f; // a depth
+  static constexpr float nothing = -3e38f; // depth without surface
 
-  // What is seen there: a thing with a number, and where on the thing. Colours are found when the sample is known to be
-  // visible; most of the work would be lost otherwise.
+  // Visible thing with its number, and position on it. Colours are computed after visibility; otherwise most of the work
+  // would be wasted.
   struct Sample
   {
     float         depth = nothing;
@@ -69,7 +69,7 @@ public:
     m_samples.assign(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_rows), Sample());
   }
 
-  // On a triangle, u and v are the barycentric coordinates of b and c.
+  // u and v are the barycentric coordinates of b and c.
   void triangle(const View_point& a, const View_point& b, const View_point& c, std::uint32_t thing)
   {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -103,7 +103,7 @@ public:
     }
   }
 
-  // A line with round ends. It is hidden where the surface is more than bias in front of it.
+  // Line with round ends. Hidden where the surface is more than `bias` in front of it.
   void line(const View_point& a, const View_point& b, double radius, Mark mark, double bias)
   {
     stroke(a, b, radius, [&](Sample& s, double depth) {
@@ -112,7 +112,7 @@ public:
     });
   }
 
-  // A thing in front of everything; v runs from 0 at the bottom to 1 at the top.
+  // Rectangle in front of everything; v runs from 0 at the bottom to 1 at the top.
   void rectangle(double left, double top, double right, double bottom, std::uint32_t thing)
   {
     for(int y = first_row(top); y <= last_row(bottom); ++y)
@@ -126,13 +126,13 @@ public:
       }
   }
 
-  // A line with round ends in front of everything
+  // Line with round ends in front of everything.
   void ink(double x0, double y0, double x1, double y1, double radius)
   {
     stroke({x0, y0, 0}, {x1, y1, 0}, radius, [&](Sample& s, double) { s.mark = Mark::ink; });
   }
 
-  // Marks the samples where the surface ends in front of something else that is at least this much deeper.
+  // Marks the samples where the surface ends in front of something at least `jump` deeper.
   void outline(float jump)
   {
     constexpr int reach = 3;
@@ -151,8 +151,8 @@ public:
       }
   }
 
-  // The colour of a pixel: the mean of its samples. shade(thing, u, v) gives the colour of a thing; it is called once per
-  // thing in the pixel, with the mean of u and v over the samples that show the thing.
+  // Colour of a pixel: mean of its samples. shade(thing, u, v) returns the colour of a thing; it is called once per thing
+  // in the pixel, with the mean of u and v over the samples of the thing.
   template <class Shade, class Markings>
   Color pixel(int column, int row, Color behind, const Shade& shade, const Markings& markings) const
   {
@@ -160,7 +160,7 @@ public:
     {
       const Sample* first;
       float         number, u, v; // sums over the samples
-      float         own;          // the weight of the thing's colour, in samples
+      float         own; // weight of the thing's colour, in samples
     };
     std::array<Seen, samples * samples> seen;
     std::size_t n = 0;
@@ -211,7 +211,7 @@ private:
 
   static double position(int sample) { return (sample + 0.5) / samples; }
 
-  // Limits are compared before they become integers: lines may reach far beyond the picture.
+  // Compares before the conversion to integers, since lines may extend far beyond the picture.
   static int clamped(double value, int low, int high)
   {
     return static_cast<int>(std::min(std::max(value, static_cast<double>(low)), static_cast<double>(high)));

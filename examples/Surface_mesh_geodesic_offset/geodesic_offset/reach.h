@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An upper bound of the largest distance of the surface, known before the long work.
+// Upper bound of the largest distance of the surface, computed before the main computation.
 
 #ifndef GEODESIC_OFFSET_REACH_H
 #define GEODESIC_OFFSET_REACH_H
@@ -25,7 +25,7 @@ inline double edge_length(const Mesh& mesh, Halfedge h)
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
 }
 
-// The halfedges with their targets at each vertex, in all of its fans
+// Halfedges with their targets at each vertex, in all of its fans.
 class Incoming_halfedges
 {
   std::vector<std::size_t> m_begin;
@@ -52,7 +52,7 @@ public:
   }
 };
 
-// For each vertex, the length of the shortest path to a source along edges of the mesh, by Dijkstra's algorithm
+// For each vertex, the length of the shortest path to a source along edges, by Dijkstra's algorithm.
 inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources& sources)
 {
   using Entry = std::pair<double, Vertex>;
@@ -79,8 +79,8 @@ inline std::vector<double> distances_along_edges(const Mesh& mesh, const Sources
 
 } // namespace internal
 
-// An upper bound of the largest finite distance of the surface. In a face no distance is larger than the sum of a corner's
-// distance and the longer one of the two edges there. Takes a small part of the time of a build.
+// Upper bound of the largest finite distance of the surface. In a face no distance exceeds the sum of a corner's distance
+// and the longer of the two edges there. Takes a small fraction of the time of a build.
 inline double bound_of_reach(const Mesh& mesh, const Sources& sources)
 {
   const std::vector<double> distances = internal::distances_along_edges(mesh, sources);

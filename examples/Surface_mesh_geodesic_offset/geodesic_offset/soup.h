@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points and polygons, as all mesh files have them.
+// Points and polygons, the common content of all mesh files.
 
 #ifndef GEODESIC_OFFSET_SOUP_H
 #define GEODESIC_OFFSET_SOUP_H
@@ -18,7 +18,7 @@ using Kernel  = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point   = Kernel::Point_3;
 using Polygon = std::vector<std::uint32_t>;
 
-// Vertices and faces in the order of the file
+// Vertices and faces in the order of the file.
 struct Soup
 {
   std::vector<Point>       points;

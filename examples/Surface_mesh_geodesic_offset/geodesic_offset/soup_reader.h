@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From a mesh file to points and polygons: every coordinate is finite, every polygon has three corners or more, and every
-// corner is a point. There is one reader per format, and each of them checks every count, type and index before it uses it.
+// From a mesh file to points and polygons: every coordinate is finite, every polygon has at least three corners, and every
+// corner is a point. Each format has a reader, which checks every count, type and index before it uses it.
 
 #ifndef GEODESIC_OFFSET_SOUP_READER_H
 #define GEODESIC_OFFSET_SOUP_READER_H
@@ -26,11 +26,11 @@ enum class Mesh_format { off, obj, ply, stl };
 
 namespace internal {
 
-// Surface_mesh numbers halfedges with 32 bits. Polygons with n corners become triangles with less than 3 n corners in all, and
-// every triangle may have three edges of its own.
+// Surface_mesh numbers halfedges with 32 bits. Polygons with n corners become triangles with less than 3 n corners in
+// total, and every triangle may have three edges of its own.
 constexpr std::size_t most_corners = (std::size_t(1) << 32) / 6;
 
-// What the formats have in common
+// Checks common to all formats.
 inline void check_soup(const std::string& path, const Soup& soup)
 {
   for(std::size_t i = 0; i < soup.points.size(); ++i)
@@ -62,7 +62,7 @@ inline Mesh_format mesh_format(const std::string& path)
   throw Input_error(quoted(path) + " must end in .off, .obj, .ply or .stl");
 }
 
-// Reads a mesh from the bytes of a file in linear time and memory. The path is for errors. Throws Input_error.
+// Reads a mesh from the bytes of a file in linear time and memory. `path` is for messages. Throws Input_error.
 inline Soup parse_soup(Mesh_format format, const std::string& path, std::string_view bytes)
 {
   Soup soup;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The mesh and the sources on it, as all programs take them.
+// Options for the mesh and the sources, shared by all programs.
 
 #ifndef GEODESIC_OFFSET_SOURCE_OPTIONS_H
 #define GEODESIC_OFFSET_SOURCE_OPTIONS_H
@@ -53,7 +53,7 @@ inline po::options_description source_options_description()
   return sources;
 }
 
-// The word without an option
+// The word without an option.
 inline std::string mesh_option(const po::variables_map& map)
 {
   const Words meshes = option_words(map, "mesh");

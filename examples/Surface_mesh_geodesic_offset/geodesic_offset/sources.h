@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sources of the command line, found on the mesh.
+// Sources of the command line, located on the mesh.
 
 #ifndef GEODESIC_OFFSET_SOURCES_H
 #define GEODESIC_OFFSET_SOURCES_H
@@ -26,17 +26,18 @@ namespace geodesic_offset {
 
 using Surface_polyline = CGAL::Geodesic_polyline<Face_location>;
 
-// The distances by which points were moved to the surface
+// Distances by which points were moved to the surface.
 class Moved_points
 {
-  static constexpr double most = 0.01; // part of the bounding-box diagonal: more is no rounding of curves and no coarse mesh
+  // fraction of the bounding-box diagonal: larger distances are neither rounding nor due to a coarse mesh
+  static constexpr double most = 0.01;
 
   std::size_t m_number = 0;
   double      m_largest = 0;
-  std::string m_farthest; // the point that was moved farthest
+  std::string m_farthest; // the point with the largest distance
 
 public:
-  // name(): what the point is called
+  // name(): name of the point for messages.
   template <class Name>
   void add(double distance, const Name& name)
   {
@@ -47,14 +48,14 @@ public:
     m_farthest = name();
   }
 
-  // Empty if there are no such points
+  // Empty if there are no such points.
   std::string remark() const
   {
     return m_number == 0 ? std::string()
-                         : counted(m_number, "point") + " put on the surface, moved by " + short_number(m_largest) + " at most";
+                         : counted(m_number, "point") + " moved to the surface, by at most " + short_number(m_largest);
   }
 
-  // Empty if all points were near the surface
+  // Empty if all points were near the surface.
   std::string warning(double diagonal) const
   {
     if(!(m_largest > most * diagonal))
@@ -70,13 +71,13 @@ class Sources
 {
   const Mesh_input&       m_input;
   const Mesh&             m_mesh;
-  const Geodesic_sources& m_geodesic; // locates points
+  const Geodesic_sources& m_geodesic; // for locating points
 
   std::vector<Vertex>           m_vertices;
   std::vector<Face_location>    m_points;
   std::vector<Surface_polyline> m_polylines;
   std::vector<std::string>      m_polyline_names;
-  std::vector<Edge>             m_boundary; // empty: it is no source
+  std::vector<Edge>             m_boundary; // empty: not a source
   std::vector<std::vector<Edge>> m_edges;
   std::vector<std::string>      m_remarks;
   Moved_points                  m_moved;
@@ -114,16 +115,16 @@ public:
       geodesic.add_source_edges(edges);
   }
 
-  // Sources of other kinds have no sides.
+  // Only polylines have sides.
   bool has_polylines() const { return !m_polylines.empty(); }
 
-  // Whether all are single points, away from the vertices of the mesh
+  // Whether all sources are single points, away from the vertices of the mesh.
   bool are_points() const
   {
     return m_vertices.empty() && m_polylines.empty() && m_boundary.empty() && m_edges.empty();
   }
 
-  // Calls f(vertex, length) for paths to the sources that are straight in a face: one to each source, at least.
+  // Calls f(vertex, length) for straight paths in a face from a source to a vertex, at least one per source.
   template <class Function>
   void for_each_start(const Function& f) const
   {
@@ -140,7 +141,7 @@ public:
     });
   }
 
-  // Throws Input_error that names a polyline without an inside, if there is one.
+  // Throws Input_error that names the first polyline without inside.
   void check_insides() const
   {
     for(std::size_t i = 0; i < m_polylines.size(); ++i)
@@ -175,7 +176,7 @@ public:
     return points;
   }
 
-  // A closed polyline repeats its first point.
+  // Closed polylines repeat their first point.
   std::vector<std::vector<Point>> polylines() const
   {
     std::vector<std::vector<Point>> polylines;
@@ -215,7 +216,7 @@ private:
   template <class Name>
   Face_location put_on_surface(const Point& point, const Name& name)
   {
-    // squares of lengths must stay within the range of double
+    // squares of lengths must be within the range of double
     if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
       throw Input_error(name() + " is too far away from the surface");
     const std::pair<Face_location, double> located = m_geodesic.locate_with_distance(point);
@@ -271,7 +272,7 @@ private:
         throw Input_error(line + ": there is no path on the surface from " + name(i - 1) + " to " + name(i));
       }
     }
-    // closed means that the first location is not repeated
+    // in closed polylines the first location is not repeated
     if(polyline.is_closed && polyline.locations.size() > 1)
       polyline.locations.pop_back();
     if(polyline.locations.size() < 3)
@@ -319,7 +320,7 @@ private:
     m_geodesic.sharp_edges(degrees, std::back_inserter(edges));
     if(edges.empty())
       throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
-                        " has no edge as sharp as that");
+                        " has no edge with a larger angle");
     m_edges.push_back(std::move(edges));
   }
 };

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The figures of a run as JSON.
+// Figures of a run as JSON.
 
 #ifndef GEODESIC_OFFSET_STATS_OUTPUT_H
 #define GEODESIC_OFFSET_STATS_OUTPUT_H
@@ -30,7 +30,7 @@ struct Run_figures
   double      covered_distance = infinity; // all distances up to it are known
 };
 
-// What there is at one distance
+// Figures of one distance.
 struct Level_figures
 {
   double      distance = 0;
@@ -39,7 +39,7 @@ struct Level_figures
   double      length = 0;
 };
 
-// Expects the curves sorted by distance. Distances without curves are listed too, as long as they were asked for.
+// Precondition: curves are sorted by distance. Requested distances without curves are included.
 inline std::vector<Level_figures> level_figures(const std::vector<Offset_curve>& curves, std::vector<double> distances)
 {
   for(const Offset_curve& curve : curves)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// .stl files, as text or binary. Corners of triangles with the same coordinates are one vertex; vertices are numbered by their
-// first corner. Normals are skipped.
+// Reader of .stl files, as text or binary. Corners of triangles with equal coordinates are one vertex; vertices are
+// numbered by their first corner. Skips normals.
 
 #ifndef GEODESIC_OFFSET_STL_READER_H
 #define GEODESIC_OFFSET_STL_READER_H
@@ -27,7 +27,7 @@
 namespace geodesic_offset {
 namespace internal {
 
-// The indices of points by their coordinates: a hash table with open addressing, at most half full
+// Point indices by coordinates: a hash table with open addressing, at most half full.
 class Point_indices
 {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -38,7 +38,7 @@ class Point_indices
 public:
   explicit Point_indices(std::vector<Point>& points) : m_points(points), m_slots(1024, none) {}
 
-  // Returns the index of a point, and adds it if it is new.
+  // Returns the index of a point; adds new points.
   std::uint32_t operator()(std::array<double, 3> c)
   {
     for(double& x : c)
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // The slot of a point, or the free one for it
+  // Slot of a point, or the free slot for it.
   std::size_t slot_of(const Point& point) const
   {
     std::uint64_t hash = 0;
@@ -69,7 +69,7 @@ private:
       const double x = point[i];
       std::uint64_t bits;
       std::memcpy(&bits, &x, sizeof(bits));
-      // two rounds of a multiplication by the golden ratio of 2^64, which carry low bits up, and the shift carries them down
+      // two multiplications by the golden ratio of 2^64, which move low bits up, each with a shift that moves them down
       hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
       hash ^= hash >> 32;
     }
@@ -98,7 +98,7 @@ public:
   // Throws Input_error.
   void operator()()
   {
-    // the header of a binary file may begin with "solid", too
+    // the header of a binary file may also begin with "solid"
     if(has_binary_size() || !begins_with_solid())
       read_binary();
     else

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Signals that end a program: before it ends, its temporary files are removed. A thread waits for the signals, so that the
-// removal is not restricted to what a signal handler may do, and so that it cannot happen in the middle of a rename.
+// Removal of temporary files when a signal ends the program. A thread waits for the signals, so that the removal is not
+// restricted to operations allowed in signal handlers, and cannot interrupt a rename.
 
 #ifndef GEODESIC_OFFSET_STOP_SIGNALS_H
 #define GEODESIC_OFFSET_STOP_SIGNALS_H
@@ -18,7 +18,7 @@
 
 namespace geodesic_offset {
 
-// The temporary files of the program. They outlive static objects, as the thread of the signals does.
+// Temporary files of the program. Outlives static objects, as the thread of the signals does.
 class Temporary_files
 {
   std::mutex            m_mutex;
@@ -31,10 +31,10 @@ public:
     return *files;
   }
 
-  // While a lock exists, the program is not ended by a signal.
+  // While a lock exists, no signal ends the program.
   std::unique_lock<std::mutex> lock() { return std::unique_lock<std::mutex>(m_mutex); }
 
-  // These need the lock.
+  // Precondition: the caller has the lock.
   void add(const std::string& name) { m_names.insert(name); }
   void forget(const std::string& name) { m_names.erase(name); }
 
@@ -45,9 +45,9 @@ public:
   }
 };
 
-// On SIGINT, SIGTERM and SIGHUP the temporary files are removed, and the program ends with the exit code 128 + signal; a signal
-// that the caller ignores, as nohup does, remains ignored. Failures to write are errors of the functions that write, and no
-// signals: neither on a closed pipe nor on a file at its size limit. To be called before other threads exist.
+// On SIGINT, SIGTERM and SIGHUP, removes the temporary files and ends the program with exit code 128 + signal; signals that
+// the caller ignores, as nohup does, remain ignored. Failed writes are errors of the writing functions and not signals,
+// both for closed pipes and for file size limits. Must be called before other threads exist.
 inline void end_cleanly_on_signals()
 {
   for(int ignored : {SIGPIPE, SIGXFSZ})
@@ -63,7 +63,7 @@ inline void end_cleanly_on_signals()
     sigaddset(&signals, number);
     is_any = true;
   }
-  if(!is_any || pthread_sigmask(SIG_BLOCK, &signals, nullptr) != 0) // also for the threads that follow
+  if(!is_any || pthread_sigmask(SIG_BLOCK, &signals, nullptr) != 0) // also for subsequent threads
     return;
   std::thread([signals] {
     int number = 0;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The characters of numbers, drawn with strokes, for the legend of the picture.
+// Characters of numbers as strokes, for the legend of the picture.
 
 #ifndef GEODESIC_OFFSET_STROKE_FONT_H
 #define GEODESIC_OFFSET_STROKE_FONT_H
@@ -14,7 +14,7 @@
 
 namespace geodesic_offset {
 
-using Stroke_point = std::array<double, 2>; // x to the right, y down; a digit is 1 high
+using Stroke_point = std::array<double, 2>; // x to the right, y down; digits have height 1
 
 namespace internal {
 
@@ -52,7 +52,7 @@ inline double width_of(char c) { return c == '.' ? 0.3 : 0.9; }
 
 } // namespace internal
 
-// The lines of a text, as pairs of points
+// Lines of a text, as pairs of points.
 inline std::vector<std::pair<Stroke_point, Stroke_point>> text_lines(const std::string& text)
 {
   std::vector<std::pair<Stroke_point, Stroke_point>> lines;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The words of a text file, line by line. All readers of text use this class, so that all have the same idea of words,
-// lines, comments and numbers, and the same form of errors.
+// Words of a text file, line by line. All text readers use this class, so that words, lines, comments, numbers and the form
+// of errors are uniform.
 
 #ifndef GEODESIC_OFFSET_TEXT_SCANNER_H
 #define GEODESIC_OFFSET_TEXT_SCANNER_H
@@ -26,7 +26,7 @@ enum class Text_style
   with_comments_and_continuations // and '\' at the end of a line continues it
 };
 
-// A position in a text. Lines end with "\n", "\r\n" or "\r"; words are separated by blanks. All functions are safe at the end
+// Position in a text. Lines end with "\n", "\r\n" or "\r"; words are separated by blanks. All functions are safe at the end
 // of the text.
 class Text_scanner
 {
@@ -38,7 +38,7 @@ class Text_scanner
   Text_style         m_style;
 
 public:
-  // Path: for errors. Both must outlive the scanner. A byte order mark is skipped.
+  // `path` is for messages; both arguments must outlive the scanner. Skips a byte order mark.
   Text_scanner(const std::string& path, std::string_view text, Text_style style)
     : m_path(&path), m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_style(style)
   {
@@ -48,21 +48,21 @@ public:
 
   const std::string& path() const { return *m_path; }
 
-  // The number of the current line, from 1
+  // Number of the current line, from 1.
   std::size_t line() const { return m_line; }
 
-  // Bytes in front of the current position, and from there on
+  // Number of bytes before and after the current position.
   std::size_t position() const { return static_cast<std::size_t>(m_at - m_begin); }
   std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_at); }
 
-  // Whether no word follows on the current line
+  // Whether no word follows on the current line.
   bool is_at_line_end()
   {
     skip_blanks();
     return m_at == m_end || is_newline(*m_at);
   }
 
-  // Moves to the beginning of the next line, if there is one.
+  // Moves to the next line, if there is one.
   void next_line()
   {
     skip_line();
@@ -72,7 +72,7 @@ public:
     ++m_line;
   }
 
-  // Moves to the next word of this line or of the lines that follow. Returns whether there is one.
+  // Moves to the next word of this line or a later one. Returns whether there is one.
   bool find_word()
   {
     while(is_at_line_end())
@@ -84,14 +84,14 @@ public:
     return true;
   }
 
-  // Moves behind the current line and to the next word. Returns whether there is one.
+  // Moves to the first word after the current line. Returns whether there is one.
   bool find_word_on_next_line()
   {
     next_line();
     return find_word();
   }
 
-  // Reads the next word of this line. It is empty at the end of the line.
+  // Reads the next word of this line; empty at the end of the line.
   std::string_view word()
   {
     skip_blanks();
@@ -100,7 +100,7 @@ public:
     return result;
   }
 
-  // Reads the next word of this line if it is a finite number. Else the word is still the next one.
+  // Reads the next word of this line if it is a finite number; otherwise the position is unchanged.
   bool read(double& value)
   {
     skip_blanks();
@@ -112,7 +112,7 @@ public:
       value = number;
       return true;
     }
-    // a sign, or a number that is too small for a double
+    // a sign, or a number too small for a double
     const std::string_view word = upcoming_word();
     if(!parse_number(word, value))
       return false;
@@ -120,7 +120,7 @@ public:
     return true;
   }
 
-  // Reads the next word of this line if it is a whole number, from 0. Else the word is still the next one.
+  // Reads the next word of this line if it is an integer from 0 on; otherwise the position is unchanged.
   bool read(std::size_t& value)
   {
     skip_blanks();
@@ -174,7 +174,7 @@ private:
     return {m_at, static_cast<std::size_t>(end - m_at)};
   }
 
-  // The length of a backslash and the end of the line behind it, or 0
+  // Length of a backslash and the following end of line, or 0.
   std::size_t continuation() const
   {
     if(m_style != Text_style::with_comments_and_continuations || *m_at != '\\' || m_end - m_at < 2 || !is_newline(m_at[1]))

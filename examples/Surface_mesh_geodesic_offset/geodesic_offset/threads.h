@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many threads work.
+// Number of threads.
 
 #ifndef GEODESIC_OFFSET_THREADS_H
 #define GEODESIC_OFFSET_THREADS_H
@@ -25,8 +25,7 @@ constexpr bool has_threads = std::is_same<CGAL::Parallel_if_available_tag, CGAL:
 
 namespace internal {
 
-// The largest number that --threads accepts, more than a machine runs at one time. TBB reserves memory for every thread
-// that it may start, even if it never does.
+// Maximum of --threads, more than any machine runs concurrently: TBB reserves memory for every permitted thread.
 constexpr std::size_t most_threads = 1024;
 
 inline std::optional<std::size_t> number_of_threads(const po::variables_map& map)
@@ -36,13 +35,13 @@ inline std::optional<std::size_t> number_of_threads(const po::variables_map& map
     throw Usage_error("--threads " + std::to_string(*number) + ": the program was built without TBB");
   if(number.value_or(1) > most_threads)
     throw Usage_error("--threads " + std::to_string(*number) + ": no more than " + std::to_string(most_threads) +
-                      " threads can be asked for");
+                      " threads are allowed");
   return number;
 }
 
 } // namespace internal
 
-// How many threads work with a concurrency tag, inside of with_threads().
+// Number of threads for a concurrency tag, inside with_threads().
 template <class Concurrency_tag>
 std::size_t number_of_working_threads(Concurrency_tag)
 {
@@ -53,7 +52,7 @@ std::size_t number_of_working_threads(Concurrency_tag)
   return 1;
 }
 
-// Calls f(concurrency tag) for that many threads at most; as many as the machine has if no number is given.
+// Calls f(concurrency tag) with at most that many threads; with those of the machine if no number is given.
 template <class Function>
 void with_threads(std::optional<std::size_t> number, const Function& f)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What --version prints.
+// Output of --version.
 
 #ifndef GEODESIC_OFFSET_VERSION_H
 #define GEODESIC_OFFSET_VERSION_H
@@ -13,7 +13,7 @@
 
 namespace geodesic_offset {
 
-// GEODESIC_OFFSET_VERSION: the version of the CMake project. `more`: other parts that the program was built with
+// GEODESIC_OFFSET_VERSION: version of the CMake project. `more`: further components of the program.
 inline void print_version(std::ostream& out, const std::string& program, const std::string& more = "")
 {
   out << program << ' ' << GEODESIC_OFFSET_VERSION << " (CGAL " << CGAL_VERSION_STR << more << ")\n";

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Orthographic views of a mesh, and the choice of one that shows the sources.
+// Orthographic views of a mesh, and the choice of a view that shows the sources.
 
 #ifndef GEODESIC_OFFSET_VIEW_H
 #define GEODESIC_OFFSET_VIEW_H
@@ -17,7 +17,7 @@
 
 namespace geodesic_offset {
 
-// Position in the picture: x to the right, y up, z towards the viewer
+// Position in the picture: x to the right, y up, z towards the viewer.
 using View_point = std::array<double, 3>;
 
 class View
@@ -29,7 +29,7 @@ public:
   {
     m_towards = normalized(towards_viewer);
     Vector right = CGAL::cross_product(up, m_towards);
-    // seen from straight above: any other axis may point up then
+    // from straight above, any other axis may point up
     if(right.squared_length() < 1e-12 * up.squared_length())
       right = CGAL::cross_product(std::abs(m_towards.z()) < 0.9 ? Vector(0, 0, 1) : Vector(0, 1, 0), m_towards);
     m_right = normalized(right);
@@ -42,7 +42,7 @@ public:
   static Vector normalized(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 };
 
-// The rectangle of the picture that the mesh fills
+// Rectangle of the picture covered by the mesh.
 struct Extent
 {
   double min[2] = {infinity, infinity};
@@ -64,14 +64,14 @@ struct Extent
 
 namespace internal {
 
-// A small depth image, to learn what is visible from a direction
+// Small depth image for visibility tests of a direction.
 class Depth_probe
 {
   static constexpr int size = 240;
   struct Pixel
   {
     double depth = -infinity;
-    bool   is_front = false; // the outside of the surface is seen
+    bool   is_front = false; // the outside of the surface is visible
   };
   std::vector<Pixel> m_pixels;
   double             m_x, m_y, m_scale;
@@ -95,7 +95,7 @@ public:
     return p[2] >= m_pixels[pixel(column(p[0]), row(p[1]))].depth - 3 / m_scale;
   }
 
-  // of what is seen of the outside, in the units of the mesh
+  // Visible area of the outside, in units of the mesh.
   double visible_area() const
   {
     const auto n = std::count_if(m_pixels.begin(), m_pixels.end(), [](const Pixel& p) { return p.is_front; });
@@ -114,7 +114,7 @@ private:
       if(depth > m_pixels[i].depth)
         m_pixels[i] = {depth, area > 0};
     };
-    // the corners at least, so that faces smaller than a pixel count
+    // at least the corners, so that faces smaller than a pixel count
     for(const View_point& p : {a, b, c})
       set(pixel(column(p[0]), row(p[1])), p[2]);
     if(area == 0)
@@ -136,7 +136,7 @@ private:
 
 } // namespace internal
 
-// A three-quarter view from which most of these points are seen.
+// Three-quarter view that shows the most of these points.
 inline View choose_view(const Mesh& mesh, const std::vector<Point>& points, const Vector& up)
 {
   const Vector top = View::normalized(up);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances against certified bounds: how far outside each one is, and what that amounts to.
+// Comparison of distances with certified bounds: deviations and their statistics.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_COMPARISON_H
 #define VALIDATE_GEODESIC_DISTANCES_COMPARISON_H
@@ -16,12 +16,12 @@
 
 namespace geodesic_offset {
 
-// The sizes of errors, without their signs
+// Statistics of absolute values of errors.
 struct Error_figures
 {
   std::size_t number = 0;
   double      largest = 0, mean = 0, rms = 0;
-  std::size_t at = 0; // the first vertex with the largest one
+  std::size_t at = 0; // first vertex with the largest error
 
   Error_figures() = default;
   Error_figures(const std::vector<double>& errors, const std::vector<std::size_t>& vertices) : number(errors.size())
@@ -77,15 +77,16 @@ struct Comparison
 {
   using Bounds = std::pair<double, double>;
 
-  std::vector<double> errors; // of all vertices: 0 inside, negative if too short, infinite if only one of both is
+  // By vertex: 0 within bounds, negative if too short, infinite if only one of both is.
+  std::vector<double> errors;
 
   std::size_t inside = 0, too_short = 0, too_long = 0;
   std::size_t infinite_in_table_only = 0, infinite_in_truth_only = 0;
   std::size_t beyond_tolerance = 0;
-  std::size_t reached = 0; // where both are finite: what follows is about these, and relative figures about
-  std::size_t away = 0;    // those of them that are not at distance 0
+  std::size_t reached = 0; // both are finite: the following figures are for these, relative ones for `away`
+  std::size_t away = 0; // those of them that are not at distance 0
 
-  Error_figures outside, relative_outside; // distances from the enclosure
+  Error_figures outside, relative_outside; // distances from the bounds
   Error_figures off_middle, relative_off_middle;
   double        bias = 0, relative_bias = 0;
   Width_figures width, relative_width;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A table of distances of the vertices, one number for each of them.
+// Table of vertex distances, one number per vertex.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_DISTANCE_TABLE_H
@@ -23,7 +23,7 @@ struct Distance_table
 {
   std::string         name; // for messages
   std::vector<double> distances;
-  std::vector<Point>  points; // where the table says that the vertices are; empty if it does not
+  std::vector<Point>  points; // positions of the vertices in the table; empty if it has none
 };
 
 namespace internal {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A distance belongs to a vertex of the file, so the mesh must have just these vertices. What other programs may repair,
-// each in its own way, is refused here: they would not measure on the same surface.
+// A distance belongs to a vertex of the file, so the mesh must have exactly these vertices. Files that other programs may
+// repair differently are rejected: their surface would differ.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_FILE_VERTICES_H
 #define VALIDATE_GEODESIC_DISTANCES_FILE_VERTICES_H
@@ -63,8 +63,7 @@ inline std::size_t number_of_unused_vertices(const Mesh_input& input)
   return unused;
 }
 
-// Throws Input_error if the table has its vertices elsewhere: then their order is another one, or the unit. Digits may be
-// lost.
+// Throws Input_error if the table has vertices at other positions, because of another order or unit. Digits may be lost.
 inline void require_same_points(const Distance_table& table, const Mesh_input& input, const std::string& path)
 {
   const double most = 1e-4 * input.bounding_box_diagonal();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the user asked for. Everything that can be judged without opening a file is judged here.
+// Options of the user, with all checks that need no file.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_OPTIONS_H
 #define VALIDATE_GEODESIC_DISTANCES_OPTIONS_H
@@ -34,23 +34,23 @@ inline po::options_description validation_options_description()
 {
   po::options_description all(
     "validate_geodesic_distances MESH [sources] --distances FILE [others]\n\n"
-    "How far the distances of any program are from a certified enclosure of the geodesic distances.\n"
-    "MESH is an .off, .obj or .ply file of triangles; it is taken as it is. Border edges at the same place are not joined,\n"
-    "and a vertex without faces is infinitely far away.\n"
-    "Exit code: 0 if all distances are inside the enclosure or within the tolerance, 3 if some are not; 1 if something\n"
-    "that the command line names is wrong, 2 if the command line is");
+    "Compares the distances of any program with certified bounds of the geodesic distances.\n"
+    "MESH is an .off, .obj or .ply file of triangles; it is not repaired. Border edges at the same place are not joined,\n"
+    "and a vertex without faces is unreachable.\n"
+    "Exit code: 0 if all distances are within the bounds or the tolerance, 3 if some are not; 1 if something\n"
+    "that the command line names is wrong, 2 if the command line is wrong");
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
 
   po::options_description others("Distances and others");
   others.add_options()
     ("distances", word("FILE"), "one distance per line in the order of the vertices, or lines of a vertex and its "
                                 "distance, where '#' begins a comment; or, if it ends in .ply, a property of the "
-                                "vertices. 'inf' is where no source can be reached from")
-    ("property", word("NAME"), "the property of the .ply file (default: the first there is of distance, quality, scalar, "
+                                "vertices. 'inf' for unreachable vertices")
+    ("property", word("NAME"), "the property of the .ply file (default: the first existing one of distance, quality, scalar, "
                                "geodesic_distance, geodesic, value)")
-    ("tolerance", word("REL"), "distances may be outside of the enclosure by as much, relative to the bound (default: 0)")
-    ("per-vertex", word("FILE"), "a table of all vertices: vertex, lower and upper bound, distance, and how far it is "
-                                 "outside, negative if too short")
+    ("tolerance", word("REL"), "distances may be outside the bounds by this, relative to the bound (default: 0)")
+    ("per-vertex", word("FILE"), "a table of all vertices: vertex, lower and upper bound, distance, and distance "
+                                 "from the bounds, negative if too short")
     ("version", po::bool_switch(), "print the version")
     ("help", po::bool_switch(), "print this");
 

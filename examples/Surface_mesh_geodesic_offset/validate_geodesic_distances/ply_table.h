@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances as a property of the vertices in a PLY file.
+// Distances as a vertex property of a PLY file.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_PLY_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_PLY_TABLE_H
@@ -33,7 +33,7 @@ class Ply_table_reader
   bool               m_has_points = false;
   Distance_table     m_table;
 
-  // The rows of the vertices
+  // Reader of the vertex rows.
   class Rows
   {
     const internal::Ply_file&  m_file;

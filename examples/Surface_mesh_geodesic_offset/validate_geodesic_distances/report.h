@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the user gets to read, and the table of all vertices.
+// Report for the user, and table of all vertices.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_REPORT_H
 #define VALIDATE_GEODESIC_DISTANCES_REPORT_H
@@ -19,7 +19,7 @@
 
 namespace geodesic_offset {
 
-// With as many digits as a reader needs to get the same double
+// With as many digits as a reader needs to restore the double.
 inline std::string full_number(double value)
 {
   std::ostringstream stream;
@@ -41,23 +41,23 @@ public:
   {
     const Comparison& c = m_comparison;
     count("vertices", c.errors.size(), "in the mesh and in the table");
-    count("inside", c.inside, "between their certified bounds, or infinite where no source can be reached from");
-    count("too short", c.too_short, "below the lower bound: no path on the surface is as short as that");
+    count("inside", c.inside, "between their certified bounds, or infinite for unreachable vertices");
+    count("too short", c.too_short, "below the lower bound: no path on the surface is as short");
     count("too long", c.too_long, "above the upper bound: there is a shorter path on the surface");
     count("infinite in the table only", c.infinite_in_table_only, "there is a path to a source");
     count("finite in the table only", c.infinite_in_truth_only, "there is no path to any source");
     count("beyond the tolerance", c.beyond_tolerance,
           tolerance == 0 ? "all that are not inside" : "outside by more than " + short_number(tolerance) + " of the bound");
 
-    count("compared", c.reached, "finite in both: the figures below are about these vertices");
-    count("compared relatively", c.away, "those of them that are not at distance 0: the relative figures are about these");
-    errors("outside, absolute", c.outside, "distance from the enclosure, 0 inside");
+    count("compared", c.reached, "finite in both: the following figures are for these vertices");
+    count("compared relatively", c.away, "of these, not at distance 0: the relative figures are for these");
+    errors("outside, absolute", c.outside, "distance from the certified bounds, 0 inside");
     errors("outside, relative", c.relative_outside, "the same, divided by the bound");
-    errors("off the middle, absolute", c.off_middle, "difference from the middle of the enclosure");
+    errors("off the middle, absolute", c.off_middle, "difference from the middle of the bounds");
     errors("off the middle, relative", c.relative_off_middle, "the same, divided by the middle");
     number("bias, absolute", c.bias, "mean of distance minus middle: negative if too short on average");
     number("bias, relative", c.relative_bias, "the same, divided by the middle");
-    widths("width, absolute", c.width, "of the enclosures: errors below it cannot be seen");
+    widths("width, absolute", c.width, "difference of the bounds: smaller errors cannot be detected");
     widths("width, relative", c.relative_width, "the same, divided by the middle");
 
     if(c.inside == c.errors.size())
@@ -101,7 +101,7 @@ private:
   }
 };
 
-// One line a vertex.
+// One line per vertex.
 inline void write_per_vertex(std::ostream& out, const std::vector<Comparison::Bounds>& bounds,
                              const std::vector<double>& distances, const std::vector<double>& errors)
 {

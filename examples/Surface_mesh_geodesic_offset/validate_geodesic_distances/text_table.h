@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances in a text file: one a line in the order of the vertices, or lines of a vertex and its distance.
-// The first line decides which of both.
+// Distances in a text file: one per line in the order of the vertices, or lines with a vertex and its distance. The first
+// line decides.
 
 #ifndef VALIDATE_GEODESIC_DISTANCES_TEXT_TABLE_H
 #define VALIDATE_GEODESIC_DISTANCES_TEXT_TABLE_H
@@ -26,7 +26,7 @@ class Text_table_reader
   const std::string&       m_path;
   const std::string&       m_mesh;
   std::vector<double>      m_distances;
-  std::vector<std::size_t> m_lines; // where the vertices are listed, 0 if they are not yet
+  std::vector<std::size_t> m_lines; // lines of the vertices, 0 if not yet listed
 
 public:
   Text_table_reader(const std::string& path, const std::string& mesh, std::size_t vertices)

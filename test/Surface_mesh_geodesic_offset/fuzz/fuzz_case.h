@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Small meshes with sources, levels and options from bytes, so that libFuzzer changes them one by one. Coordinates are mostly on
-// a coarse grid, where paths tie, and may be off it by any smallness.
+// Small meshes with sources, levels and options from bytes, which libFuzzer changes one by one. Coordinates are mostly on a
+// coarse grid, where paths tie, or displaced by an arbitrarily small amount.
 
 #ifndef GEODESIC_OFFSET_TEST_FUZZ_CASE_H
 #define GEODESIC_OFFSET_TEST_FUZZ_CASE_H
 
-#include "../enclosure_cases.h"
+#include "../certified_cases.h"
 #include "../geodesic_types.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace test {
 
-/// Numbers from bytes; zeros behind the last one.
+/// Numbers from bytes; zeros after the last byte.
 class Fuzz_bytes
 {
 public:
@@ -31,7 +31,7 @@ public:
   std::size_t index(std::size_t n) { return byte() % n; }
   bool flag() { return byte() % 2 != 0; }
 
-  /// From -1 to 1: a multiple of 1/32, or 1e-1 to 1e-16 off it
+  /// From -1 to 1: a multiple of 1/32, displaced by 0 or 1e-16 to 1e-1.
   double coordinate()
   {
     const unsigned b = byte();
@@ -40,7 +40,7 @@ public:
     const unsigned c = byte();
     return x + (c % 2 == 0 ? -1 : 1) * std::pow(10, -1. - double(c / 2 % 16));
   }
-  /// From 0 to 1: a multiple of 1/16, or 1e-1 to 1e-12 from 0 or 1
+  /// From 0 to 1: a multiple of 1/16, or within 1e-12 to 1e-1 of 0 or 1.
   double weight()
   {
     const unsigned b = byte();
@@ -53,11 +53,11 @@ private:
   const std::uint8_t *next_, *end_;
 };
 
-/// A connected mesh of up to 12 triangles whose border is one cycle, with up to three sources.
+/// Connected mesh of up to 12 triangles whose border is one cycle, with up to three sources.
 class Fuzz_case
 {
 public:
-  typedef Enclosure_case::Location Location;
+  typedef Certified_case::Location Location;
 
   explicit Fuzz_case(Fuzz_bytes& bytes) : bytes_(bytes)
   {
@@ -69,9 +69,9 @@ public:
     for (int i = 0; i < 3; ++i) case_.queries.push_back(location());
   }
 
-  const Enclosure_case& enclosure_case() const { return case_; }
+  const Certified_case& certified_case() const { return case_; }
 
-  /// The smallest height of a face, as a part of its longest side
+  /// Smallest ratio of the height of a face to its longest side.
   double flatness() const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -101,7 +101,7 @@ private:
       const std::size_t n = border.size(), i = bytes_.index(n), j = (i + 1) % n, k = (i + 2) % n;
       const std::size_t a = border[i], b = border[j], c = border[k];
       if (bytes_.index(3) == 0 && (n > 3 ? !has_edge(a, c) : case_.triangles.size() > 1))
-      { // between two edges of the border; the mesh is closed if there is no third one
+      { // between two edges of the border; with only two edges this closes the mesh
         case_.triangles.push_back({c, b, a});
         if (n == 3) return;
         border.erase(border.begin() + std::ptrdiff_t(j));
@@ -128,7 +128,7 @@ private:
     return false;
   }
 
-  // No weight is within the tolerance for zero, but zero.
+  // Nonzero weights exceed the tolerance for zero.
   Location location()
   {
     Location l{bytes_.index(case_.triangles.size()), {0, 0, 0}};
@@ -143,7 +143,7 @@ private:
   }
 
   Fuzz_bytes& bytes_;
-  Enclosure_case case_;
+  Certified_case case_;
 };
 
 } // namespace test

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances on small meshes under libFuzzer, from sources and with options of all kinds, against the reference with 113 bits of
-// ../reference_distances.h. Certified bounds must hold without exception; distances in doubles up to 1e-10 of the distance plus
-// the size of the mesh, unless faces are flatter than 2^-30.
+// libFuzzer test of distances on small meshes, with sources and options of all kinds, against the 113-bit reference of
+// ../reference_distances.h. Certified bounds must always hold; distances in doubles must be accurate to 1e-10 of the
+// distance plus the size of the mesh, unless faces are flatter than 2^-30.
 
-#include "../enclosure_search.h"
+#include "../certified_search.h"
 #include "fuzz_case.h"
 
 #include <cmath>
@@ -32,7 +32,7 @@ class Distances
 {
 public:
   explicit Distances(test::Fuzz_bytes& bytes)
-    : c_(test::Fuzz_case(bytes).enclosure_case()), bytes_(bytes), reference_(c_.points, c_.triangles)
+    : c_(test::Fuzz_case(bytes).certified_case()), bytes_(bytes), reference_(c_.points, c_.triangles)
   {
     test::Soup soup;
     for (const auto& p : c_.points) soup.points.push_back(test::Point_3(p[0], p[1], p[2]));
@@ -40,7 +40,7 @@ public:
     test::Generated_mesh<test::Surface_mesh> data(soup);
     Geodesic geodesic(data.mesh);
     for (std::size_t v : c_.source_vertices) geodesic.add_source_point(data.vertices[v]);
-    for (const auto& s : c_.sources) geodesic.add_source_point(test::Enclosure_search::location(data, c_, s));
+    for (const auto& s : c_.sources) geodesic.add_source_point(test::Certified_search::location(data, c_, s));
     reference_.solve(c_.source_vertices, c_.sources, c_.queries);
     largest_ = 0;
     for (std::size_t v = 0; v < c_.points.size(); ++v) largest_ = (std::max)(largest_, double(reference_.of_vertex(v)));
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // With options from the bytes, once more with other ones
+  // Builds with options from the bytes, then again with other options.
   void build(const test::Generated_mesh<test::Surface_mesh>& data, Geodesic& geodesic)
   {
     for (int round = 0; round < 2; ++round)
@@ -62,7 +62,7 @@ private:
       for (std::size_t v = 0; v < c_.points.size(); ++v)
         compare(geodesic.distance_to_sources(data.vertices[v]), double(reference_.of_vertex(v)), limit, relative, "vertex", v);
       for (std::size_t q = 0; keeps && !has_limit && q < c_.queries.size(); ++q)
-        compare(geodesic.distance_to_sources(test::Enclosure_search::location(data, c_, c_.queries[q])),
+        compare(geodesic.distance_to_sources(test::Certified_search::location(data, c_, c_.queries[q])),
                 double(reference_.of_query(q)), limit, relative, "query", q);
     }
   }
@@ -78,7 +78,7 @@ private:
            std::to_string(expected) + ", off by " + std::to_string(1e12 * (actual - expected)) + "e-12");
   }
 
-  const test::Enclosure_case c_;
+  const test::Certified_case c_;
   test::Fuzz_bytes& bytes_;
   Reference_distances reference_;
   double largest_;
@@ -92,8 +92,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const test::Fuzz_case fuzz_case(bytes);
   const double flatness = fuzz_case.flatness();
   if (!(flatness > 1e-17)) return 0; // no face may be degenerate
-  test::Enclosure_search search(std::cerr, 5);
-  search.run(fuzz_case.enclosure_case(), "certified bounds");
+  test::Certified_search search(std::cerr, 5);
+  search.run(fuzz_case.certified_case(), "certified bounds");
   if (search.total().violations > 0) std::abort();
   if (!(flatness > 0x1p-30)) return 0;
   try

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets on small meshes under libFuzzer, from points and polylines, at levels at and beside distances of vertices: each face
-// against the exact arrangement of ../offset_oracle.h, and no joint is forced. Faces flatter than 2^-30 are left out.
+// libFuzzer test of offsets on small meshes, from points and polylines, at and near vertex distances: each face is compared
+// with the exact arrangement of ../offset_oracle.h, and no joint is forced. Faces flatter than 2^-30 are skipped.
 
-#include "../enclosure_search.h"
+#include "../certified_search.h"
 #include "../locations.h"
 #include "../offset_oracle.h"
 #include "../offset_tools.h"
@@ -33,10 +33,10 @@ using test::Geodesic;
 class Offsets
 {
 public:
-  Offsets(test::Fuzz_bytes& bytes, const test::Enclosure_case& c) : bytes_(bytes), data_(soup_of(c)), geodesic_(data_.mesh)
+  Offsets(test::Fuzz_bytes& bytes, const test::Certified_case& c) : bytes_(bytes), data_(soup_of(c)), geodesic_(data_.mesh)
   {
     for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
-    for (const auto& s : c.sources) geodesic_.add_source_point(test::Enclosure_search::location(data_, c, s));
+    for (const auto& s : c.sources) geodesic_.add_source_point(test::Certified_search::location(data_, c, s));
     // a polyline along edges
     if (bytes_.flag())
     {
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  static test::Soup soup_of(const test::Enclosure_case& c)
+  static test::Soup soup_of(const test::Certified_case& c)
   {
     test::Soup soup;
     for (const auto& p : c.points) soup.points.push_back(test::Point_3(p[0], p[1], p[2]));
@@ -105,7 +105,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!(fuzz_case.flatness() > 0x1p-30)) return 0;
   try
   {
-    Offsets(bytes, fuzz_case.enclosure_case()).compare();
+    Offsets(bytes, fuzz_case.certified_case()).compare();
   }
   catch (const std::exception& error)
   {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The readers of the programs under libFuzzer (clang++ -fsanitize=fuzzer,address,undefined). The first byte chooses the
-// format, and the rest is the file.
+// libFuzzer test of the readers of the programs (clang++ -fsanitize=fuzzer,address,undefined). The first byte is the
+// format, the rest the file.
 
 #include "read_input.h"
 

@@ -6,8 +6,8 @@
 //   mutated_files COUNT [SEED [PROGRAM]]
 //   mutated_files --samples FOLDER
 //
-// The exit code is 1 if a file did harm; it is then in the current folder. PROGRAM is geodesic_offset. The second form writes the
-// whole files as a corpus for fuzz_readers.
+// The exit code is 1 if a file caused a fault; the file is then in the current folder. PROGRAM is geodesic_offset. The
+// second form writes the unchanged files as a corpus for fuzz_readers.
 
 #include "mutation_run.h"
 
@@ -20,7 +20,7 @@
 
 namespace {
 
-// The first byte of a file of the corpus is the format, see fuzz_readers.cpp.
+// The first byte of a corpus file is the format, see fuzz_readers.cpp.
 void write_samples(const std::filesystem::path& folder)
 {
   const std::string extensions[] = {".off", ".obj", ".ply", ".stl", ".polylines.txt", ".txt", ".table.ply"};

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Mutated files of all formats, against the readers of the programs or against a program itself. Every file is accepted, or
-// rejected with one line that names it, within 5 seconds.
+// Test of the readers of the programs, or of a program itself, with mutated files of all formats. Every file must be
+// accepted, or rejected with one line that names it, within 5 seconds.
 
 #ifndef GEODESIC_OFFSET_TEST_MUTATION_RUN_H
 #define GEODESIC_OFFSET_TEST_MUTATION_RUN_H
@@ -43,7 +43,7 @@ inline bool accepted_by_program(const std::string& program, const std::string& f
   require(result.exit_code >= 0 && result.exit_code <= 2, "a signal, or an exit code that is not 0, 1 or 2");
   require(result.output.empty(), "an output");
   require(result.errors.empty() || result.errors.back() == '\n', "a line that does not end");
-  std::size_t errors = 0; // warnings may stand in front of one
+  std::size_t errors = 0; // warnings may precede it
   std::istringstream lines(result.errors);
   for (std::string line; std::getline(lines, line);)
   {
@@ -54,8 +54,8 @@ inline bool accepted_by_program(const std::string& program, const std::string& f
   return result.exit_code == 0;
 }
 
-/// Runs `count` mutations, number i with the seed `seed` + i, against the readers, or, if it is named, against a program, which
-/// then gets meshes and polylines only. A file that does harm is written to the current folder and named on the standard error.
+/// Runs `count` mutations, number i with seed `seed` + i, with the readers, or with a program if one is given, which reads
+/// only meshes and polylines. A file that causes a fault is written to the current folder and named on standard error.
 /// Returns the tallies by extension, and the number of these files, at most 20.
 inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::uint64_t count, std::uint64_t seed,
                                                                          const std::string& program = "")
@@ -64,7 +64,7 @@ inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::
   std::vector<Sample_file> samples = sample_meshes();
   for (const Sample_file& sample : other_samples())
     if (program.empty() || sample.extension == ".polylines.txt") samples.push_back(sample);
-  // all extensions have the same share, however many samples they have
+  // extensions are equally likely, however many samples they have
   std::map<std::string, std::vector<const Sample_file*>> by_extension;
   for (const Sample_file& sample : samples) by_extension[sample.extension].push_back(&sample);
   std::vector<std::string> extensions;
@@ -81,7 +81,7 @@ inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::
     const std::string& extension = extensions[i % extensions.size()];
     const auto& group = by_extension[extension];
     const std::string& whole = group[mutator.below(group.size())]->bytes;
-    // an exact copy, so that sanitizers see reads beyond its end
+    // exact-size copy, so that sanitizers detect reads beyond the end
     const std::string text = mutator(whole, samples[mutator.below(samples.size())].bytes);
     const std::vector<char> bytes(text.begin(), text.end());
     const std::string path = program.empty() ? "file" + extension : (scratch / ("file" + extension)).string();

@@ -21,10 +21,10 @@ class File_mutator
 public:
   explicit File_mutator(std::uint64_t seed) : m_random(seed) {}
 
-  /// A number from 0 to n - 1, or 0
+  /// Number from 0 to n - 1; 0 for n = 0.
   std::size_t below(std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(m_random() % n); }
 
-  /// One to eight changes; `other`: a file to take parts from
+  /// Applies one to eight changes; `other`: a file as a source of parts.
   std::string operator()(std::string bytes, const std::string& other)
   {
     constexpr std::size_t longest = 1 << 16;
@@ -83,7 +83,7 @@ private:
     return words[below(sizeof(words) / sizeof(words[0]))];
   }
 
-  // Replaces the word that contains a position.
+  // Replaces the word at a position.
   static void replace_word(std::string& bytes, std::size_t at, const std::string& by)
   {
     std::size_t begin = at, end = at;
@@ -118,7 +118,7 @@ private:
     bytes.erase(begin, line_size(bytes, begin));
   }
 
-  // A special number of a binary file
+  // Writes a special number of a binary file.
   void overwrite(std::string& bytes, std::size_t at)
   {
     static const std::uint64_t patterns[] = {0, 1, 3, 0xff, 0x7f, 0x80, 0xffff, 0x7fffffff, 0x80000000, 0xffffffff, 0x7f800000,

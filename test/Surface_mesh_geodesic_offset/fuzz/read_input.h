@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reads the bytes of a file as the programs do, and checks what they rely on.
+// Reads the bytes of a file as the programs do, and checks the guarantees of the readers.
 
 #ifndef GEODESIC_OFFSET_TEST_READ_INPUT_H
 #define GEODESIC_OFFSET_TEST_READ_INPUT_H
@@ -44,8 +44,8 @@ inline void check_table(const geodesic_offset::Distance_table& table, std::size_
   require(table.points.empty() || table.points.size() == vertices, "a wrong number of points");
 }
 
-/// Returns whether the file is accepted. Throws std::logic_error if the reader does not keep its promises: any exception but
-/// an Input_error with one line that names the file, or a result that is out of range.
+/// Returns whether the file is accepted. Throws std::logic_error on any exception except an Input_error with one line that
+/// names the file, and on results out of range.
 inline bool read_input(const std::string& path, std::string_view bytes)
 {
   using namespace geodesic_offset;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One small surface in all variants of all formats of meshes, polylines and distances that the programs read: the tests of
-// the readers expect the same surface from all mesh files, and the fuzzers begin with these files.
+// A small surface in all variants of all formats of meshes, polylines and distances that the programs read: tests of the
+// readers expect the same surface from all mesh files, and the fuzzers start with these files.
 
 #ifndef GEODESIC_OFFSET_TEST_SAMPLE_FILES_H
 #define GEODESIC_OFFSET_TEST_SAMPLE_FILES_H
@@ -19,11 +19,11 @@ namespace test {
 struct Sample_file
 {
   std::string name;
-  std::string extension; // ".off"; what it is read as
+  std::string extension; // determines the format, for example ".off"
   std::string bytes;
 };
 
-/// A pyramid over a quadrilateral. All coordinates are whole numbers from 0 to 9, which every number type has.
+/// Pyramid over a quadrilateral. All coordinates are integers from 0 to 9, which every number type represents.
 struct Sample_surface
 {
   std::vector<std::vector<int>> points = {{0, 0, 0}, {4, 0, 0}, {4, 5, 0}, {0, 5, 0}, {2, 2, 9}};
@@ -32,7 +32,7 @@ struct Sample_surface
 
 namespace internal {
 
-/// The bytes of a number, in either order
+/// Bytes of a number in either byte order.
 template <class Number>
 std::string number_bytes(Number number, bool is_big_endian)
 {
@@ -113,7 +113,7 @@ inline std::string ply_file(const Ply_variant& variant)
   return text;
 }
 
-/// [ST][C][N][4][n]OFF as text
+/// [ST][C][N][4][n]OFF as text.
 inline std::string off_text(const std::string& keyword, const std::string& line_end = "\n")
 {
   const Sample_surface surface;
@@ -167,7 +167,7 @@ inline std::string off_binary(const std::string& keyword)
   return text;
 }
 
-/// The triangles of the surface: the quadrilateral is divided.
+/// Triangles of the surface: the quadrilateral is divided.
 inline std::vector<std::vector<int>> sample_triangles()
 {
   std::vector<std::vector<int>> triangles;
@@ -213,7 +213,7 @@ inline std::string stl_binary(std::string header)
 
 } // namespace internal
 
-/// The pyramid in all variants of the formats of meshes
+/// The pyramid in all variants of mesh formats.
 inline std::vector<Sample_file> sample_meshes()
 {
   using namespace internal;
@@ -248,7 +248,7 @@ inline std::vector<Sample_file> sample_meshes()
     for (const char* type : types)
       files.push_back({name + "coordinates of type " + type, ".ply", ply_file({format, type, "uchar", "int"})});
     for (int i = 0; i < 14; ++i)
-      if (i != 6 && i != 7) // whole numbers
+      if (i != 6 && i != 7) // integers
       {
         files.push_back({name + "counts of type " + types[i], ".ply", ply_file({format, "float", types[i], "int"})});
         files.push_back({name + "indices of type " + types[i], ".ply", ply_file({format, "float", "uchar", types[i]})});
@@ -267,7 +267,7 @@ inline std::vector<Sample_file> sample_meshes()
     files.push_back({"OFF" + name, ".off", with(off_text("COFF"))});
     files.push_back({"STL" + name, ".stl", with(stl_text())});
     files.push_back({"ASCII PLY" + name, ".ply", with(ply_file({0, "float", "uchar", "int", true}))});
-    // only the lines of the header
+    // only the header lines
     const std::string binary = ply_file({1, "float", "uchar", "int"});
     const std::size_t header = binary.find("end_header\n") + 11;
     files.push_back({"binary PLY" + name, ".ply", with(binary.substr(0, header)) + binary.substr(header)});
@@ -282,7 +282,7 @@ inline std::vector<Sample_file> sample_meshes()
   return files;
 }
 
-/// Polylines, and distances of the vertices of the pyramid, as text and as PLY files
+/// Polylines, and distances of the pyramid's vertices, as text and PLY files.
 inline std::vector<Sample_file> other_samples()
 {
   std::vector<Sample_file> files;

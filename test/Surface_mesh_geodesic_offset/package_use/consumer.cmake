@@ -13,5 +13,5 @@ target_link_libraries(package_use
 # Being used must not bring the package's own tests, examples and benchmarks along.
 get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
 if(NOT targets STREQUAL "package_use" OR TARGET geodesic_offset OR TARGET doc)
-  message(FATAL_ERROR "targets that a user did not ask for: ${targets}")
+  message(FATAL_ERROR "targets that a user did not request: ${targets}")
 endif()

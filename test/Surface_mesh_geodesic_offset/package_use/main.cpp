@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A user's first program, with an answer known in closed form: on the unit square, from one corner,
-// the opposite corner is sqrt(2) away, and the offset at 1/2 is a quarter circle from side to side.
+// A user's first program, with a result in closed form: on the unit square, from one corner, the opposite corner is at
+// distance sqrt(2), and the offset at 1/2 is a quarter circle from side to side.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,7 +23,7 @@ typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic_offset;
 // Defined in second_unit.cpp, which includes the same headers: they must link together.
 double distance_between_corners(const Mesh& square);
 
-// Distances are right to rounding; a level is cut below itself by 2^-42 of its value.
+// Distances are correct up to rounding; a level is cut below itself by a fraction of 2^-42.
 bool is_near(double found, double expected, double tolerance = 1e-14)
 {
   return std::abs(found - expected) <= tolerance;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The same headers in a second translation unit, and included first: a function that is not inline,
-// or a header that leans on what its user included before it, does not get through.
+// The same headers in a second translation unit, and included first: detects functions that are not inline, and headers
+// that depend on other includes.
 
 #include <CGAL/Surface_mesh_geodesic_offset.h>
 

@@ -24,8 +24,7 @@ namespace parameters {
 \ingroup PkgSurfaceMeshGeodesicOffsetParameters
 
 \brief holds the named parameters of `IO::write_offset_curves()`: any number of the functions below, in any order, joined by
-dots, as in
-`parameters::chord_tolerance(0.01).unit(IO::Length_unit::MILLIMETER)`.
+dots, as in `parameters::chord_tolerance(0.01).unit(IO::Length_unit::MILLIMETER)`.
 */
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Offset_writing_parameters : Named_function_parameters<T, Tag, Base>
@@ -35,9 +34,9 @@ struct Offset_writing_parameters : Named_function_parameters<T, Tag, Base>
   using Named_parameters::Named_parameters;
 #endif
 
-  /// the largest distance of the polylines in the file from the curves: positive, in the units of the mesh's points. The
-  /// polylines have few points, see `Geodesic_offset_curve::points()`. SVG files
-  /// have arcs and need no tolerance; DXF files have arcs in horizontal planes and need a tolerance elsewhere.
+  /// the largest distance of polylines in the file from their curves: positive, in the units of the mesh's points. The
+  /// polylines have few points, see `Geodesic_offset_curve::points()`. The parameter does not affect arcs, which SVG files have
+  /// everywhere and DXF files in horizontal planes.
   /// %Default: 1e-4 of the diagonal of the bounding box of the end points of all pieces.
   template <class FT>
   auto chord_tolerance(const FT& d) const

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace IO {
 namespace Surface_mesh_geodesic_offset_internal {
 
-// Makes polylines of one curve.
+// Conversion of one curve to polylines of the document.
 template <class Curve>
 class Dxf_curve
 {
@@ -42,7 +42,7 @@ public:
   void write_to(std::vector<Dxf_polyline>& out)
   {
     if (m_n == 0) return;
-    if (!split_into_runs()) // all pieces are in one plane, or none
+    if (!split_into_runs()) // all pieces are in one plane, or none are
     {
       m_runs.push_back({0, m_n});
       out.push_back(is_horizontal(0) ? flat(0, true) : spatial(0, true));
@@ -58,7 +58,7 @@ private:
     std::size_t first, count;
   };
 
-  // The height of a horizontal face; not a number if the face is not horizontal.
+  // Height of a horizontal face; NaN for other faces.
   double height(std::size_t i) const
   {
     const std::array<Coordinates, 3> c = corners(m_curve, m_curve.piece(i));
@@ -79,7 +79,7 @@ private:
     return std::abs(m_heights[i] - m_heights[j]) <= 4 * rounding * size;
   }
 
-  // Where the plane changes. The curve is cut there only on behalf of arcs: segments are the same in both kinds of polyline.
+  // Splits the curve at changes of plane. Only arcs require it, since segments are the same in both kinds of polyline.
   // Returns whether there are several runs.
   bool split_into_runs()
   {
@@ -132,7 +132,7 @@ private:
       for_each_part(piece, CGAL_PI * (1 + 1e-12), [&](const Plane_piece& part) {
         p.vertices.push_back({{part.start[0], part.start[1], z}, std::tan(part.sweep / 4)});
       });
-    // no polyline has a single vertex, however short the curve
+    // every polyline has at least two vertices, however short the curve
     if (!p.is_closed || p.vertices.size() < 2)
       p.vertices.push_back({{pieces.back().end[0], pieces.back().end[1], z}, 0});
     return p;
@@ -148,7 +148,7 @@ private:
       p.vertices.push_back({coordinates(m_curve.point(point.location(m_curve))), 0});
     if (p.is_closed) p.vertices.pop_back();
     if (is_whole) return p;
-    // the ends are the very points at which the arcs beside them end
+    // the end points are identical to those of the adjacent arcs
     const std::size_t before = (r + m_runs.size() - 1) % m_runs.size(), after = (r + 1) % m_runs.size();
     if (m_curve.is_closed() || r > 0) p.vertices.front().point[2] = m_heights[m_runs[before].first];
     if (m_curve.is_closed() || after > 0) p.vertices.back().point[2] = m_heights[m_runs[after].first];
@@ -160,7 +160,7 @@ private:
   const Curve& m_curve;
   typename Curve::FT m_tolerance;
   std::size_t m_layer, m_n;
-  std::vector<double> m_heights; // of the pieces; not a number: the piece is not in a horizontal plane
+  std::vector<double> m_heights; // heights of the pieces; NaN: not in a horizontal plane
   std::vector<Run> m_runs;
 };
 
@@ -175,27 +175,27 @@ private:
   bulges; an arc is one bulge (or two, if it is longer than a half turn) however many faces it crosses.
 - A curve that has no arc in a horizontal plane becomes one 3D `POLYLINE` with few points, see
   `Geodesic_offset_curve::points()`.
-- Any other curve is split where its arcs enter and leave a horizontal plane, into polylines of both kinds. Each
-  ends at the very point at which the next one begins, so they can be joined again.
+- Any other curve is split where its arcs enter and leave a horizontal plane, into polylines of both kinds. Each polyline
+  ends at exactly the first point of the next one, so they can be rejoined.
 
-A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate). Its
-normal may point up or down. Polylines of closed curves have the flag "closed". There is one layer per distance, named
-`offset_` and the distance. One unit of the file is one unit of the mesh.
+A face is horizontal if the heights of its corners differ by no more than rounding (1e-12 of the largest coordinate),
+whether its normal points up or down. Polylines of closed curves have the flag "closed". There is one layer per distance,
+named `offset_` and the distance. One unit of the file is one unit of the mesh.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param chord_tolerance the largest distance of a 3D polyline from the curve that it stands for; positive
+\param chord_tolerance the largest distance of a 3D polyline from its curve; positive
 \param unit the unit of the mesh, for `$INSUNITS`; without one, the file is unitless
 \return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
+\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance,
                       Length_unit unit = Length_unit::NONE)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before any output
   std::vector<std::string> layers;
   std::map<std::string, std::size_t> layer_of;
   std::vector<internal::Dxf_polyline> polylines;

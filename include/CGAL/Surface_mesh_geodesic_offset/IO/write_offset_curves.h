@@ -44,7 +44,7 @@ enum class Offset_file_format
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
-\brief the format that belongs to the extension of a file name, in upper or lower case.
+\brief returns the format for the extension of a file name, in upper or lower case.
 
 \throws std::invalid_argument if the name has none of the extensions of `Offset_file_format`
 */
@@ -68,12 +68,12 @@ inline Offset_file_format offset_file_format(const std::string& file_name)
 
 namespace Surface_mesh_geodesic_offset_internal {
 
-// What write_offset_curves() is given, checked before a file is touched.
+// The arguments of write_offset_curves(), checked before a file is opened.
 template <class CurveRange>
 class Offset_curves_writer
 {
 public:
-  // \throws std::invalid_argument if these curves cannot be written in this format, or the tolerance is bad
+  // \throws std::invalid_argument if the curves cannot be written in this format, or if the tolerance is not positive
   template <class NamedParameters>
   Offset_curves_writer(Offset_file_format format, const CurveRange& curves, const NamedParameters& np)
     : m_curves(curves), m_format(format),
@@ -101,8 +101,7 @@ public:
   }
 
 private:
-  // The box of the points between pieces has the extent of the curves, or half of it at least: pieces are no longer than a
-  // half turn.
+  // The box of the points between pieces has at least half the extent of the curves, since no piece exceeds a half turn.
   double default_tolerance() const
   {
     Bbox_3 box;
@@ -134,7 +133,7 @@ private:
 \param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
 \return whether the stream is still good.
 \throws std::invalid_argument if the chord tolerance is not positive, or if the format is SVG and the curves do not lie in one
-        plane; nothing has been written then
+        plane; then nothing has been written
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_curves(std::ostream& os, Offset_file_format format, const OffsetCurveRange& curves,
@@ -154,7 +153,7 @@ bool write_offset_curves(std::ostream& os, Offset_file_format format, const Offs
 \param curves the curves
 \param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
 \return `false` if the file cannot be opened, or if writing fails.
-\throws std::invalid_argument as `offset_file_format()`, and as the overload for streams; the file is unchanged then
+\throws std::invalid_argument as `offset_file_format()` and the overload for streams; then the file is unchanged
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_curves(const std::string& file_name, const OffsetCurveRange& curves,
@@ -164,7 +163,7 @@ bool write_offset_curves(const std::string& file_name, const OffsetCurveRange& c
                                                                                              curves, np);
   std::ofstream os(file_name, std::ios::binary);
   if (!os || !writer.write(os)) return false;
-  os.close(); // which writes the last part
+  os.close(); // flushes
   return os.good();
 }
 

@@ -23,15 +23,15 @@ A closed curve repeats its first point.
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param chord_tolerance the largest distance of a line from the curve that it stands for; positive
+\param chord_tolerance the largest distance of a line from its curve; positive
 \return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
+\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_polylines(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before any output
   const internal::Full_precision precision(os);
   for (const auto& curve : curves)
   {

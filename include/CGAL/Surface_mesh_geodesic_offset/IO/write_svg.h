@@ -28,7 +28,7 @@ namespace CGAL {
 namespace IO {
 namespace Surface_mesh_geodesic_offset_internal {
 
-// The smallest upright rectangle round pieces.
+// Bounding rectangle of pieces, parallel to the axes.
 class Plane_box
 {
 public:
@@ -37,7 +37,7 @@ public:
     add(piece.start);
     add(piece.end);
     if (!piece.is_arc()) return;
-    // an arc bulges farthest in the directions of the axes
+    // the extreme points of an arc are in the directions of the axes
     const double first = std::atan2(piece.start[1] - piece.center[1], piece.start[0] - piece.center[0]);
     const double low = (std::min)(first, first + piece.sweep), high = (std::max)(first, first + piece.sweep);
     for (double quarter = std::ceil(low / (CGAL_PI / 2)); quarter <= high / (CGAL_PI / 2); ++quarter)
@@ -75,7 +75,7 @@ struct Svg_path
 // The y axis of the format points down.
 inline void write_path(std::ostream& os, const Svg_path& path)
 {
-  // an arc is given by its ends and radius, which tell a half turn and more badly
+  // an arc is given by its ends and radius, which is ill-conditioned near a half turn and ambiguous beyond
   constexpr double largest_sweep = 2 * CGAL_PI / 3;
   os << "<path d=\"M" << path.pieces.front().start[0] << ' ' << -path.pieces.front().start[1];
   for (const Plane_piece& piece : path.pieces)
@@ -89,7 +89,7 @@ inline void write_path(std::ostream& os, const Svg_path& path)
   os << (path.is_closed ? " Z\"/>\n" : "\"/>\n");
 }
 
-// A length as an attribute. The format has no meters.
+// Writes a length as an attribute; in millimeters for meters, which the format does not have.
 inline void write_length(std::ostream& os, const char* attribute, double length, Length_unit unit)
 {
   os << ' ' << attribute << "=\"" << (unit == Length_unit::METER ? 1000 * length : length)
@@ -101,11 +101,12 @@ inline void write_length(std::ostream& os, const char* attribute, double length,
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
-\brief whether a mesh lies in one plane, up to 1e-6 of its extent, so that `write_offset_SVG()` can write its offset curves.
+\brief returns whether a mesh lies in one plane, up to 1e-6 of its extent, so that `write_offset_SVG()` can write its offset
+curves.
 
-Curves are checked again when they are written, against the extent of the faces that they cross: with coordinates that are
-rounded to fewer than some ten digits, a curve that crosses only few small faces of a planar mesh may be refused. The curves
-of another mesh can be written if all faces that they cross lie in one plane, which depends on the curves.
+`write_offset_SVG()` checks curves again, relative to the extent of the faces that they cross. If coordinates are rounded to
+fewer than about ten digits, it may reject a curve that crosses only a few small faces of a planar mesh. Curves of other
+meshes can be written if all faces that they cross lie in one plane.
 
 Takes linear time.
 
@@ -145,20 +146,20 @@ bool can_write_offset_SVG(const TriangleMesh& tm, const NamedParameters& np = pa
 
 Each curve is a `path` of lines and true circular arcs; an arc is not divided where it crosses edges of the mesh. Closed
 curves end with `Z`. There is one group `g` per distance, with the distance as its attribute `data-distance` and as its title.
-One user unit is one unit of the mesh; the `viewBox` holds all curves and a margin.
+One user unit is one unit of the mesh; the `viewBox` contains all curves and a margin.
 
-The plane may have any position. If its slope is less than 45 degrees, it is drawn as a map: seen from above, with the y axis
+The plane may have any position. A plane with a slope of less than 45 degrees is drawn as a map: from above, with the y axis
 pointing up. So in a horizontal plane the coordinates of the paths are \f$ (x, -y) \f$, as the y axis of the format points
-down. Other planes are drawn as seen from the outside of the surface, with the z axis pointing up.
+down. Other planes are drawn from the outside of the surface, with the z axis pointing up.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
 \param unit the unit of the mesh. With a unit, the picture has a width and a height in this unit, or in millimeters for
-       meters; without, it fills the page or window in which it is shown.
+       meters; otherwise it fills the page or window that displays it.
 \return whether the stream is still good.
-\throws std::invalid_argument if the faces that the curves cross do not lie in one plane, up to 1e-6 of their extent. Then
-        nothing has been written.
+\throws std::invalid_argument if the faces that the curves cross do not lie in one plane, up to 1e-6 of their extent; then
+        nothing has been written
 */
 template <class OffsetCurveRange>
 bool write_offset_SVG(std::ostream& os, const OffsetCurveRange& curves, Length_unit unit = Length_unit::NONE)

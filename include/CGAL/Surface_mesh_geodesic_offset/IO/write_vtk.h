@@ -20,7 +20,7 @@ namespace Surface_mesh_geodesic_offset_internal {
 struct Vtk_line
 {
   std::vector<Coordinates> points;
-  std::vector<std::size_t> sources; // of the points
+  std::vector<std::size_t> sources; // source of each point
   std::vector<int> sides;
   double distance;
   bool is_closed;
@@ -30,7 +30,7 @@ template <class Curve, class FT>
 Vtk_line vtk_line(const Curve& curve, const FT& chord_tolerance)
 {
   Vtk_line line;
-  // a segment belongs to one source and one side
+  // each segment belongs to one source and one side
   const auto is_change = [&](std::size_t i) {
     const std::size_t next = i + 1 < curve.number_of_pieces() ? i + 1 : curve.is_closed() ? 0 : i;
     return curve.piece(i).source() != curve.piece(next).source() || curve.piece(i).side() != curve.piece(next).side();
@@ -49,7 +49,7 @@ Vtk_line vtk_line(const Curve& curve, const FT& chord_tolerance)
   return line;
 }
 
-// The value of all points; -1 if there are several.
+// The common value of all points; -1 if they differ.
 template <class Number>
 long long common_value(const std::vector<Number>& values)
 {
@@ -66,30 +66,30 @@ long long common_value(const std::vector<Number>& values)
 \brief writes offset curves as lines of a legacy VTK file (ASCII, polydata), for ParaView and other users of VTK.
 
 Each curve is one line. A closed line ends with the index of its first point. The arrays are
-- of the lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
-  as in `Source_side`). The last two are -1 where a curve belongs to several sources or sides;
-- of the points: `source` and `side`. The point between two pieces has the values of the first of them. All points where
-  these values change are points of the line, whatever the tolerance, so each segment of a line belongs to one source and one
-  side: those of the point at its end.
+- for lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
+  as in `Source_side`). The last two are -1 if a curve belongs to several sources or sides;
+- for points: `source` and `side`. A point between two pieces has the values of the first piece. Independent of the
+  tolerance, all points where these values change are points of the line, so each segment of a line belongs to one source
+  and one side: those of its end point.
 
-`distance` is the active array. The arrays of the lines serve to select curves, for instance by a threshold; those of the
-points to colour the curves.
+`distance` is the active array. The arrays for lines serve to select curves, for instance by a threshold, those for points
+to colour the curves.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \param os the stream
 \param curves the curves
-\param chord_tolerance the largest distance of a line from the curve that it stands for; positive
+\param chord_tolerance the largest distance of a line from its curve; positive
 \return whether the stream is still good.
-\throws std::invalid_argument unless `chord_tolerance > 0`; nothing has been written then
+\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before anything is written
+  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before any output
   const internal::Full_precision precision(os);
 
-  // the number of all points stands before the first of them
+  // the total number of points precedes the points
   std::vector<internal::Vtk_line> lines;
   std::size_t number_of_points = 0, number_of_indices = 0;
   for (const auto& curve : curves)
@@ -120,7 +120,7 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT
     first += n;
   }
 
-  // Of several scalars, readers take only the first by themselves; fields they take all.
+  // readers load only the first of several scalars by default, but all fields
   os << "CELL_DATA " << lines.size() << "\nSCALARS distance double 1\nLOOKUP_TABLE default\n";
   for (const auto& line : lines) os << line.distance << '\n';
   os << "FIELD curves 3\nclosed 1 " << lines.size() << " int\n";

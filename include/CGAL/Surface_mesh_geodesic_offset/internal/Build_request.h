@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is asked of a build.
+// The request of a build: what it computes, and when it stops.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BUILD_REQUEST_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_BUILD_REQUEST_H
@@ -24,19 +24,18 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// What a build is to compute, and when it may stop.
 template <class FT>
 struct Build_request
 {
   FT maximum = Number_policy<FT>::infinity();
   bool keeps_windows = false;
-  std::vector<Surface_point<FT>> targets;   // stop when all are final; none: don't
-  std::function<bool(double)> goes_on = {}; // told the part of the work that is done
+  std::vector<Surface_point<FT>> targets; // stop when all of them are final; empty: no such condition
+  std::function<bool(double)> goes_on = {}; // called with the completed fraction; false stops the build
   Merging_tolerance<FT> tolerance = {};
-  bool finds_farthest = false; // whether it finds the largest distance, also inside faces, on the way
+  bool finds_farthest = false; // also compute the largest distance, including face interiors
 
-  // Reads the named parameters; locate(target) is the place of a target on the surface.
-  // \throws std::invalid_argument if a number is out of its range
+  // Reads the named parameters; locate(target) is the location of a target on the surface.
+  // \throws std::invalid_argument if a number is out of range
   template <class Target, class NamedParameters, class Locate>
   static Build_request read(const NamedParameters& np, const Locate& locate)
   {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Says that memory will be asked for soon: otherwise each line of it is waited for.
+// Software prefetch.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PREFETCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PREFETCH_H
@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Inlined: a call of a function without effects would be dropped. The address need not be valid.
+// Forced inline: the compiler would drop a call of a function without effects. The address may be invalid.
 BOOST_FORCEINLINE void prefetch(const void* p)
 {
 #if defined(__GNUC__)
@@ -32,7 +32,7 @@ BOOST_FORCEINLINE void prefetch(const void* p, std::size_t bytes)
   for (std::size_t i = 0; i < bytes; i += 64) prefetch(static_cast<const char*>(p) + i);
 }
 
-// There need not be such an element.
+// Index i may be out of range.
 template <class T>
 BOOST_FORCEINLINE void prefetch_element(const T* first, std::size_t i)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the writers share: points and numbers of curves, whatever their number type.
+// Functions shared by the writers: points and numbers of curves of any number type.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DISCRETIZED_CURVES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DISCRETIZED_CURVES_H
@@ -28,7 +28,7 @@ namespace CGAL {
 namespace IO {
 namespace Surface_mesh_geodesic_offset_internal {
 
-// Enough digits for a reader to get the same doubles, and a point for the decimal point, as long as this object lives.
+// Scope with enough digits for readers to restore the doubles, and a decimal point in every locale.
 class Full_precision
 {
 public:
@@ -56,7 +56,7 @@ private:
   std::locale m_locale;
 };
 
-// For the names of layers and groups: 0.3, where the nearest double is 0.29999999999999999.
+// Number in names of layers and groups: 0.3, not 0.29999999999999999.
 inline std::string short_number(double x, int digits = std::numeric_limits<double>::digits10)
 {
   std::ostringstream text;
@@ -66,7 +66,7 @@ inline std::string short_number(double x, int digits = std::numeric_limits<doubl
   return text.str();
 }
 
-// As short as a reader needs it to get the same double.
+// Shortest number from which a reader restores the double.
 inline std::string exact_number(double x)
 {
   std::istringstream text(short_number(x));
@@ -91,15 +91,15 @@ inline void write_coordinates(std::ostream& os, const Coordinates& p)
   os << p[0] << ' ' << p[1] << ' ' << p[2];
 }
 
-// The points of a curve within a tolerance, and the index of the piece that each is taken from; the point between two pieces
-// is one of the first of them. A closed curve repeats its first point.
+// Points of a curve within a tolerance, with the index of the piece of each point; a point between two pieces belongs to
+// the first of them. A closed curve repeats its first point.
 struct Discretized_curve
 {
   std::vector<Coordinates> points;
   std::vector<std::size_t> pieces;
 };
 
-// is_kept(i): whether the end of the piece i is to be a point.
+// is_kept(i): whether the end of piece i must be a point.
 template <class Curve, class FT, class Condition>
 Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance, const Condition& is_kept)
 {

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A DXF document of AutoCAD 2000 (AC1015) with polylines on layers, and the tables and objects without which AutoCAD does
-// not open one.
+// DXF document of AutoCAD 2000 (AC1015): polylines on layers, and the tables and objects that AutoCAD requires.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DXF_DOCUMENT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_DXF_DOCUMENT_H
@@ -28,18 +27,19 @@ namespace Surface_mesh_geodesic_offset_internal {
 struct Dxf_vertex
 {
   Coordinates point;
-  double bulge = 0; // of the way to the next vertex: tangent of a quarter of the angle, positive if counterclockwise
+  // Bulge of the edge to the next vertex: tangent of a quarter of the angle, positive if counterclockwise.
+  double bulge = 0;
 };
 
 struct Dxf_polyline
 {
   std::size_t layer = 0;
-  bool is_horizontal = false; // then it may have bulges, and all points have the height of the first
-  bool is_closed = false;     // then the first point is not repeated
+  bool is_horizontal = false; // may have bulges; all points have the height of the first
+  bool is_closed = false; // the first point is not repeated
   std::vector<Dxf_vertex> vertices;
 };
 
-// Every object of a document has a number in hexadecimal digits, its handle.
+// Every object of a document has a hexadecimal number, its handle.
 class Dxf_document
 {
 public:
@@ -73,7 +73,7 @@ private:
 
   static std::size_t first_entity(std::size_t number_of_layers) { return first_layer + number_of_layers; }
 
-  // The value of $INSUNITS.
+  // Value of $INSUNITS.
   static int number_of(Length_unit unit)
   {
     switch (unit)
@@ -105,7 +105,7 @@ private:
     for (int i = 0; i < 3; ++i) group(code + 10 * i, p[std::size_t(i)]);
   }
 
-  // The number, the owner and the class of an object
+  // Writes type, handle, owner and class of an object.
   void object(const char* type, std::size_t handle, std::size_t owner, const char* class_name)
   {
     group(0, type);
@@ -189,7 +189,7 @@ private:
     m_os << "0\nENDSEC\n";
   }
 
-  // The view on opening: from above on everything.
+  // Initial view: everything from above.
   void viewport(const Bbox_3& box)
   {
     const double width = box.x_span(), height = box.y_span();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plane that faces lie in, with the coordinates of a drawing.
+// Common plane of faces, with the coordinates of a drawing.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_PLANE_OF_CURVES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_PLANE_OF_CURVES_H
@@ -34,9 +34,9 @@ inline Coordinates cross(const Coordinates& p, const Coordinates& q)
 
 inline Coordinates scaled(double s, const Coordinates& p) { return {s * p[0], s * p[1], s * p[2]}; }
 
-// A plane that rises by less than half a right angle is drawn as a map: seen from above, with the y axis, or as much of it
-// as lies in the plane, pointing up. So coordinates in a horizontal plane are x and y. Others are drawn as a view from the
-// outside of the surface, with the z axis pointing up.
+// A plane with a slope of less than 45 degrees is drawn as a map: from above, with the projection of the y axis pointing
+// up. So coordinates in a horizontal plane are x and y. Other planes are drawn from the outside of the surface, with the z
+// axis pointing up.
 class Plane_of_faces
 {
 public:
@@ -62,7 +62,7 @@ public:
   Plane_point operator()(const Coordinates& p) const { return {dot(m_x, p), dot(m_y, p)}; }
 
 private:
-  // All area vectors, turned to the side of the largest one: the rounding of small faces averages out.
+  // Sum of all area vectors, oriented like the largest one, so that the rounding errors of small faces average out.
   template <class Faces>
   void find_normal(const Faces& for_each_face)
   {
@@ -77,7 +77,7 @@ private:
       m_point = c[0];
     });
     if (largest == 0) return;
-    // coordinates that were rounded to seven digits are in one plane
+    // accepts coordinates rounded to seven digits
     m_tolerance = 1e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
     Coordinates sum{};
     for_each_face([&](const std::array<Coordinates, 3>& c) {
@@ -96,12 +96,12 @@ private:
   double m_tolerance = 0;
 };
 
-// The plane of the faces that curves cross.
+// Common plane of the faces that curves cross.
 template <class CurveRange>
 class Plane_of_curves : public Plane_of_faces
 {
 public:
-  // Throws std::invalid_argument if these faces do not lie in one plane.
+  // Throws std::invalid_argument if the faces do not lie in one plane.
   explicit Plane_of_curves(const CurveRange& curves)
     : Plane_of_faces([&curves](const auto& f) {
         for_each_face(curves, [&f](const auto& corners, const auto&, std::size_t) { f(corners); });

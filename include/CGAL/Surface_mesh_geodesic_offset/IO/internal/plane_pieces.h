@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pieces of offset curves that lie in one plane, as arcs and segments in two coordinates of this plane. What was one arc
-// before the edges of the mesh divided it is one arc again.
+// Pieces of offset curves in a common plane, as arcs and segments in its coordinates. An arc that edges of the mesh divide
+// is joined again.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_PLANE_PIECES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_INTERNAL_PLANE_PIECES_H
@@ -27,17 +27,17 @@ typedef std::array<double, 2> Plane_point;
 
 inline Plane_point moved(const Plane_point& p, double s, const Plane_point& v) { return {p[0] + s * v[0], p[1] + s * v[1]}; }
 
-// A segment, or an arc round a center.
+// A segment, or an arc with a center.
 struct Plane_piece
 {
   Plane_point start{}, end{};
-  Plane_point center{}; // of a segment: its unit direction
+  Plane_point center{}; // unit direction for a segment
   double radius = 0;
-  double sweep = 0; // the angle of an arc, positive if counterclockwise; 0: a segment
+  double sweep = 0; // angle of an arc, positive if counterclockwise; 0: a segment
 
   bool is_arc() const { return sweep != 0; }
 
-  // A point of an arc; `part` runs from 0 to 1.
+  // Point of an arc at parameter `part`, from 0 to 1.
   Plane_point at(double part) const
   {
     const double c = std::cos(part * sweep), s = std::sin(part * sweep);
@@ -46,7 +46,7 @@ struct Plane_piece
   }
 };
 
-// The corners of the face of a piece: source and target of its halfedge, and the third.
+// Corners of the face of a piece: source and target of its halfedge, and the third corner.
 template <class Curve>
 std::array<Coordinates, 3> corners(const Curve& curve, const typename Curve::Piece& piece)
 {
@@ -58,7 +58,8 @@ std::array<Coordinates, 3> corners(const Curve& curve, const typename Curve::Pie
   return {corner(0), corner(1), corner(2)};
 }
 
-// The point between the pieces i - 1 and i. The two faces there give it with different rounding, so all use this one.
+// The point between the pieces i - 1 and i. The faces of the two pieces round it differently, so both pieces use this
+// function.
 template <class Curve>
 Coordinates joint(const Curve& curve, std::size_t i)
 {
@@ -67,7 +68,7 @@ Coordinates joint(const Curve& curve, std::size_t i)
   return coordinates(curve.point(curve.piece(i - 1).end()));
 }
 
-// The frame of a face in the plane, given by the images of its corners.
+// Frame of a face in the plane, given by the images of its corners.
 class Frame_in_plane
 {
 public:
@@ -91,7 +92,7 @@ public:
     return moved(vector(p), 1, m_origin);
   }
 
-  // -1 if the face is seen from behind: then counterclockwise is clockwise.
+  // -1 if the face is seen from behind, where orientations are reversed.
   int turn() const { return m_turn; }
 
 private:
@@ -99,9 +100,9 @@ private:
   int m_turn;
 };
 
-// Distance within which pieces are on one circle or line: parts of the coordinates, and of the radius and the lengths.
-// Coordinates have rounding errors of some units in the last place, 1e-16 each. Windows that crossed k faces have images of
-// their sources with an error of some k units; the second part allows for 1e6 faces and is far below the precision of a
+// Tolerances for pieces on one circle or line: `same_point` is relative to the coordinates, which have rounding errors of
+// some units in the last place, 1e-16 each; `same_curve` is relative to the radius and the lengths. Windows that crossed k
+// faces have image errors of some k units; the latter tolerance allows for 1e6 faces and is far below the precision of a
 // drawing.
 constexpr double same_point = 1e-12, same_curve = 1e-9;
 
@@ -112,7 +113,7 @@ inline double largest_coordinate(const Plane_point& p, const Plane_point& q)
   return (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(q[0]), std::abs(q[1])});
 }
 
-// The angle by which an arc turns about another center; it is the sweep of the arc up to less than a half turn.
+// Angle of an arc seen from another center; the sweep of the arc, up to less than a half turn.
 inline double sweep_about(const Plane_point& center, const Plane_piece& arc)
 {
   const double x = arc.start[0] - center[0], y = arc.start[1] - center[1];
@@ -121,7 +122,7 @@ inline double sweep_about(const Plane_point& center, const Plane_piece& arc)
   return angle + 2 * CGAL_PI * std::round((arc.sweep - angle) / (2 * CGAL_PI));
 }
 
-// Whether q, which starts at the end of p, continues p on the same circle, or on the same line.
+// Whether q, which starts at the end of p, continues p on the same circle or line.
 inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
 {
   if (p.is_arc() != q.is_arc()) return false;
@@ -138,15 +139,15 @@ inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
   return p.sweep * q.sweep > 0 && is_on_curve(q.at(0.5)) && p.sweep * sweep_about(p.center, q) > 0;
 }
 
-// Adds the part that continues a piece.
+// Appends the continuation q to p.
 inline void add_continuation(Plane_piece& p, const Plane_piece& q)
 {
   if (p.is_arc()) p.sweep += sweep_about(p.center, q);
   p.end = q.end;
 }
 
-// The pieces `first`, ..., `first + count - 1` of a curve, counted round if it is closed.
-// `project` maps coordinates isometrically to a plane in which these pieces lie.
+// Pieces `first`, ..., `first + count - 1` of a curve, cyclically if it is closed. `project` maps coordinates isometrically
+// to a plane that contains these pieces.
 template <class Curve, class Project>
 std::vector<Plane_piece> plane_pieces(const Curve& curve, std::size_t first, std::size_t count, const Project& project)
 {
@@ -162,7 +163,7 @@ std::vector<Plane_piece> plane_pieces(const Curve& curve, std::size_t first, std
     const Frame_in_plane frame(project(face[0]), project(face[1]), project(face[2]));
     p.end = project(joint(curve, i + 1));
     p.sweep = frame.turn() * CGAL::to_double(piece.angle());
-    // no longer than rounding
+    // no longer than rounding errors
     if (plane_distance(p.start, p.end) <= same_point * largest_coordinate(p.start, p.end)) continue;
     if (piece.is_arc() && p.sweep == 0) continue;
     if (piece.is_arc())
@@ -204,7 +205,7 @@ std::vector<Plane_piece> plane_pieces(const Curve& curve, const Project& project
   return pieces;
 }
 
-// Divides an arc into equal parts of at most the given angle; calls f(piece) for each of them, or for the segment.
+// Divides an arc into equal parts of at most the given angle; calls f(piece) for each part, or for a segment.
 template <class Function>
 void for_each_part(const Plane_piece& piece, double largest_sweep, const Function& f)
 {

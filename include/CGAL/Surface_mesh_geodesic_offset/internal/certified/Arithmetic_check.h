@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arithmetic that the error analysis of certified bounds assumes: refused at compile time where macros tell that it is
-// another one, and checked when bounds are computed.
+// Checks of the arithmetic that the error analysis of certified bounds assumes: at compile time as far as macros reveal it,
+// otherwise when bounds are computed.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_ARITHMETIC_CHECK_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_ARITHMETIC_CHECK_H
@@ -16,11 +16,11 @@
 #include <limits>
 #include <stdexcept>
 
-// Excess precision: 0 is none; -1 is some or none, as with -mfpmath=both.
+// Excess precision: 0 is none; -1 is indeterminate, as with -mfpmath=both.
 #if FLT_EVAL_METHOD != 0
 #error "Surface_mesh_geodesic_enclosure: every operation must round to double (FLT_EVAL_METHOD is not 0)"
 #endif
-// Reordered sums, quotients by way of reciprocals, and no infinities, which stand for vertices that are not reached
+// Reordered sums, quotients via reciprocals, and missing infinities, which denote unreachable vertices
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||              \
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "Surface_mesh_geodesic_enclosure: every operation must round as IEEE 754 says (no -ffast-math, nor parts of it)"
@@ -39,16 +39,16 @@ inline void check_rounding_mode()
     throw std::logic_error("Surface_mesh_geodesic_enclosure: the rounding mode must be to nearest");
 }
 
-// Compilers that do not tell their options: whether sums, products and quotients are those of the error analysis.
+// Run-time check of sums, products and quotients, for compilers that do not reveal their options.
 inline void check_arithmetic()
 {
-  // of which the compiler must not know
+  // volatile: unknown to the compiler
   volatile const double one = 1, tiny = 0x1p-60, more = 1 + 0x1p-30, less = -(1 + 0x1p-29), divisor = 49;
   const Double_double sum = two_sum(double(one), double(tiny));
-  // more^2 + less = 2^-60, of which a product that is fused with the sum is counted twice
+  // more^2 + less = 2^-60; with a fused multiplication and addition the result is twice as large
   const double factor = more;
   const Double_double product = two_product(factor, factor) + Double_double(double(less));
-  // 1/49, 3/49 and 49/49 have one divisor; by way of its reciprocal, the last one is less than 1
+  // the quotients 1/49, 3/49 and 49/49 share a divisor; computed via its reciprocal, the last one is less than 1
   const double d = divisor, quotients[3] = {one / d, (one + one + one) / d, divisor / d};
   volatile const double third = quotients[2], first = quotients[0], second = quotients[1];
   const bool is_right = sum.high == 1 && sum.low == 0x1p-60 && product.high == 0x1p-60 && product.low == 0 && third == 1 &&

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Debug mode of certified bounds, with CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES: each statement of the error analysis, asserted
-// with 200 bits for each window. A statement that does not hold throws Certificate_error.
+// Debug mode of certified bounds, with CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES: asserts each statement of the error
+// analysis with 200 bits for each window. Throws Certificate_error if a statement does not hold.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFICATE_CHECK_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFICATE_CHECK_H
@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Image: where it is supposed to be, up to its error. Distances at the ends of the interval: up to their rounding.
+// The image and the distances at the ends of the interval are within their error bounds.
 inline void check_window(const Certified_window& w, double length)
 {
   const Precise_image& p = *w.precise;
@@ -43,7 +43,7 @@ inline void check_window(const Certified_window& w, double length)
   }
 }
 
-// The face of a halfedge, and the windows that cross it.
+// The face of a halfedge, for checks of windows that cross it.
 class Certificate_of_face
 {
 public:
@@ -56,14 +56,14 @@ public:
   {
   }
 
-  // Sides that are called certain.
+  // A certain side is correct.
   void check_side(const Certified_window& w, double b, Sign side) const
   {
     const Precise s = w.precise->side(m_apex.x, m_apex.y, place(b));
     check_certificate(side == ZERO || (side == POSITIVE ? s > 0 : s < 0), "side of an apex");
   }
 
-  // The distance at the apex: that of the image, and that of a path through the interval, are within the error.
+  // The distance of the image at the apex, and the length of a path through the interval to the apex, are within the error.
   void check_apex(const Certified_window& w, double d, double error) const
   {
     const Precise_image& p = *w.precise;
@@ -77,7 +77,7 @@ public:
     }
   }
 
-  // The angle at the apex from the edge to the source of the halfedge to the ray that comes from the image.
+  // Angle at the apex from the edge to the source of the halfedge to the ray from the image.
   Precise direction_at_apex(const Certified_window& w) const
   {
     const Precise_image& p = *w.precise;
@@ -93,7 +93,7 @@ public:
     check_certificate(boost::multiprecision::abs(entry - e) <= error, "entry of the ray to an apex");
   }
 
-  // The window that could not be unfolded: its rays run along the edge, or do not meet it.
+  // A window without a child: its rays are along the edge, or do not meet the edge.
   void check_no_child(const Certified_window& w, bool to_left, bool is_turned) const
   {
     const Precise_image& p = *w.precise;
@@ -102,7 +102,7 @@ public:
       check_certificate(unfolded(p, to_left).y >= -2 * Precise(w.error_of_image()) * (2 + m_length), "window along an edge");
   }
 
-  // The child holds all exits of the rays from the near end to `far`; paths to all its points are within its radius.
+  // The child contains all exits of the rays from the near end to `far`; paths to all its points are within its radius.
   void check_child(const Certified_window& w, double far, bool reaches_apex, bool to_left, Certified_window& child) const
   {
     const Precise_image& p = *w.precise;
@@ -110,7 +110,7 @@ public:
     const double near = to_left ? w.b0 : w.b1;
     const Precise& edge = to_left ? m_left_length : m_right_length;
     const double rounded_edge = to_left ? m_rounded_left_length : m_rounded_right_length;
-    // from the corner at which both edges meet
+    // measured from the common corner of both edges
     const Precise child_near = to_left ? Precise(child.b0) : Precise(m_right_length - child.b1);
     const Precise child_far = to_left ? Precise(child.b1) : Precise(m_right_length - child.b0);
     const bool is_whole = to_left ? child.b1 >= rounded_edge : child.b0 == 0;
@@ -140,7 +140,7 @@ public:
 private:
   Precise place(double b) const { return b < m_rounded_length ? Precise(b) : m_length; }
 
-  // The path to (x, y) by way of (b, 0).
+  // Length of the path to (x, y) via (b, 0).
   Precise through(const Precise_image& p, double b, const Precise& x, const Precise& y) const
   {
     return p.distance(place(b), Precise(0)) + precise_length(x - place(b), y);
@@ -148,7 +148,7 @@ private:
 
   Precise from_corner(bool at_source, double b) const { return at_source ? place(b) : Precise(m_length - place(b)); }
 
-  // As Certified_propagation::across.
+  // Exact version of Certified_propagation::across().
   Precise denominator(const Precise_image& p, bool to_left, double b) const
   {
     const Precise_2& c = to_left ? m_left : m_right;
@@ -171,7 +171,7 @@ private:
   const Precise_mesh& m_mesh;
 };
 
-// What is cut off an interval, or all of it, is farther than by way of an end of the halfedge, by more than the radius.
+// In the removed part of an interval, the path via an end of the halfedge is shorter by more than the radius.
 inline void check_pruning(const Certified_window& before, const Certified_window* after, double upper_source,
                           double upper_target, double length, double radius)
 {
@@ -190,7 +190,7 @@ inline void check_filter(const Certified_window& w, double t, double far_x, doub
                     "window that is filtered");
 }
 
-// As Certificate_of_face::check_apex, for a point (x, y) and the ends b0 and b1 of the interval.
+// Version of Certificate_of_face::check_apex() for a point (x, y) and the ends b0 and b1 of the interval.
 inline void check_query(const Certified_window& w, const Precise& x, const Precise& y, const Precise& b0, const Precise& b1,
                         double d, double error)
 {
@@ -203,7 +203,7 @@ inline void check_query(const Certified_window& w, const Precise& x, const Preci
     check_certificate(p.distance(b1, Precise(0)) + precise_length(x - b1, y) - d <= allowed, "path to a query point");
 }
 
-// At some points of each window that is swept there is a window of the envelope that has its image, or is certainly nearer.
+// At sample points of each input window, some window of the envelope has the same image or is certainly nearer.
 inline void check_envelope(const Certified_window* first, const Certified_window* last,
                            const std::vector<Certified_window>& envelope)
 {
@@ -225,17 +225,17 @@ inline void check_envelope(const Certified_window* first, const Certified_window
     }
 }
 
-// The directions behind a vertex: what is emitted into the corners covers all that is at angles of at least pi to a path.
+// Sector behind a vertex: the windows emitted into its corners cover all directions at angles of at least pi to a path.
 class Certificate_of_sector
 {
 public:
   explicit Certificate_of_sector(const Certified_mesh& mesh) : m_mesh(mesh) {}
 
   void clear() { m_windows.clear(); }
-  // On the edge opposite to the corner, in the frame of its twin.
+  // Window on the edge opposite to the corner, in the frame of the edge's twin.
   void add(Index corner, double from, double to) { m_windows[corner].push_back({from, to}); }
 
-  // back: at an angle from the halfedge `corner`.
+  // back: angle from the halfedge `corner`.
   void check(Index corner, const Precise& back) const
   {
     const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
@@ -261,7 +261,7 @@ public:
         check_part(c, angle + pi - sum, mesh[c].angle);
         check_part(c, Precise(0), angle - pi - sum);
       }
-      if (border == no_index) check_part(c, angle + pi - total - sum, angle - pi - sum); // once round
+      if (border == no_index) check_part(c, angle + pi - total - sum, angle - pi - sum); // after a full turn
       sum = end;
       c = unfolded.corner_ccw(c);
     } while (c != no_index && c != first);
@@ -277,7 +277,8 @@ private:
     if (unfolded.twin(e) == no_index) return;
     from = (std::max)(from, Precise(0));
     to = (std::min)(to, angle);
-    // Rays along the edges of the corner are those of vertices; below the flatness that makes no pseudo-source there is none.
+    // Paths through vertices cover rays along the edges of the corner; sectors below the flatness of non-pseudo-sources may
+    // be missing.
     if (!(to - from > Precise(Certified_mesh::flat) * 64)) return;
     const auto exit = [&](const Precise& a) {
       return mesh[e].length - mesh[h].length * sin(a) / sin(a + mesh[e].angle);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All windows of a halfedge, unfolded across its face at once.
+// Propagation of all windows of a halfedge across its face.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BATCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BATCH_H
@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// As Batch_propagation. A window that may or may not reach the apex goes to both sides of it.
+// Certified counterpart of Batch_propagation. A window that is not certain to miss the apex goes to both sides.
 class Certified_batch
 {
 public:
@@ -45,7 +45,7 @@ public:
 
     const double dp = bounds.upper(mesh.source(h)), dq = bounds.upper(mesh.target(h)), dr = bounds.upper(mesh.apex(h));
     const Index left = mesh.twin(mesh.previous(h)), right = mesh.twin(mesh.next(h));
-    // of all children: distances grow by less than `across`, radii by less than 4 length_error times that
+    // bounds for all children: distances grow by less than `across`, radii by less than 4 length_error times that
     const double across = face.length + face.left_length + face.right_length;
     const double margin = pruning_margin(m_largest_radius + 16 * image_error * (m_farthest + across + 1),
                                          m_farthest + across, 4 * across);
@@ -54,8 +54,8 @@ public:
     by_left.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq);
     by_right.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(by_left.set_radius(m_largest_radius); by_right.set_radius(m_largest_radius);)
-    auto to_left = m_left.start(left, m_state.takes_windows(left), n);
-    auto to_right = m_right.start(right, m_state.takes_windows(right), n);
+    auto to_left = m_left.start(left, m_state.accepts_windows(left), n);
+    auto to_right = m_right.start(right, m_state.accepts_windows(right), n);
     for (std::size_t i = 0; i < n; ++i)
     {
       const Exit exit = m_exit[i].exit;
@@ -66,7 +66,7 @@ public:
       double left_end = w.b1, right_begin = w.b0;
       if (exit == BOTH)
       {
-        // one angle, one split, with room for rounding
+        // one angle, one split, with an allowance for rounding
         const double split = face.entry_of_apex(w);
         const bool may_be_best = w.is_parallel() || m_exit[i].lowest <= best;
         left_to_apex = may_be_best || split <= entry + room;
@@ -102,8 +102,8 @@ private:
   struct Sorted
   {
     Exit exit;
-    double lowest;  // for BOTH, the least that the distance of the apex may be
-    double lateral; // how much longer a path to the apex may be: zero if the apex certainly is in the rays
+    double lowest; // BOTH: lower bound of the distance at the apex
+    double lateral; // excess length of a path to the apex: zero if the apex is certainly in the rays
   };
 
   void sort_by_exit(Index h, const Certified_propagation& face, const Window* windows, std::size_t n, double& best,
@@ -140,7 +140,7 @@ private:
         CGAL_GEODESIC_OFFSET_CERTIFICATE(face.certificate().check_entry(
           w, list.split_entry, face.error_of_entry(list.split_distance, list.split_entry));)
       }
-      // the way back, in the frame of the corner at the apex
+      // direction back to the image, in the frame of the corner at the apex
       const Point_in_face<double> v = face.from_apex(w);
       const Ray_at_vertex<double> back{m_state.unfolded.previous(h), -(face.cl * v.x + face.sl * v.y),
                                        face.sl * v.x - face.cl * v.y};
@@ -153,7 +153,7 @@ private:
     entry = list.split_entry;
   }
 
-  // `is_certain` says whether the apex certainly is in the rays of a window that leaves on both sides.
+  // `is_certain`: BOTH, and the apex is certainly in the rays of the window.
   static Exit exit_of(const Certified_propagation& face, const Window& w, bool& is_certain)
   {
     const int side = face.clear_side(w, is_certain);
@@ -176,7 +176,7 @@ private:
   Certified_state& m_state;
   Certified_state::Output m_left, m_right;
   std::vector<Sorted> m_exit;
-  double m_farthest = 0, m_largest_radius = 0; // of the windows that are propagated
+  double m_farthest = 0, m_largest_radius = 0; // of the propagated windows
   Index m_most_faces = 0;
 };
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The windows of one halfedge, without what is certainly farther than another window.
+// Removal of parts of windows on a halfedge that are certainly farther than another window.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_ENVELOPE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_ENVELOPE_H
@@ -9,8 +9,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certificate_check.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_ties.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_bisector.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_overlap_split.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 
@@ -25,13 +25,14 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The sweep of Lower_envelope. Where two distances tie within their errors, both windows stay: neighbours overlap a little.
+// Sweep as in Lower_envelope, but two windows whose distances tie within their errors both remain, so neighbours overlap
+// slightly.
 class Certified_envelope
 {
 public:
   typedef Certified_window Window;
 
-  // As Lower_envelope. The result is sorted by b0, valid until the next call.
+  // Returns the envelope sorted by b0, valid until the next call.
   const std::vector<Window>& operator()(const Window* first, const Window* last, double length)
   {
     m_length = length;
@@ -40,18 +41,18 @@ public:
     for (const Window* const* i = m_order.begin(); i != m_order.end(); ++i)
     {
       const Window& w = **i;
-      while (m_order.has_later_before(w)) take(m_order.pop_later(), w.b0);
-      take(w, i + 1 != m_order.end() ? i[1]->b0 : length);
+      while (m_order.has_later_before(w)) insert(m_order.pop_later(), w.b0);
+      insert(w, i + 1 != m_order.end() ? i[1]->b0 : length);
     }
-    while (m_order.has_later()) take(m_order.pop_later(), length);
+    while (m_order.has_later()) insert(m_order.pop_later(), length);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(check_envelope(first, last, m_envelope);)
     CGAL_postcondition(std::is_sorted(m_envelope.begin(), m_envelope.end(),
                                       [](const Window& a, const Window& b) { return a.b0 < b.b0; }));
     return m_envelope;
   }
 
-  // As Lower_envelope.
-  bool is_row(const Window* first, const Window* last) const
+  // Whether the list needs no sweep: intervals are monotone and no windows merge.
+  bool is_monotone_list(const Window* first, const Window* last) const
   {
     for (; last - first > 1; ++first)
       if (!(first[0].b0 <= first[1].b0 && first[0].b1 <= first[1].b1) || may_merge(first[0], first[1])) return false;
@@ -59,13 +60,13 @@ public:
   }
 
 private:
-  // The next window takes its turn; the one after it begins at `next`.
-  BOOST_FORCEINLINE void take(const Window& w, double next)
+  // Processes a window; the next one begins at `next`.
+  BOOST_FORCEINLINE void insert(const Window& w, double next)
   {
     if (m_envelope.empty() || !follows(w, next)) add(w);
   }
 
-  // As Lower_envelope::follows.
+  // Fast path for a window behind the last one of the envelope; false if the general case is needed.
   BOOST_FORCEINLINE bool follows(const Window& w, double next)
   {
     Window& a = m_envelope.back();
@@ -78,40 +79,41 @@ private:
     if (may_merge(a, w)) return false;
     const bool a_ends_first = a.b1 < w.b1;
     if (overlap <= 0x1p-36 * m_length && a_ends_first)
-    { // rays that both share, but for rounding outward at each face
+    { // common rays except for outward rounding at each face
       m_envelope.push_back(w);
       return true;
     }
     const double high = a_ends_first ? a.b1 : w.b1;
     const Number_pair<double> d = a_ends_first ? Window::distances_at(a, w.b0, w, high) : a.distances_at({w.b0, high});
     const double a_low = d.first(), a_high = a_ends_first ? a.d1 : d.second(), w_high = a_ends_first ? d.second() : w.d1;
-    const Certified_tie tie(a, w, m_length);
+    const Certified_bisector bisector(a, w, m_length);
     const double at_low = a_low - w.d0, at_high = a_high - w_high;
-    if (a_ends_first && (std::max)(std::abs(at_low), std::abs(at_high)) <= 4 * tie.margin() && !tie.may_turn(w.b0, high))
-    { // they have been cut at their tie before
+    if (a_ends_first && (std::max)(std::abs(at_low), std::abs(at_high)) <= 4 * bisector.margin() &&
+        !bisector.may_turn(w.b0, high))
+    { // already cut at their bisector
       m_envelope.push_back(w);
       return true;
     }
-    if (!(at_low < -tie.margin())) return false;
-    if (at_high > tie.margin())
-    { // they tie once
-      Certified_tie::Cut of_a, of_w;
-      if (!a_ends_first || !tie.find(w.b0, high, of_a, of_w)) return false;
+    if (!(at_low < -bisector.margin())) return false;
+    if (at_high > bisector.margin())
+    { // a single bisector point
+      Certified_bisector::Cut of_a, of_w;
+      if (!a_ends_first || !bisector.find(w.b0, high, of_a, of_w)) return false;
       a.b1 = of_a.t;
       a.d1 = of_a.distance;
       push_rest(w, of_w, next);
       return true;
     }
-    if (at_high < -tie.margin() && !tie.may_turn_between(-1, w.b0, high))
-    { // the envelope's is nearer
+    if (at_high < -bisector.margin() && !bisector.may_turn_between(-1, w.b0, high))
+    { // the window of the envelope is nearer
       if (a_ends_first) push_rest(w, {high, w_high}, next);
       return true;
     }
     return false;
   }
 
-  // What is left of a window behind the last one of the envelope.
-  void push_rest(const Window& w, const Certified_tie::Cut& from, double next)
+  // Adds the remaining part of a window behind the last one of the envelope.
+  void push_rest(const Window& w, const Certified_bisector::Cut& from, double next)
   {
     if (from.t <= next && (!m_order.has_later() || from.t <= m_order.first_later().b0))
     {
@@ -138,24 +140,24 @@ private:
       resolve(w);
   }
 
-  // Neighbours with one image that are so near to each other have no other ray between them.
+  // No other ray fits between neighbours of one image with a smaller gap.
   double gap() const { return 64 * unit_roundoff * m_length; }
 
-  // Images that differ by no more are one. For all faces on the way together it must be less than the error that rays are
-  // allowed: the rays of a merged window come from one of the images only.
+  // Images that differ by at most this merge. The rays of a merged window belong to only one of the images, so the sum over
+  // all faces of a path must be less than the error allowed for rays.
   double merging(const Window& w) const { return 0x1p-18 * image_error * (std::abs(w.x) + std::abs(w.y) + 1); }
 
-  // Lengths are in units of the longest edge, so no shortest path is longer.
+  // Upper bound of any shortest path, in units of the longest edge.
   static constexpr double farthest = 0x1p34;
 
-  // The coordinate that mostly tells them apart first.
+  // Tests first the coordinate most likely to differ.
   BOOST_FORCEINLINE bool may_merge(const Window& a, const Window& w) const
   {
     const double most = merging(w);
     return std::abs((a.x - w.x) + (a.x_low - w.x_low)) <= most && difference_of_images(a, w) <= most;
   }
 
-  // How much the distances of two windows may differ anywhere, infinity if they are of different kinds.
+  // Upper bound of the difference of two windows' distances anywhere; infinity for windows of different kinds.
   double difference_of_images(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & 1u) return infinity();
@@ -166,12 +168,12 @@ private:
 
   static double infinity() { return Number_policy<double>::infinity(); }
 
-  // Windows with one image become one window.
+  // Merges windows with one image.
   void unite(Window& a, const Window& w, double difference)
   {
     const double radius = (std::max)(a.radius, w.radius + difference);
     if (a.is_propagated() && !w.is_propagated() && (radius > a.radius || w.faces() > a.faces()) && w.b0 < a.b1)
-    { // the rays of a are worth less now, or have been unfolded more often
+    { // the rays of a have a larger radius now, or more faces
       m_envelope.push_back(w);
       return;
     }
@@ -196,7 +198,7 @@ private:
     else if (a.radius + difference > w.radius)
       m_envelope.push_back(w);
     else
-    { // of a, which is fresh, stays what is not in w
+    { // keep the rays of the unpropagated window a that are not in w
       Window rest = a;
       cut(a, {a.b0, w.b0 + gap()});
       const bool goes_on = rest.b1 > w.b1;
@@ -206,22 +208,22 @@ private:
     }
   }
 
-  // Overlapping windows with different images lose what is certainly farther.
+  // Removes the parts that are certainly farther from overlapping windows with different images.
   void resolve(Window w)
   {
     Window& a = m_envelope.back();
-    const Certified_ties ties(a, w, m_length);
-    if (ties.tie())
+    const Certified_overlap_split split(a, w, m_length);
+    if (split.is_tie())
     {
       m_envelope.push_back(w);
       return;
     }
-    Interval_set of_a, of_w = ties.kept_of_second();
-    if (a.b0 < ties.low()) of_a.append({a.b0, ties.low()});
-    of_a.append_all(ties.kept_of_first());
-    if (a.b1 > ties.high()) of_a.append({ties.high(), a.b1});
-    if (w.b1 > ties.high()) of_w.append({ties.high(), w.b1});
-    // what begins later than before waits for its turn
+    Interval_set of_a, of_w = split.kept_of_second();
+    if (a.b0 < split.low()) of_a.append({a.b0, split.low()});
+    of_a.append_all(split.kept_of_first());
+    if (a.b1 > split.high()) of_a.append({split.high(), a.b1});
+    if (w.b1 > split.high()) of_w.append({split.high(), w.b1});
+    // parts that begin later are queued
     const bool a_stays = of_a.size() > 0 && of_a[0].from <= a.b0, w_stays = of_w.size() > 0 && of_w[0].from <= w.b0;
     for (int i = a_stays ? 1 : 0; i < of_a.size(); ++i) push_part(a, of_a[i]);
     for (int i = w_stays ? 1 : 0; i < of_w.size(); ++i) push_part(w, of_w[i]);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The front of the certified level.
+// The front of certified bounds.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_FRONT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_FRONT_H
@@ -45,7 +45,7 @@ public:
       if (m_state.queue.pop_halfedge(i))
       {
         m_state.prefetch_next();
-        take(i);
+        process_halfedge(i);
       }
       else if (m_state.queue.pop_vertex(i))
         m_state.spread_arrivals(i, [&](const Arrival& a) { spread_behind(i, a); });
@@ -68,21 +68,21 @@ private:
       sources.for_each_window(s, [&](Index h, const Window& w) { m_state.add(h, w); });
   }
 
-  // The way from a source to a corner of its face.
+  // Path from a source to a corner of its face.
   void start_at_corner(const Certified_sources& sources, const Certified_source& s, int k)
   {
     const Index h = 3 * s.face + Index(k);
     double reach;
     const Point_in_face<double> way = s.way_from(sources.corner(s.face, k), reach);
     const double distance = length(way);
-    // back to the nearest point, in the frame of the corner's halfedge
+    // direction to the nearest point of the source, in the frame of the corner's halfedge
     const Double_double_2 back = in_frame(sources.direction(s.face, k), {way.x, way.y});
     m_state.arrive(m_unfolded.source(h), distance, 4 * s.moved, Ray{h, back.x.high, back.y.high},
                    distance > 0 ? length_error * (1 + reach / distance)
                                 : Number_policy<double>::infinity() CGAL_GEODESIC_OFFSET_CERTIFICATE(, {}));
   }
 
-  void take(Index h)
+  void process_halfedge(Index h)
   {
     auto* const known = m_state.lists.find(h);
     if (!known) return;
@@ -90,7 +90,7 @@ private:
     if (list.bucket != m_state.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<double, Window>::not_queued;
     m_state.schedule(m_unfolded.face(h));
-    if (list.taken == 0 && !m_state.keeps_windows && m_envelope.is_row(list.begin(), list.end()))
+    if (list.taken == 0 && !m_state.keeps_windows && m_envelope.is_monotone_list(list.begin(), list.end()))
     {
       list.taken = list.size;
       m_propagate(h, list.begin(), list.size);
@@ -104,7 +104,7 @@ private:
     m_propagate(h, envelope.data(), envelope.size());
   }
 
-  // Behind a vertex, at angles of at least pi to where the path came from, as far as that is known.
+  // Emits rays behind a vertex, at angles of at least pi to the arriving path, within the error of its direction.
   void spread_behind(Index v, const Arrival& a)
   {
 #ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
@@ -122,7 +122,7 @@ private:
     const auto spread_fan = [&](Index first) { spread(Ray(), Ray(), first, a.distance, a.radius); };
     const double angle = a.angle + walking_error(v);
     if (!(angle < largest_angle))
-    { // in all directions
+    { // all directions
       m_unfolded.for_each_fan(v, spread_fan);
       return;
     }
@@ -134,16 +134,16 @@ private:
         spread_sector(from, to, first);
       },
       angle);
-    // In a corner of nearly half a turn, a widened sector may begin where the path came from; without a border it seems empty
-    // then. All directions are right, too.
+    // In a corner of nearly half a turn, a widened sector may begin before the direction of the arriving path; without a
+    // border it then seems empty. Emitting in all directions is correct, too.
     is_empty = is_empty && m_unfolded.first_on_border(a.back.corner) == no_index;
     if (m_unfolded.has_several_fans(v) || is_empty) m_unfolded.for_each_fan(v, spread_fan);
   }
 
-  // Beyond it, directions are taken as unknown.
+  // A direction with a larger error counts as unknown.
   static constexpr double largest_angle = 0x1p-10;
 
-  // The angle that rounding turns a ray by that is carried round a vertex and through a face.
+  // Error of the direction of a ray that is transferred around a vertex and through a face.
   double walking_error(Index v) const
   {
     int corners = 0;
@@ -158,9 +158,9 @@ private:
     return (std::max)(0x1p-44, 16 * unit_roundoff * (corners + 8));
   }
 
-  // Where a ray from the source of h leaves the face, as Vertex_sector::exit_of_ray, but in the frame with twice the digits:
-  // doubles know the height of a flat face only up to the rounding of its length, and exits turn with the height. The error is
-  // at most 8 u of the edge beyond, and that of a ray which is turned by 8 u.
+  // Exit of a ray from the source of h, as in Vertex_sector::exit_of_ray(), but in the frame of twice the digits: in
+  // doubles, the height of a flat face is known only up to the rounding of its length, and exits change with the height.
+  // The error is at most 8 u of the exit edge, and that of a ray turned by 8 u.
   double exit_of_ray(Index h, const Ray& r) const
   {
     const Double_double_2 apex = m_mesh.apex(h);
@@ -169,7 +169,7 @@ private:
     return a > 0 ? b / (b + a) * size : size;
   }
 
-  // The rays from a vertex in a sector.
+  // Emits rays from a vertex into a sector.
   void spread(const Ray& from, const Ray& to, Index first, double sigma, double radius)
   {
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
@@ -187,8 +187,8 @@ private:
       w.set_image({m_mesh[e].length - apex.x, -apex.y});
       w.sigma = sigma;
       w.radius = radius;
-      // Exits are rounded outward, by more than twice their roundings. In a flat face these turn rays by far more than any error
-      // of their direction. All of the face can be seen from the vertex, so nothing is added to the radius.
+      // Exits are rounded outward by more than twice their rounding errors. In a flat face this turns rays by far more than
+      // any error of their direction. The vertex sees the whole face, so the radius does not grow.
       const double size = m_mesh.length(e), rounding = length_error * size;
       const auto exit = [&](const Ray& r) { return exit_of_ray(h, r); };
       w.set_interval(upper ? (std::max)(exit(*upper) - rounding, 0.) : 0.,

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces of an unfolded mesh with twice the digits, from the coordinates of the vertices, which are taken as exact.
+// Faces of an unfolded mesh with twice the digits, from the coordinates of the vertices, which count as exact.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_MESH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_MESH_H
@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Lengths are in units of a power of two near the longest edge. The components of unit vectors have errors of at most 2^-98,
-// lengths this error times themselves.
+// Lengths are in units of a power of two near the longest edge. Components of unit vectors have errors of at most 2^-98,
+// lengths have relative errors of at most 2^-98.
 class Certified_mesh
 {
 public:
@@ -38,7 +38,7 @@ public:
     Double_double_2 corner; // unit vector to the apex, in the frame of the halfedge
   };
 
-  // position(v): the coordinates of a vertex.
+  // position(v): coordinates of vertex v.
   template <class Position>
   Certified_mesh(const Unfolded_mesh<double>& unfolded, const Position& position)
     : m_unfolded(unfolded), m_halfedges(unfolded.number_of_halfedges()), m_can_bend(unfolded.number_of_vertices(), 0)
@@ -49,11 +49,11 @@ public:
     if (!(0x1p-200 < longest && longest < 0x1p200))
       throw std::invalid_argument("Surface_mesh_geodesic_enclosure: the longest edge must be between 1e-60 and 1e60");
     m_unit = std::ldexp(1., std::ilogb(longest));
-    const double scale = 1 / m_unit; // both are powers of two: nothing is rounded
+    const double scale = 1 / m_unit; // powers of two: exact
     std::vector<Coordinates> points(unfolded.number_of_vertices());
     for (Index v = 0; v < points.size(); ++v)
     {
-      if (unfolded.corner(v) == no_index) continue; // what is not of the mesh has no position
+      if (unfolded.corner(v) == no_index) continue; // vertices that are not in the mesh have no position
       points[v] = position(v);
       for (double& x : points[v]) x *= scale;
     }
@@ -65,7 +65,7 @@ public:
         t < h ? m_halfedges[t].length : edge_length(points[unfolded.source(h)], points[unfolded.target(h)]);
     }
     for (Index h = 0; h < m_halfedges.size(); ++h)
-      if (unfolded.source(h) != no_index && !(length(h) > 0x1p-200)) // squares of areas have all their digits above it
+      if (unfolded.source(h) != no_index && !(length(h) > 0x1p-200)) // squares of areas of longer edges have all their digits
         throw std::invalid_argument("Surface_mesh_geodesic_enclosure: an edge is shorter than 1e-60 times the longest one");
     for (Index f = 0; f < unfolded.number_of_faces(); ++f)
       if (unfolded.source(3 * f) != no_index) find_corners(f, points);
@@ -77,10 +77,10 @@ public:
   const Halfedge& operator[](Index h) const { return m_halfedges[h]; }
   double length(Index h) const { return m_halfedges[h].length.high; }
 
-  // Says that the face of h will be asked for soon.
+  // Prefetches the face of h.
   void prefetch_face(Index h) const { prefetch(&m_halfedges[3 * Unfolded_mesh<double>::face(h)], 3 * sizeof(Halfedge)); }
 
-  // The third vertex of the face in the frame of h, and the same from the target of h.
+  // The third vertex of the face, in the frame of h.
   Double_double_2 apex(Index h) const
   {
     const Double_double_2& c = m_halfedges[h].corner;
@@ -88,7 +88,7 @@ public:
     return {c.x * l, c.y * l};
   }
 
-  // Whether shortest paths bend at a vertex. Not if the excess of its angle is below `flat`: see the error analysis.
+  // Whether shortest paths bend at a vertex. False if the excess of its angle is below `flat`, see the error analysis.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
   static constexpr double flat = 0x1p-80;
 
@@ -119,7 +119,7 @@ private:
     const Coordinates &p = points[m_unfolded.source(h)], &q = points[m_unfolded.source(h + 1)],
                       &r = points[m_unfolded.source(h + 2)];
     const Vector u[3] = {difference(p, q), difference(q, r), difference(r, p)};
-    // twice the area from the two shorter edges: from long ones that differ little it would lose digits
+    // twice the area from the two shorter edges: the difference of long edges would lose digits
     int longest = 0;
     for (int k : {1, 2})
       if (length(h + Index(k)) > length(h + Index(longest))) longest = k;
@@ -133,7 +133,7 @@ private:
     }
   }
 
-  // With doubles first, and with twice the digits if the angle is within their rounding of flat.
+  // Uses doubles first, and twice the digits if the angle is flat within the rounding of doubles.
   bool bends(Index v) const
   {
     if (m_unfolded.corner(v) == no_index) return false;
@@ -148,7 +148,8 @@ private:
   static void get(const Double_double& x, double& y) { y = x.high; }
   static void get(const Double_double& x, Double_double& y) { y = x; }
 
-  // The product of the corners as unit complex numbers, as in Unfolded_mesh::visit_fan. False if the errors do not let know.
+  // Product of the corners as unit complex numbers, as in Unfolded_mesh::fan_of(). Returns false if the errors leave the
+  // result undecided.
   template <class Number>
   bool bends(Index v, double corner_error, bool& result) const
   {
@@ -175,11 +176,11 @@ private:
       }
       c = m_unfolded.corner_ccw(c);
     } while (c != no_index && c != first);
-    const int limit = c == no_index ? 1 : 2; // half turns that are flat
+    const int limit = c == no_index ? 1 : 2; // half turns of a flat vertex
     const bool is_near = std::abs(high(y)) <= corner_error * degree;
     if (is_near && high(x) < 0) ++half_turns;
     result = is_near ? half_turns > limit : half_turns >= limit;
-    if (!is_certain && std::is_same<Number, Double_double>::value) return result = true; // rays from it do no harm
+    if (!is_certain && std::is_same<Number, Double_double>::value) return result = true; // additional rays are harmless
     return is_certain && (!is_near || half_turns != limit);
   }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unfolding a window across a face without losing a ray that may be shortest.
+// Unfolding of a window across a face without loss of a ray that may be shortest.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_PROPAGATION_H
@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// As Window_propagation: the face of a halfedge p -> q with apex r.
+// Certified counterpart of Window_propagation: the face of a halfedge p -> q with apex r.
 class Certified_propagation
 {
 public:
@@ -35,9 +35,9 @@ public:
   }
   CGAL_GEODESIC_OFFSET_CERTIFICATE(const Certificate_of_face& certificate() const { return *m_certificate; })
 
-  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding, which leaves the low
-  // digits out: -1 if all of them to the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false
-  // else.
+  // Side of the apex on which the rays of a window pass: -1 if all are to the left, 1 if all are to the right, 0 if the
+  // window covers the apex. The test ignores the low digits and uses a large margin; `is_clear` is false if it does not
+  // decide.
   int clear_side(const Certified_window& w, bool& is_clear) const
   {
     const double slope = w.is_parallel() ? -w.y : apex_y - w.y, r0 = w.x * apex_y, r1 = w.y * apex_x, r = r0 - r1;
@@ -53,32 +53,32 @@ public:
 
   Sign side_of_apex(const Certified_window& w, double b) const { return w.side_of(m_apex.x, apex_y, place(b)); }
 
-  // From the apex to the image.
+  // Vector from the apex to the image.
   Point_in_face<double> from_apex(const Certified_window& w) const
   {
     if (w.is_parallel()) return {w.x, w.y};
     return {(w.x - apex_x) + (w.x_low - m_apex.x.low), (w.y - apex_y) + (w.y_low - m_apex.y.low)};
   }
 
-  // Up to the rounding of a length, whatever is near.
+  // Accurate up to the rounding of a length, however near the image is.
   double distance_at_apex(const Certified_window& w) const
   {
     if (w.is_parallel()) return w.distance_at(apex_x, apex_y);
     return w.sigma + internal::length(from_apex(w));
   }
 
-  // If it is not certain that the apex is in the rays of a window, the way round the end of its interval is longer by this
-  // at most; which end that is does not matter.
+  // If the apex is not certainly in the rays of a window, upper bound of the excess length of a path around an end of its
+  // interval.
   double lateral_error(const Certified_window& w) const { return (std::max)(way_around(w, w.b0), way_around(w, w.b1)); }
 
-  // How far a window's distance at the apex may be off.
+  // Error bound of a window's distance at the apex.
   double error_at_apex(const Certified_window& w, double distance, double lateral) const
   {
     const double rounding = side_error * (distance + (w.is_parallel() ? length + left_length : 0.));
     return w.radius + rounding + lateral + 4 * w.error_of_image();
   }
 
-  // Where the ray to the apex enters, up to rounding of the length.
+  // Entry of the ray to the apex, up to rounding of the length.
   double entry_of_apex(const Certified_window& w) const
   {
     if (w.is_parallel()) return apex_x - apex_y * (w.x / w.y);
@@ -86,16 +86,16 @@ public:
     return x + (apex_x - x) * (w.y / (w.y - apex_y));
   }
 
-  // How far the entry above may be off, for a window with this distance at the apex or more: by roundings of the coordinates,
-  // and by the error of the image, which moves the entry by the cotangent of the ray's angle more.
+  // Error bound of this entry, for a window with at least the given distance at the apex: rounding of the coordinates, and
+  // the error of the image, which displaces the entry in proportion to the cotangent of the ray's angle.
   double error_of_entry(double distance, double entry) const
   {
     const double size = distance + length + left_length, slope = 1 + std::abs(apex_x - entry) / apex_y;
     return length_error * size + 4 * image_error * (2 * size + 1) * slope;
   }
 
-  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex if to_apex, to which paths are longer by
-  // `lateral` then. False if nothing is left.
+  // Computes the child on p -> r of the rays that enter between b0 and `end`, or up to the apex if to_apex; then paths may
+  // be longer by `lateral`. Returns false if the child is empty.
   BOOST_FORCEINLINE bool left_child(const Certified_window& w, double end, bool to_apex, double lateral,
                                     Certified_window& child) const
   {
@@ -121,7 +121,7 @@ public:
     return true;
   }
 
-  // The child on r -> q of the rays that enter from `begin` to b1.
+  // Computes the child on r -> q of the rays that enter between `begin` and b1.
   BOOST_FORCEINLINE bool right_child(const Certified_window& w, double begin, bool from_apex, double lateral,
                                      Certified_window& child) const
   {
@@ -132,7 +132,7 @@ public:
       CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, false);)
       return false;
     }
-    double from, to = right_length, grazing = from_apex ? lateral : 0.; // counted from q
+    double from, to = right_length, grazing = from_apex ? lateral : 0.; // from q
     if (!near_exit(w, -w.to_image(place(w.b1)), from_target(w.b1, -corner_error), cr, sr, off, from, grazing))
     {
       CGAL_GEODESIC_OFFSET_CERTIFICATE(m_certificate->check_no_child(w, false, true);)
@@ -143,7 +143,7 @@ public:
     child.sigma = w.sigma;
     child.sigma_low = w.sigma_low;
     if (w.is_parallel())
-    { // the distance at r: on from p to q, and back from there
+    { // the distance at r: forward from p to q, then back
       const Double_double sigma =
         Double_double(w.sigma, w.sigma_low) - image.x * m_length + child.image().x * m_right_length;
       child.sigma = sigma.high;
@@ -177,8 +177,8 @@ private:
   {
   }
 
-  // Turns the image. A window that rays can cross the edge from is below it: what is in it up to the error of the image
-  // runs along the edge.
+  // Rotates the image. The image of a window whose rays cross the edge is below the edge; otherwise, up to the error of the
+  // image, the rays are along the edge.
   bool turn(const Certified_window& w, const Rotation& rotation, const Double_double_2& image, Certified_window& child) const
   {
     const Double_double_2 turned = rotation(image);
@@ -188,32 +188,32 @@ private:
     return true;
   }
 
-  // Rounded up.
+  // Sum rounded up.
   static double sum_of_radii(double a, double b) { return (a + b) * (1 + 2 * unit_roundoff); }
 
   double way_around(const Certified_window& w, double b) const { return w.way_around(m_apex.x, apex_y, place(b)); }
 
-  // Rays beside those of the parent may pass its interval by what rounding outward moves them aside: 22 u of the exit's
-  // distance from the corner at most, and by what the image's error moves them: 4 sqrt(2) off, and off for the image itself.
-  // The path through the interval's end is longer by twice that.
+  // Excess length of paths around an end of the interval for rays outside the parent's interval. Outward rounding displaces
+  // the rays by at most 22 u of the distance of the exit from the corner, the error of the image by at most 4 sqrt(2) off,
+  // and the image itself is displaced by off. The path via the end of the interval is longer by at most twice the sum.
   static double detour(double exit, double off) { return 48 * unit_roundoff * exit + 16 * off; }
 
-  // A point of the halfedge; its end is the vertex itself.
+  // Position of b on the halfedge; the end of the halfedge is the vertex itself.
   Double_double place(double b) const { return b < length ? Double_double(b) : m_length; }
 
-  // From the point b to q, up to rounding of itself, and off by `aside` of the length: m_length may be less or more.
+  // Distance from b to q, up to its rounding, displaced by `aside` times the length to either side of the exact length.
   double from_target(double b, double aside) const
   {
     return b < length ? (std::max)(0., (length - b) + (m_length.low + aside * length)) : 0.;
   }
 
-  // Where the ray from (b, 0) leaves through the edge at the origin in direction (c, s), rounded towards the origin or away
-  // from it. `to_image`: from b to the image; `off`: the error of the image. The first function is false if the ray
-  // certainly does not meet the line of the edge.
+  // Exit of the ray from (b, 0) through the edge from the origin in direction (c, s), rounded towards the origin
+  // (near_exit) or away from it (far_exit). `to_image`: from b to the image; `off`: the error of the image. near_exit()
+  // returns false if the ray certainly does not meet the line of the edge.
   //
-  // With r = |to_image|, the exit is at t = b |y| / den, where den is r times the sine of the angle between ray and edge. If the
-  // image moves by `off`, the exit moves by no more than b s r off / (den den'), with the smallest den' on the way: not by
-  // off / |y| of t, which is far too much for an edge that is long against r. A ray with den' < den / 2 grazes the edge.
+  // The exit is at t = b |y| / den, where den is r = |to_image| times the sine of the angle between ray and edge. If the
+  // image moves by `off`, the exit moves by at most b s r off / (den den'), with the smallest den' on the way. The bound
+  // off / |y| of t would be far too large for an edge much longer than r. A ray with den' < den / 2 grazes the edge.
   bool near_exit(const Certified_window& w, double to_image, double b, double c, double s, double off, double& t,
                  double& grazing) const
   {
@@ -250,7 +250,7 @@ private:
     t = (std::min)(t, b * y / (den - error) * (1 + exit_error));
   }
 
-  // The sine of the angle between ray and edge, times the length of the ray so far, and its rounding error.
+  // den: sine of the angle between ray and edge times the length |to_image|; error: its rounding error.
   static void across(const Certified_window& w, double to_image, double c, double s, double& den, double& error)
   {
     const double p = s * to_image, q = c * w.y;
@@ -258,9 +258,9 @@ private:
     error = exit_error * (std::abs(p) + std::abs(q));
   }
 
-  // How much longer paths around the interval's end are than rays that graze an edge, the angle between both being at most
-  // (2 (error + off) + off) / r: all points of the face are that much beside the ray, times its size. The error is below
-  // sqrt(2) r exit_error, and r here the sum of the coordinates, up to sqrt(2) times the length.
+  // Excess length of a path around an end of the interval for rays that graze an edge. The angle between ray and edge is at
+  // most (2 (error + off) + off) / r, so all points of the face are within this angle times its size of the ray. The error
+  // is below sqrt(2) r exit_error; r is the sum of the coordinates here, at most sqrt(2) times the length.
   double way_around_grazed(const Certified_window& w, double to_image, double off) const
   {
     const double size = length + left_length + right_length, r = w.is_parallel() ? 1. : std::abs(to_image) - w.y;

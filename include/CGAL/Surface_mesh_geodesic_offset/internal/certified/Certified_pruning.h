@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What paths by way of vertices take from a window, where they are certainly shorter.
+// Pruning and trimming of windows by paths via vertices that are certainly shorter.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_PRUNING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_PRUNING_H
@@ -18,14 +18,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// How much longer than another path a window must be to be certainly longer, if `farthest` is the largest distance of its
-// interval and `size` that of the faces on both sides of its halfedge.
+// A window is certainly longer than another path if it is longer by this margin. `farthest`: largest distance in its
+// interval; `size`: size of the faces on both sides of its halfedge.
 inline double pruning_margin(double radius, double farthest, double size)
 {
   return radius + length_error * (farthest + 2 * size);
 }
 
-// As `Window_pruning`, with upper bounds of the distances of the vertices. `margin`: that of all windows, or more.
+// Certified counterpart of Window_pruning, with upper bounds of vertex distances. `margin`: an upper bound of the margins
+// of all windows.
 class Certified_pruning
 {
 public:
@@ -41,7 +42,7 @@ public:
     m_by_far = upper + 2 * m_margin;
   }
 
-  // D(t) - t decreases: what is certain at t is so before.
+  // D(t) - t decreases, so a certain comparison at t also holds before t.
   BOOST_FORCEINLINE bool trim(Certified_window& w) const
   {
     const bool at_source = m_by_source + w.b0 < w.d0, at_target = m_by_target + (m_length - w.b1) < w.d1;
@@ -63,7 +64,7 @@ public:
   }
 
 #ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-  // The largest radius of the windows before they were unfolded, which `margin` contains.
+  // Largest radius of the windows before unfolding, which `margin` includes.
   void set_radius(double radius) { m_radius = radius; }
   bool is_filtered(const Certified_window& w, double t, double d) const
   {

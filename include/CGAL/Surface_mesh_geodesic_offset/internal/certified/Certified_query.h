@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bounds of the distance of any point, from the windows that the certified front has left.
+// Bounds of the distance of any point, from the kept windows of the certified front.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_QUERY_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_QUERY_H
@@ -31,12 +31,12 @@ public:
   {
   }
 
-  // The windows must be there, but for vertices. The result is in the units of the certified mesh.
+  // Precondition: windows are kept, or p is a vertex. The result is in units of the certified mesh.
   std::pair<double, double> operator()(const Place& p)
   {
     m_lower = m_upper = Number_policy<double>::infinity();
     if (p.kind == Place::VERTEX)
-      take(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
+      add_bounds(m_field.bounds.lower(p.element), m_field.bounds.upper(p.element));
     else
       for (Index face : faces_of(m_mesh.unfolded(), p))
       {
@@ -45,18 +45,18 @@ public:
         m_sources.place_in_face(p, face, place, edges);
         search(face, place);
       }
-    // what passes a vertex within the error of an image may be shorter by as much: see the error analysis
+    // a path that passes a vertex within the error of an image may be shorter by this amount, see the error analysis
     return {(std::max)(m_lower * (1 - 2 * unit_roundoff), 0.), m_upper};
   }
 
 private:
-  void take(double lower, double upper)
+  void add_bounds(double lower, double upper)
   {
     m_lower = (std::min)(m_lower, lower);
     m_upper = (std::min)(m_upper, upper);
   }
 
-  // What it finds belongs to the given place in the face, which is the point asked for up to rounding.
+  // Bounds for position p in the face, which is the query point up to rounding.
   void search(Index face, Double_double_2 p)
   {
     const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
@@ -64,14 +64,14 @@ private:
     m_sources.for_each_in_face(face, [&](const Certified_source& s) {
       double reach;
       const double d = length(s.way_from(p, reach)), error = 4 * s.moved + moved;
-      take(d - error, d + error);
+      add_bounds(d - error, d + error);
     });
     for (int k = 0; k < 3; ++k)
     {
       const Index h = 3 * face + Index(k), v = m_mesh.unfolded().source(h);
       const double height = (std::max)(p.y.high, 0.), way = length(Point{p.x.high, height});
       const double rounding = length_error * (m_field.bounds.upper(v) + way);
-      take(m_field.bounds.lower(v) + way - moved - rounding, m_field.bounds.upper(v) + way + moved + rounding);
+      add_bounds(m_field.bounds.lower(v) + way - moved - rounding, m_field.bounds.upper(v) + way + moved + rounding);
       const auto place = [&](double b) { return b < m_mesh.length(h) ? Double_double(b) : m_mesh[h].length; };
       m_field.for_each_window(h, [&](const Certified_window& w) {
         const Double_double b0 = place(w.b0), b1 = place(w.b1);
@@ -82,9 +82,9 @@ private:
         if (from == ZERO) error += w.way_around(p.x, height, b0);
         if (to == ZERO) error += w.way_around(p.x, height, b1);
         CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)
-        take(d - error, d + error);
+        add_bounds(d - error, d + error);
       });
-      // on to the frame of the next halfedge
+      // transformation to the frame of the next halfedge
       const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;
       p = in_frame({-c.x, c.y}, {p.x - m_mesh[h].length, p.y});
     }

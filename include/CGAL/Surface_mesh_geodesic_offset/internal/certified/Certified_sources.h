@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the rays of the sources start: from every point to all sides, and from every segment to both.
+// Initial windows of the sources: from every point in all directions, and from every segment to both sides.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_SOURCES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_SOURCES_H
@@ -22,19 +22,19 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A source inside a closed face: a point, or a segment from `first` to `second`, in the face's frame (and in units of the
-// certified mesh). It is exactly where rounding has put it, which is in the closed face; `moved` says how far that is at
-// most from where it was asked for.
+// Source in a closed face: a point, or a segment from `first` to `second`, in the face frame and in units of the certified
+// mesh. The rounded position counts as exact; `moved` is an upper bound of its distance from the given position.
 struct Certified_source
 {
   Index face;
   Double_double_2 first, second;
   bool is_segment;
-  int on_edge; // the halfedge that the source lies on, or -1
+  int on_edge; // halfedge that contains the source, or -1
   double moved;
 
-  // The way from p to the nearest point, up to `length_error` (its length and the lengths from p to the ends); for a segment
-  // this is its `reach`.
+  // Vector from p to the nearest point of the source, with an error of `length_error` times the sum of its length and, for
+  // a segment, the distances of p from both ends. `reach`: the distance of p from `first`, plus that from `second` for a
+  // segment.
   Point_in_face<double> way_from(const Double_double_2& p, double& reach) const
   {
     const Point_in_face<double> a = difference(p, first);
@@ -75,8 +75,8 @@ public:
                      [](const Certified_source& a, const Certified_source& b) { return a.face < b.face; });
   }
 
-  // Where a point is in the frame of a face, moved back into the closed face if rounding has left it. False if it is not in
-  // the face. `edges` as in `position_in_face`.
+  // Computes the position of a point in the face frame, moved back into the closed face if rounding placed it outside.
+  // Returns false if the point is not in the face. `edges` as in position_in_face().
   bool place_in_face(const Place& p, Index face, Double_double_2& place, unsigned& edges) const
   {
     Point position;
@@ -104,14 +104,14 @@ public:
     return true;
   }
 
-  // The source of halfedge k, in the frame of the face.
+  // Source of halfedge k, in the face frame.
   Double_double_2 corner(Index face, int k) const
   {
     if (k == 2) return m_mesh.apex(3 * face);
     return {k == 0 ? Double_double(0.) : m_mesh[3 * face].length, 0.};
   }
 
-  // Along halfedge k, in the frame of the face.
+  // Direction of halfedge k, in the face frame.
   Double_double_2 direction(Index face, int k) const
   {
     if (k == 0) return {1., 0.};
@@ -119,8 +119,8 @@ public:
     return {-c.x, k == 1 ? c.y : -c.y};
   }
 
-  std::vector<Index> vertices;            // that are sources
-  std::vector<Certified_source> in_faces; // by face
+  std::vector<Index> vertices; // source vertices
+  std::vector<Certified_source> in_faces; // sorted by face
 
   // Calls f(source) for the sources in a face.
   template <class Function>
@@ -131,12 +131,12 @@ public:
     for (; i != in_faces.end() && i->face == face; ++i) f(*i);
   }
 
-  // Calls f(halfedge, window) for what a source sends out of its face, into the faces beyond.
+  // Calls f(halfedge, window) for the initial windows of a source in the adjacent faces.
   template <class Function>
   void for_each_window(const Certified_source& s, const Function& f) const
   {
     if (s.is_segment && s.on_edge >= 0)
-    { // into its face; into the other one goes the same segment seen from there
+    { // into its own face; the adjacent face has its own copy of the segment
       const Certified_window w = edge_window(s);
       if (w.b0 < w.b1) f(3 * s.face + Index(s.on_edge), w);
       return;
@@ -151,7 +151,7 @@ public:
       {
         if (k == s.on_edge) continue;
         w.set_image(beyond_edge(s.face, k, s.first, false));
-        // a point that rounding has moved to the edge is in front of it by less than the error of an image
+        // a point that rounding moved onto the edge is displaced inward by less than the error of an image
         if (w.y > -0.01 * image_error) w.set_image({w.image().x, -0.01 * image_error});
         w.set_interval(0., m_mesh.length(g));
         CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, s.first, false, w); check_window(w, m_mesh.length(g));)
@@ -208,12 +208,12 @@ private:
     }
   }
 
-  // A point or a direction of the frame of a face, in the frame of the twin of its halfedge k.
+  // Transforms a point or a direction from the face frame to the frame of the twin of halfedge k.
   Double_double_2 beyond_edge(Index face, int k, Double_double_2 p, bool is_direction) const
   {
     const Index h = 3 * face;
     for (int i = 0; i < k; ++i)
-    { // on from halfedge i to the next one, which turns left by what the corner leaves of a half turn
+    { // to the frame of the next halfedge
       if (!is_direction) p.x = p.x - m_mesh[h + Index(i)].length;
       const Double_double_2& c = m_mesh[h + Index(i + 1)].corner;
       p = in_frame({-c.x, c.y}, p);
@@ -224,13 +224,13 @@ private:
     return p;
   }
 
-  // What a segment sends through halfedge k of its face, at right angles to one side of it.
+  // Window of the rays from one side of a segment, orthogonal to it, through halfedge k of its face.
   bool strip_window(const Certified_source& s, int k, Index g, bool to_left, Certified_window& w) const
   {
     Double_double_2 along{s.second.x - s.first.x, s.second.y - s.first.y};
     const Double_double size = square_root(along.x * along.x + along.y * along.y);
     along = {along.x / size, along.y / size};
-    // rays go along n; the image is where they come from
+    // the rays have direction n; the image is in the opposite direction
     const Double_double_2 n = to_left ? Double_double_2{-along.y, along.x} : Double_double_2{along.y, -along.x};
     w.set_image(beyond_edge(s.face, k, {-n.x, -n.y}, true));
     if (w.y >= -Certified_mesh::flat) return false;
@@ -240,7 +240,7 @@ private:
     const Double_double sigma = w.image().x * a.x + w.image().y * a.y;
     w.sigma = sigma.high;
     w.sigma_low = sigma.low;
-    // the part of the edge between the rays from both ends, and in front
+    // part of the edge in front of the segment, between the rays from both ends
     const double length = m_mesh.length(g), allowance = 4 * s.moved;
     double from = 0, to = length;
     const auto clip = [&](double at_0, double at_length) {
@@ -265,14 +265,15 @@ private:
   }
 
 #ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
-  // The image of a source, or the direction to it for a segment from `first`, beyond halfedge k of the face.
+  // Sets the exact image beyond halfedge k of the face: the position of a point source, or the direction of a segment's
+  // rays, with `first` on the segment.
   void set_precise(Index face, int k, const Double_double_2& p, bool is_direction, Certified_window& w,
                    const Double_double_2* first = nullptr) const
   {
     const Precise_mesh& mesh = m_mesh.precise();
     Precise_2 image = mesh.beyond_edge(face, k, {precise(p.x), precise(p.y)}, is_direction);
     if (!is_direction)
-    { // a source on the edge is in front of it, too, if only by what 200 bits can tell
+    { // a source on the edge counts as inside, too, by an amount visible in 200 bits
       image.y = (std::min)(image.y, Precise(-0x1p-150));
       w.precise = mesh.add({image.x, image.y, Precise(0), false});
       return;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the certified front is, and what it leaves behind.
+// State and results of the certified front.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_STATE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_STATE_H
@@ -25,8 +25,8 @@ namespace internal {
 struct Certified_field
 {
   Distance_bounds bounds;
-  std::vector<Certified_window> windows; // if they are kept: by face, in the order in which the front has passed them
-  std::vector<std::size_t> begin;        // four for each face, as in Kept_windows
+  std::vector<Certified_window> windows; // kept windows by face, in the order of finalization
+  std::vector<std::size_t> begin; // four per face, as in Kept_windows
   std::size_t windows_created = 0, windows_propagated = 0;
 
   bool has_windows() const { return !begin.empty(); }
@@ -54,7 +54,7 @@ public:
     if (keeps_windows) field.begin.assign(4 * unfolded.number_of_faces(), 0);
   }
 
-  // A path to v, up to the radius, that leaves v along `back`, which is known up to an angle.
+  // Processes a path to v with an error of at most the radius; `back` is the direction to its start, known up to an angle.
   void arrive(Index v, double distance, double radius, const Ray_at_vertex<double>& back,
               double angle CGAL_GEODESIC_OFFSET_CERTIFICATE(, const std::vector<Precise>& directions))
   {
@@ -64,7 +64,7 @@ public:
       queue.push_vertex((std::max)(queue.bucket_of(distance), queue.current()), v);
   }
 
-  // Calls f(arrival) for what has arrived at v, may be shortest, and has not spread yet.
+  // Calls f(arrival) for each arrival at v that may be shortest and has not spread yet.
   template <class Function>
   void spread_arrivals(Index v, const Function& f)
   {
@@ -73,10 +73,10 @@ public:
     });
   }
 
-  // A window that is kept if the ends of g leave something of it.
+  // Appends a window unless the ends of g prune it.
   void add(Index g, Window w)
   {
-    auto output = m_single.start(g, takes_windows(g), 1);
+    auto output = m_single.start(g, accepts_windows(g), 1);
     if (!output.is_open() || !(w.b0 < w.b1)) return;
     output.next() = w;
     const double length = mesh.length(g);
@@ -90,7 +90,7 @@ public:
     append(m_single);
   }
 
-  // Says that the next halfedges of the queue will be taken soon.
+  // Prefetches the next halfedges of the queue.
   void prefetch_next() const
   {
     lists.prefetch_next(queue, [this](Index g) { prefetch_face(g); });
@@ -102,10 +102,10 @@ public:
     unfolded.prefetch_face(h);
   }
 
-  // A border or a face that the front has passed takes none.
-  bool takes_windows(Index g) const { return g != no_index && m_face_state[g / 3] != FINISHED; }
+  // False for border halfedges and finalized faces.
+  bool accepts_windows(Index g) const { return g != no_index && m_face_state[g / 3] != FINISHED; }
 
-  // Writes windows behind the list of their halfedge, and puts the halfedge into the queue.
+  // Appends windows to the list of their halfedge, and inserts the halfedge into the queue.
   void append(const Output& output)
   {
     const std::size_t n = output.size();
@@ -127,7 +127,7 @@ public:
     queue.push_face(queue.current() + 2, f);
   }
 
-  // A face is finished once the front has passed its largest distance, with a bucket to spare.
+  // A face is final once the front has passed its largest distance by one bucket.
   void try_to_finish(Index f)
   {
     if (m_face_state[f] == FINISHED) return;
@@ -150,7 +150,7 @@ public:
     release_finished();
   }
 
-  // Gives up the lists of the faces that were finished.
+  // Releases the lists of finalized faces.
   void release_finished()
   {
     lists.release_faces(m_finished, lists.arena(0));
@@ -184,7 +184,7 @@ private:
   Output m_single;
   Arrivals m_arrivals;
   std::vector<char> m_face_state;
-  std::vector<Index> m_finished; // faces whose lists are still there
+  std::vector<Index> m_finished; // faces with unreleased lists
 };
 
 } // namespace internal

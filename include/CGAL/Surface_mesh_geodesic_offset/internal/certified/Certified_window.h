@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A window that knows how far it may be wrong.
+// Window with an error bound.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_WINDOW_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_WINDOW_H
@@ -22,38 +22,37 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Errors of one rounding, and of the few roundings of a length, a side test, and where a ray leaves a face, relative to what
-// goes in.
+// Relative errors of one rounding, and of the few roundings in a length, a side test, and an exit.
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double length_error = 16 * unit_roundoff;
 constexpr double side_error = 8 * unit_roundoff;
 constexpr double exit_error = 6 * unit_roundoff;
 
-// Error of an image after at most `most_faces` faces without a bend, relative to its distance and the longest edge, which is
-// between 1 and 2.
+// Error of an image after at most `most_faces` faces without a bend, relative to its distance and the longest edge, which
+// is between 1 and 2.
 constexpr double image_error = 0x1p-72;
 constexpr Index most_faces = 0xffff;
 
-// Error of a corner, and of an apex, relative to the length of the edges.
+// Error of a corner or an apex, relative to the length of the edges.
 constexpr double corner_error = 0x1p-97;
 
-// As `Window`, with the image in twice the digits. The interval holds all rays that may be shortest, and some beside them
-// that are within rounding of one; so every point that it reaches has a path that is longer than the window says by
-// `radius` at most, and where the window's own path is the shortest, its length differs by `radius` at most.
+// Counterpart of `Window` with an image of twice the digits. The interval contains all rays that may be shortest, and some
+// beside them within rounding. Each point of the rays has a path that is at most `radius` longer than the window's
+// distance; if the window's path is shortest, its length differs from that distance by at most `radius`.
 struct Certified_window
 {
   double x, y, sigma;
   double b0, b1, d0, d1;
   double radius;
   double x_low, y_low, sigma_low;
-  Index bits; // bit 0: parallel; bit 1: already propagated; from bit 2 on: number of faces since the last bend
+  Index bits; // bit 0: parallel; bit 1: propagated; from bit 2: number of faces since the last bend
   CGAL_GEODESIC_OFFSET_CERTIFICATE(const Precise_image* precise;)
 
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
 
-  // Faces that the image has been unfolded across.
+  // Number of faces that the image was unfolded across.
   Index faces() const { return bits >> 2; }
   Index bits_of_child() const { return (bits & ~2u) + 4u; }
   void set_faces_of_both(const Certified_window& o) { bits = (std::max)(bits >> 2, o.bits >> 2) << 2 | (bits & 3u); }
@@ -67,10 +66,11 @@ struct Certified_window
     y_low = image.y.low;
   }
 
-  // From a point of the halfedge to the image, also if both are close together; for parallel rays their direction.
+  // x coordinate of the vector from a point of the halfedge to the image, accurate also if both are close together; for
+  // parallel rays, of their direction.
   double to_image(const Double_double& t) const { return is_parallel() ? x : (x - t.high) + (x_low - t.low); }
 
-  // Up to length_error (D + the size of the face).
+  // Error at most length_error (D + size of the face).
   double distance_at(double t) const { return distance_at(t, 0.); }
   double distance_at(double px, double py) const
   {
@@ -79,14 +79,14 @@ struct Certified_window
     return sigma + std::sqrt(u * u + v * v);
   }
 
-  // At two points of the halfedge.
+  // Distances at two points of the halfedge.
   Number_pair<double> distances_at(const Number_pair<double>& t) const
   {
     if (is_parallel()) return Pair(sigma) - Pair(x) * t;
     return Pair(sigma) + radii(t, Pair(x), Pair(x_low), Pair(y + y_low));
   }
 
-  // Of a at u, and of b at v.
+  // Distance of a at u, and of b at v.
   static Number_pair<double> distances_at(const Certified_window& a, double u, const Certified_window& b, double v)
   {
     if ((a.bits | b.bits) & 1u) return Pair(a.distance_at(u), b.distance_at(v));
@@ -104,12 +104,11 @@ struct Certified_window
 
   double error_of_image() const { return image_error * (is_parallel() ? 1. : std::abs(x) + std::abs(y) + 1.); }
 
-  // On which side of the ray through (b, 0) a point (px, py) of the face lies: POSITIVE if to the left; ZERO if that is not
-  // certain.
+  // Side of the ray through (b, 0) on which a point (px, py) of the face lies: POSITIVE for left; ZERO if uncertain.
   Sign side_of(const Double_double& px, double py, const Double_double& b) const
   {
-    // Image, b and p move by no more than their errors; so from b the image turns by its error, and so does the point. All
-    // sizes are those of vectors from b: coordinates themselves may be much larger.
+    // Image, b and p are displaced by at most their errors; seen from b, the image and the point turn by their errors. All
+    // sizes are those of vectors from b, since coordinates may be much larger.
     const double from_b = to_image(b), along = (px.high - b.high) + (px.low - b.low), value = y * along - from_b * py;
     const double error = side_error * (std::abs(from_b) * py + std::abs(y * along)) +
                          error_of_image() * (std::abs(along) + py) +
@@ -117,15 +116,16 @@ struct Certified_window
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
   }
 
-  // How much longer the path around the end b of the interval is than the distance of a point p for which side_of() is not
-  // certain. The point is beside the ray through b by twice the error above over the length r of the ray up to b, so by
-  // 16 u |p - b| + 2 off |p - b|_1 / r + 2 corner_error (|p|_1 + b) sqrt(2) at most; the path is longer by no more than twice
-  // that, nor by more than 2 r.
+  // Excess length of the path around the end b of the interval over the distance of a point p for which side_of() is
+  // uncertain. The distance of p from the ray through b is at most twice the error above, divided by the length r of the
+  // ray up to b: at most 16 u |p - b| + 2 off |p - b|_1 / r + 2 corner_error (|p|_1 + b) sqrt(2). The path is longer by at
+  // most twice that, and by at most 2 r.
   double way_around(const Double_double& px, double py, const Double_double& b) const
   {
     const double along = std::abs((px.high - b.high) + (px.low - b.low)) + py;
     const double r = is_parallel() ? 1. : std::abs(to_image(b)) - y;
-    const double by_image = 6 * error_of_image() * along; // r is the sum of both coordinates, up to sqrt(2) r
+    // r is the sum of both coordinates, at most sqrt(2) times the length
+    const double by_image = 6 * error_of_image() * along;
     return 5 * side_error * along + 8 * corner_error * (std::abs(px.high) + py + b.high) +
            (is_parallel() || by_image < 2 * r * r ? by_image / r : 2 * r);
   }
@@ -139,7 +139,7 @@ struct Certified_window
 private:
   typedef Number_pair<double> Pair;
 
-  // From points of the halfedge to images.
+  // Distances from points of the halfedge to images.
   static Pair radii(const Pair& t, const Pair& x, const Pair& x_low, const Pair& y)
   {
     const Pair u = (t - x) - x_low;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is known of the distances of the vertices, and how shortest paths arrive where they may bend.
+// Bounds of vertex distances, and the paths that arrive at vertices where paths may bend.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DISTANCE_BOUNDS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DISTANCE_BOUNDS_H
@@ -33,7 +33,7 @@ public:
   double lower(Index v) const { return m_lower[v]; }
   double upper(Index v) const { return m_upper[v]; }
 
-  // There is a path of this length, up to the radius.
+  // Processes a path of this length, with an error of at most the radius.
   void update(Index v, double distance, double radius)
   {
     CGAL_precondition(distance >= 0 && radius >= 0);
@@ -45,19 +45,20 @@ private:
   std::vector<double> m_lower, m_upper;
 };
 
-// A path that may be the shortest one to a vertex, and the direction where it came from, known up to an angle.
+// Candidate for the shortest path to a vertex, with the direction to its start, known up to an angle.
 struct Arrival
 {
   Ray_at_vertex<double> back;
   double angle;
   double distance, radius;
   bool has_spread;
-  Index next; // of the same vertex
-  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::vector<Precise> directions;) // of all paths, as angles to the corner
+  Index next; // next arrival at the same vertex
+  // Directions of all merged paths, as angles from the corner.
+  CGAL_GEODESIC_OFFSET_CERTIFICATE(std::vector<Precise> directions;)
 
   double lower() const { return distance - radius; }
 
-  // Takes another path in that comes from the same direction, and is as long, up to rounding. False if it is not.
+  // Merges a path with the same direction and length, up to rounding. Returns false for other paths.
   bool unite(const Arrival& o)
   {
     if (o.back.corner != back.corner || std::abs(o.distance - distance) > o.radius + radius) return false;
@@ -69,7 +70,8 @@ struct Arrival
     if (from >= lower() && to <= distance + radius && o.angle + std::abs(cross) / dot <= angle) return true;
     if (has_spread) return false;
     distance = 0.5 * (from + to);
-    radius = 0.5 * (to - from) * (1 + 0x1p-50) + 0x1p-51 * distance; // the roundings of `from`, `to` and their mean
+    // allows for the roundings of `from`, `to` and their mean
+    radius = 0.5 * (to - from) * (1 + 0x1p-50) + 0x1p-51 * distance;
     angle = (std::max)(angle, 2 * std::abs(cross) / dot + o.angle);
     return true;
   }
@@ -83,7 +85,7 @@ public:
   Arrivals() = default;
   explicit Arrivals(std::size_t number_of_vertices) : m_first(number_of_vertices, no_index) {}
 
-  // False if nothing new was to be noted.
+  // Returns false if the arrival is already covered.
   bool add(Index v, Arrival arrival)
   {
     for (Index i = m_first[v]; i != no_index; i = m_arrivals[i].next)
@@ -94,8 +96,8 @@ public:
     return true;
   }
 
-  // Calls f(arrival) for those that have not spread yet, and notes that they have. Afterwards what comes within some
-  // rounding of them is nothing new.
+  // Calls f(arrival) for arrivals that have not spread yet, and marks them. From then on, arrivals within a few roundings
+  // of them count as covered.
   template <class Function>
   void spread(Index v, const Function& f)
   {
@@ -111,7 +113,7 @@ public:
   }
 
 private:
-  std::vector<Index> m_first; // per vertex
+  std::vector<Index> m_first; // by vertex
   std::vector<Arrival> m_arrivals;
 };
 

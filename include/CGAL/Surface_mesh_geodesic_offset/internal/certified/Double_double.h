@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unevaluated sums of two doubles: the images of sources keep their place over any number of faces.
+// Unevaluated sums of two doubles. With them, images remain accurate over any number of faces.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DOUBLE_DOUBLE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DOUBLE_DOUBLE_H
@@ -16,10 +16,10 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// With round to nearest, and u = 2^-53, the operations have errors of at most 8 u^2 of the result, sums of 8 u^2 of the
-// larger operand (Dekker 1971; Joldes, Muller and Popescu 2017). |low| <= u |high|.
+// With rounding to nearest and u = 2^-53, products, quotients and roots have relative errors of at most 8 u^2, sums 8 u^2
+// relative to the larger operand (Dekker 1971; Joldes, Muller and Popescu 2017). |low| <= u |high|.
 //
-// `Number`: double, or two of them at once.
+// `Number`: double, or a Number_pair<double>.
 template <class Number>
 struct Double_length
 {
@@ -32,7 +32,7 @@ struct Double_length
 
 typedef Double_length<double> Double_double;
 
-// a + b without error.
+// Exact sum a + b.
 template <class Number>
 inline Double_length<Number> two_sum(const Number& a, const Number& b)
 {
@@ -40,14 +40,14 @@ inline Double_length<Number> two_sum(const Number& a, const Number& b)
   return {s, (a - (s - t)) + (b - t)};
 }
 
-// The same for |a| >= |b|, or a = 0.
+// Exact sum for |a| >= |b|, or a = 0.
 inline Double_double quick_two_sum(double a, double b)
 {
   const double s = a + b;
   return {s, b - (s - a)};
 }
 
-// A number in two halves of 26 digits, whose products with those of another one are exact.
+// A number as a sum of two halves of 26 digits; products of halves are exact.
 template <class Number>
 struct Split
 {
@@ -66,7 +66,7 @@ struct Split
 };
 
 #ifdef FP_FAST_FMA
-// a b - c, rounded once.
+// a b - c with a single rounding.
 inline double fused(double a, double b, double c) { return std::fma(a, b, -c); }
 inline Number_pair<double> fused(const Number_pair<double>& a, const Number_pair<double>& b, const Number_pair<double>& c)
 {
@@ -74,7 +74,7 @@ inline Number_pair<double> fused(const Number_pair<double>& a, const Number_pair
 }
 #endif
 
-// a b without error, but for underflow.
+// Exact product a b, except for underflow.
 template <class Number>
 inline Double_length<Number> two_product(const Split<Number>& a, const Split<Number>& b)
 {
@@ -123,7 +123,7 @@ inline Double_double square_root(const Double_double& a)
   return quick_two_sum(r, rest.high / (2 * r));
 }
 
-// A unit vector, or an image.
+// A unit vector or an image.
 struct Double_double_2
 {
   Double_double x, y;

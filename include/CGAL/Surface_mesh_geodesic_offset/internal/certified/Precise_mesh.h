@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Debug mode of certified bounds, with CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES: images and frames with 200 bits, which all
-// windows carry along. Without the macro, this header defines an empty macro and nothing else.
+// windows carry along. Without the macro, this header only defines an empty macro.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_PRECISE_MESH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_PRECISE_MESH_H
@@ -46,7 +46,7 @@ struct Precise_2
 
 inline Precise precise_length(const Precise& x, const Precise& y) { return boost::multiprecision::sqrt(x * x + y * y); }
 
-// The image of a window as it is without rounding, in the frame of the window's halfedge.
+// Image of a window without rounding, in the frame of the window's halfedge.
 struct Precise_image
 {
   Precise x, y, sigma;
@@ -58,7 +58,7 @@ struct Precise_image
   }
   Precise distance(double t) const { return distance(Precise(t), Precise(0)); }
 
-  // From (b, 0) to the image.
+  // x coordinate of the vector from (b, 0) to the image.
   Precise to_image(const Precise& b) const { return is_parallel ? x : Precise(x - b); }
 
   // Positive if (px, py) is to the left of the ray through (b, 0).
@@ -69,7 +69,7 @@ struct Precise_halfedge
 {
   Precise length;
   Precise_2 corner; // as in Certified_mesh
-  Precise angle;    // of the corner
+  Precise angle; // of the corner
 };
 
 class Certificate_error : public std::logic_error
@@ -83,7 +83,7 @@ inline void check_certificate(bool holds, const char* what)
   if (!holds) throw Certificate_error(what);
 }
 
-// The frames of all faces, and all images.
+// Frames of all faces, and all images.
 class Precise_mesh
 {
 public:
@@ -124,14 +124,14 @@ public:
     return {m_halfedges[h].corner.x * l, m_halfedges[h].corner.y * l};
   }
 
-  // The image stays where it is.
+  // The address of the image remains valid.
   const Precise_image* add(const Precise_image& image) const
   {
     m_images.push_back(image);
     return &m_images.back();
   }
 
-  // As Certified_sources::beyond_edge.
+  // Exact version of Certified_sources::beyond_edge().
   Precise_2 beyond_edge(Index face, int k, Precise_2 p, bool is_direction) const
   {
     const Index h = 3 * face;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors of twice the digits of double, turned: both coordinates at once.
+// Rotation of vectors of twice the digits of double, with both coordinates in one register.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_ROTATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_ROTATION_H
@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Brings vectors into a frame whose x axis has a given unit direction. The error is at most 32 u^2 of the vector's length.
+// Transforms vectors to a frame whose x axis has a given unit direction. The error is at most 32 u^2 times the vector's
+// length.
 class Rotation
 {
 public:

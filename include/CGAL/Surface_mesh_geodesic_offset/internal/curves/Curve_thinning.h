@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points of an offset curve that a polyline within a tolerance needs.
+// Selection of points of an offset curve for a polyline within a tolerance.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CURVE_THINNING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_CURVE_THINNING_H
@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The point of a piece at the parameter part / parts. The point between two pieces is a point of the first of them, so that
-// it is the same point from either side.
+// The point of a piece at the parameter part / parts. A point between two pieces belongs to the first of them, so it is the
+// same point seen from both pieces.
 struct Curve_point
 {
   std::size_t piece, part, parts;
@@ -33,36 +33,36 @@ struct Curve_point
   {
     typedef typename Curve::FT FT;
     const std::size_t n = curve.number_of_pieces();
-    // of the two faces beside an edge, the first and last points of a closed curve name the same
+    // the first and last points of a closed curve must be in the same face
     if (part == parts) return curve.is_closed() && piece + 1 == n ? curve.piece(0).start() : curve.piece(piece).end();
     if (part == 0) return curve.piece(piece).start();
     return curve.piece(piece).location(FT(double(part)) / FT(double(parts)));
   }
 };
 
-// Selects points of a curve. The polyline through them has a Frechet distance of at most the tolerance from the curve, up to
-// rounding, and it has no more points than that of `Geodesic_offset_curve::discretize()`, whose chords do not pass the ends
-// of pieces.
+// Selects points of a curve. Up to rounding, the Frechet distance between the curve and the polyline through these points
+// is at most the tolerance. The polyline has no more points than that of `Geodesic_offset_curve::discretize()`, whose
+// chords do not pass ends of pieces.
 //
-// First there is a polyline that is nearer to the curve, of candidates: the ends of pieces, and points inside arcs.
-// Where the curve runs straight from face to face, only the ends of the straight part remain, so the corners of a polygon are
-// candidates and the points beside them are not. Then Polyline_thinning selects candidates.
+// The candidates form a polyline closer to the curve: ends of pieces, and points inside arcs. If the curve runs straight
+// through several faces, only the ends of the straight part are candidates, so corners of a polygon are candidates and
+// points beside them are not. Polyline_thinning then selects from the candidates.
 template <class Curve>
 class Curve_thinning
 {
   typedef typename Curve::FT FT;
   typedef typename Curve::Piece Piece;
 
-  // Height of an arc over the segments between candidates, as a part of the tolerance. The rest, 15/16, is left for chords
-  // over several pieces: they are shorter than those with the whole tolerance by 1 - sqrt(15/16), 3 percent. A smaller part
-  // takes more candidates: the chord of one arc within the whole tolerance has sqrt(16) segments.
+  // Height of an arc over the segments between candidates, relative to the tolerance. The remaining 15/16 of the tolerance
+  // are for chords over several pieces, which are shorter by 1 - sqrt(15/16), 3 percent, than with the whole tolerance. A
+  // smaller value needs more candidates: the longest chord of one arc spans sqrt(16) segments.
   static constexpr double arc_part = 1. / 16;
-  // An arc with so many chords within the whole tolerance has no other candidates than their ends: fewer chords would be
-  // gained than two of sixteen, and the number of candidates is bounded by that of the points of `discretize()`, up to a
-  // constant per piece.
+  // An arc with this many chords within the whole tolerance has no candidates but their ends: others could save fewer than
+  // two of sixteen chords. So the number of candidates is at most that of the points of `discretize()` plus a constant per
+  // piece.
   static constexpr std::size_t many_chords = 16;
-  // Deviation of a straight part of the curve from its chord, as a part of the tolerance: a corner is moved by no more than
-  // sqrt(2) times this length if it is a right angle.
+  // Deviation of a straight part of the curve from its chord, relative to the tolerance: it displaces a right-angled corner
+  // by at most sqrt(2) times this length.
   static constexpr double straight_part = 1. / 1024;
 
 public:
@@ -72,15 +72,15 @@ public:
     check_chord_tolerance(tolerance);
   }
 
-  // The points of the whole curve. A closed curve ends with its first point, which may be any end of a piece.
-  // is_kept(i): whether the end of the piece i is to be a point.
+  // Points of the whole curve. A closed curve may start at any end of a piece, and ends with its first point. is_kept(i):
+  // whether the end of piece i must be selected.
   template <class Condition>
   std::vector<Curve_point> whole(const Condition& is_kept) const
   {
     return select(0, m_curve.number_of_pieces(), m_curve.is_closed(), is_kept);
   }
 
-  // The points of the pieces first, ..., first + count - 1, counted round if the curve is closed, with their ends.
+  // Points of the pieces first, ..., first + count - 1, cyclically for a closed curve, including both ends.
   std::vector<Curve_point> part(std::size_t first, std::size_t count) const
   {
     return select(first, count, false, [](std::size_t) { return false; });
@@ -91,7 +91,7 @@ private:
   {
     std::vector<Thinning_vertex> vertices;
     std::vector<Curve_point> points;
-    std::vector<char> is_straight; // whether the curve is straight before and after the vertex, so that it may be no corner
+    std::vector<char> is_straight; // straight before and after the vertex: no corner
 
     void push(const Curve& curve, const Curve_point& p, double height)
     {
@@ -130,13 +130,13 @@ private:
     if (is_closed) turn_to_corner(few);
     std::vector<Curve_point> result = selected(few, Polyline_thinning(few.vertices, tolerance)());
     if (!is_closed || result.size() >= 4) return result;
-    // A closed curve within the tolerance of a point or segment remains a triangle. It has two pieces at least that are no
-    // points, of which one is an arc, so with three parts of each arc there are three segments at least.
+    // A closed curve within the tolerance of a point or segment remains a triangle. At least two of its pieces are not
+    // points, and at least one of these is an arc, so three parts per arc give at least three segments.
     const Candidates all = candidates(first, count, is_kept, 3);
     return selected(all, Polyline_thinning(all.vertices, tolerance).triangle_at_least());
   }
 
-  // least_parts: parts of an arc
+  // least_parts: minimum number of parts per arc
   template <class Condition>
   Candidates candidates(std::size_t first, std::size_t count, const Condition& is_kept, std::size_t least_parts) const
   {
@@ -161,8 +161,8 @@ private:
           return 2 * r * sine * sine;
         };
         height = height_over(chords);
-        // The height of a part is at least that of the chord divided by the square of the number of parts, and about that.
-        // number_of_chords() bounds the angle of a chord below, so a tolerance less than rounding may be less than the height.
+        // The height of a part is approximately, and at least, the height of the chord divided by the square of the number
+        // of parts. number_of_chords() has a minimum angle per chord, so the height may exceed a tolerance below rounding.
         if (chords < many_chords && height > arc_part * tolerance)
           divisor = std::size_t(std::ceil(std::sqrt((std::min)(height / tolerance, 1.) / arc_part) * (1 - 1e-12)));
         divisor = (std::max)(divisor, least_parts);
@@ -178,7 +178,7 @@ private:
       }
       c.push(m_curve, {i, parts, parts}, height);
       c.vertices.back().is_kept = is_kept(i);
-      // a piece may be a point, but the first and last points remain
+      // drop a piece that is a point, but retain the first and last points of the curve
       const std::size_t size = c.points.size();
       const bool is_point = parts == 1 && c.vertices[size - 2].point == c.vertices[size - 1].point;
       if (!is_point) is_after_segment = piece.is_segment();
@@ -188,7 +188,7 @@ private:
     return c;
   }
 
-  // The candidates without those inside a straight part. They would be selected on neither side of a corner.
+  // Removes candidates inside straight parts, so that no points beside a corner are selected.
   Candidates without_straight_parts(const Candidates& all) const
   {
     const double tolerance = CGAL::to_double(m_tolerance) * straight_part;
@@ -211,11 +211,11 @@ private:
     return few;
   }
 
-  // Lets a closed curve begin at an end of a piece that is kept, or else at that with the sharpest turn: at the corner of a
-  // polygon, and not inside one of its sides.
+  // Rotates a closed curve such that it starts at a kept end of a piece, otherwise at the sharpest corner: a polygon starts
+  // at a corner, not inside a side.
   static void turn_to_corner(Candidates& c)
   {
-    const std::size_t n = c.points.size() - 1; // the last one is the first one
+    const std::size_t n = c.points.size() - 1; // the last point equals the first
     std::size_t corner = 0;
     double least_cosine = 2;
     for (std::size_t i = 0; i < n; ++i)
@@ -264,7 +264,7 @@ private:
   FT m_tolerance;
 };
 
-// The points of a whole curve for a polyline within the tolerance.
+// Points of a whole curve for a polyline within the tolerance.
 template <class Curve>
 std::vector<Curve_point> thinned_points(const Curve& curve, const typename Curve::FT& tolerance)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Selects vertices of a polyline such that the polyline through them is within a tolerance of a curve.
+// Selection of vertices of a polyline such that the polyline through them is within a tolerance of a curve.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_POLYLINE_THINNING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CURVES_POLYLINE_THINNING_H
@@ -19,23 +19,23 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A vertex of a polyline whose vertices are points of a curve.
+// Vertex of a polyline whose vertices lie on a curve.
 struct Thinning_vertex
 {
   std::array<double, 3> point;
-  double height = 0;          // Frechet distance of the curve from the segment that ends here, or an upper bound
-  bool is_kept = false;       // no chord passes this vertex
-  std::size_t free_steps = 1; // the chord to the vertex so many places further is within the tolerance without a check
+  double height = 0; // Frechet distance of the curve from the segment that ends here, or an upper bound
+  bool is_kept = false; // no chord may pass this vertex
+  std::size_t free_steps = 1; // number of steps that a chord may span without a check
 };
 
-// A greedy walk: from each selected vertex the longest chord that is found by doubling and bisection.
+// Greedy selection: from each selected vertex, the longest chord found by doubling and bisection.
 //
-// A chord is accepted if its Frechet distance from the curve is within the tolerance: if there are points of the chord, in the
-// order of the vertices that it passes, such that the point of a vertex is no farther from it than the tolerance less the
-// heights of the curve over the two segments beside the vertex. So the chord is within the tolerance of the curve, the curve
-// is within the tolerance of the chord, and the chord runs over no turn back that is larger than the tolerance.
+// A chord is accepted if its Frechet distance from the curve is within the tolerance, that is, if there are points on the
+// chord, in the order of the passed vertices, such that the distance of each from its vertex is at most the tolerance minus
+// the heights of the curve over the two adjacent segments. So chord and curve are within the tolerance of each other, and
+// the chord does not skip a reversal of the curve larger than the tolerance.
 //
-// Takes time O(n log k) for n vertices, of which a chord passes k at most.
+// Time O(n log k) for n vertices, if a chord passes at most k of them.
 class Polyline_thinning
 {
 public:
@@ -45,11 +45,11 @@ public:
   {
   }
 
-  // Indices of the selected vertices, with the first and the last one.
+  // Indices of the selected vertices, including the first and the last.
   std::vector<std::size_t> operator()() const { return walk([](std::size_t, std::size_t) { return true; }, true); }
 
-  // Selects three vertices at least of a closed polyline, which ends with its first vertex, if it has as many: three where
-  // the least number of chords is one or two.
+  // Selects at least three vertices, if available, of a closed polyline, whose last vertex equals the first: three where
+  // one or two chords would be within the tolerance.
   std::vector<std::size_t> triangle_at_least() const
   {
     std::vector<std::size_t> selected = (*this)();
@@ -57,8 +57,8 @@ public:
     std::vector<double> way(m_vertices.size(), 0);
     for (std::size_t i = 1; i < way.size(); ++i)
       way[i] = way[i - 1] + length(difference(m_vertices[i].point, m_vertices[i - 1].point));
-    // Of the vertices between others, the one that is nearest to a way. A curve may pass a point several times, so points that
-    // are selected are left out, if there are others.
+    // The vertex strictly between two others whose arc length is nearest to w. A curve may pass a point several times, so
+    // selected points are excluded if there are others.
     const auto nearest = [&](double w, std::size_t after, std::size_t before) {
       std::size_t best = after + 1;
       double least = std::numeric_limits<double>::infinity();
@@ -88,8 +88,8 @@ public:
     bool are_chords = true;
     for (std::size_t k = 1; k < selected.size(); ++k) are_chords = are_chords && is_chord(selected[k - 1], selected[k]);
     if (are_chords) return selected;
-    // A part of the length: two chords do not replace all, three do, and the rest allows for segments that end before the
-    // part does. A single segment may be longer, but not longer than all others together.
+    // Fraction of the length per chord: two chords cannot cover the polyline, three can, and the rest of 1 / 2 allows for
+    // chords that end early. A single segment may be longer, but not longer than the others together.
     constexpr double longest = 0.45;
     return walk([&](std::size_t i, std::size_t j) { return way[j] - way[i] <= longest * way.back(); }, false);
   }
@@ -104,7 +104,7 @@ private:
     if (m_vertices.empty()) return selected;
     selected.push_back(0);
     const std::size_t last = m_vertices.size() - 1;
-    std::size_t stop = 0; // the next vertex that is kept
+    std::size_t stop = 0; // the next kept vertex
     for (std::size_t i = 0; i < last; i = selected.back())
     {
       if (stop <= i)
@@ -135,10 +135,10 @@ private:
   {
     const Vector chord = difference(m_vertices[j].point, m_vertices[i].point);
     const double l = length(chord);
-    // the ends of a segment differ, unless the segment is all of a closed polyline
+    // the end points of a segment differ, unless it is the whole closed polyline
     if (l == 0 && j > i + 1 && j - i + 1 < m_vertices.size()) return false;
     const Vector direction = l > 0 ? Vector{chord[0] / l, chord[1] / l, chord[2] / l} : Vector{0, 0, 0};
-    double way = 0; // along the chord, to the nearest point that the vertices up to k admit
+    double way = 0; // arc length along the chord of the nearest feasible point for the vertices up to k
     for (std::size_t k = i + 1; k < j; ++k)
     {
       const double allowed = m_tolerance - (std::max)(m_vertices[k].height, m_vertices[k + 1].height);

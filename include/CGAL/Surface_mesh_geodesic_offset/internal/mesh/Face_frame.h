@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The frame of a face is that of its first halfedge. Here: its corners, and the way to and from the frames of its
-// other halfedges.
+// Face frame: the frame of the first halfedge of a face, with transformations to and from the frames of its other
+// halfedges.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_FRAME_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_FRAME_H
@@ -81,8 +81,8 @@ public:
     m_corner[2] = {mesh[h].apex_x, mesh[h].apex_y};
     for (int k = 0; k < 3; ++k) m_length[k] = mesh[h + Index(k)].length;
     m_direction[0] = {FT(1), FT(0)};
-    // From the vectors at the corners where the edge is short, since a difference of corners loses its digits; from the
-    // difference where the other edge is shorter: then the direction fits the corners beyond the rounding of its own size.
+    // A short edge needs the vectors at the corners, since a difference of corners loses digits. If the other edge is
+    // shorter, the difference is better: then the direction fits the corners within the rounding of the direction itself.
     if (m_length[1] < m_length[0])
       m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
     else
@@ -90,28 +90,28 @@ public:
     m_direction[2] = {-mesh[h].apex_x / m_length[2], -mesh[h].apex_y / m_length[2]};
   }
 
-  const Point& corner(int k) const { return m_corner[k]; }           // source of halfedge k
-  const Point& direction(int k) const { return m_direction[k]; }     // unit vector along halfedge k
+  const Point& corner(int k) const { return m_corner[k]; } // source of halfedge k
+  const Point& direction(int k) const { return m_direction[k]; } // unit vector along halfedge k
   const FT& edge_length(int k) const { return m_length[k]; }
   FT longest_edge() const { return (std::max)({m_length[0], m_length[1], m_length[2]}); }
 
-  // The point at distance t from the source of halfedge k.
+  // The point on halfedge k at distance t from its source.
   Point on_edge(int k, const FT& t) const { return m_corner[k] + t * m_direction[k]; }
 
-  // Distance along halfedge k of the projection of p, and the height of p over it (positive inside).
+  // Distance along halfedge k of the projection of p, and height of p over the halfedge (positive inside).
   FT along(int k, const Point& p) const { return dot(p - m_corner[k], m_direction[k]); }
   FT height(int k, const Point& p) const { return cross(m_direction[k], p - m_corner[k]); }
 
   Point vector_to_halfedge(int k, const Point& v) const { return {dot(m_direction[k], v), cross(m_direction[k], v)}; }
 
-  // From the frame of halfedge k to that of the face.
+  // Transformation from the frame of halfedge k to the face frame.
   Point from_halfedge(int k, const Point& p) const { return m_corner[k] + vector_from_halfedge(k, p); }
   Point vector_from_halfedge(int k, const Point& v) const
   {
     return {m_direction[k].x * v.x - m_direction[k].y * v.y, m_direction[k].y * v.x + m_direction[k].x * v.y};
   }
 
-  // From the frame of the face to that of the twin of halfedge k.
+  // Transformation from the face frame to the frame of the twin of halfedge k.
   template <class Traits>
   void window_to_twin(const Traits& traits, int k, Window<FT>& w) const
   {
@@ -131,7 +131,7 @@ public:
     const FT w1 = (p.x - w2 * m_corner[2].x) / m_corner[1].x;
     return {FT(1) - w1 - w2, w1, w2};
   }
-  // The same for a point on halfedge k: the third coordinate is exactly zero.
+  // Overload for a point on halfedge k: the third coordinate is exactly zero.
   std::array<FT, 3> barycentric_on_edge(int k, const Point& p) const
   {
     FT t = along(k, p) / m_length[k];

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces of a mesh with what is around them, as plain numbers. The mesh is read once, in its own order, which its memory
-// has; all that is done in another order is done with these.
+// Connectivity of the faces as plain indices. The mesh is traversed once, in its own memory order; later passes in other
+// orders use these arrays.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LINKS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_FACE_LINKS_H
@@ -29,15 +29,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Indices of the mesh. The halfedges of a face are counted from halfedge(f).
+// Indices of the mesh. The halfedges of a face are numbered from halfedge(f).
 struct Face_links
 {
-  std::array<Index, 3> source; // vertices; no_index if there is no such face
-  std::array<Index, 3> beyond; // the faces across the halfedges; no_index on the border
+  std::array<Index, 3> source; // vertices; no_index if the face does not exist
+  std::array<Index, 3> beyond; // faces across the halfedges; no_index on the border
 
   bool is_face() const { return source[0] != no_index; }
 
-  // Which halfedge starts at a vertex of the face.
+  // The halfedge, 0 to 2, whose source is the vertex.
   Index halfedge_from(Index vertex) const
   {
     CGAL_precondition(source[0] == vertex || source[1] == vertex || source[2] == vertex);
@@ -45,15 +45,15 @@ struct Face_links
   }
 };
 
-typedef boost::container::vector<Face_links> All_face_links; // by the indices of the faces
+typedef boost::container::vector<Face_links> All_face_links; // by face index
 
-// The indices are below `end`.
+// Precondition: all face indices are less than `end`.
 template <class TriangleMesh, class Faces, class VertexIndexMap, class FaceIndexMap, class Team>
 All_face_links face_links(const TriangleMesh& tm, const Faces& faces, const VertexIndexMap& vim, const FaceIndexMap& fim,
                           std::size_t end, Team& team)
 {
   All_face_links links(end, boost::container::default_init);
-  if (faces.size() < end) // not all indices are in use
+  if (faces.size() < end) // some indices are unused
     std::fill(links.begin(), links.end(), Face_links{{no_index, no_index, no_index}, {no_index, no_index, no_index}});
   Blocks(faces.size(), team.size()).for_each(team, [&](Index, std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The user's mesh together with its unfolded form, and the way between the two. Immutable, shared by the main class and
-// the offset curves that come out of it.
+// The user's mesh together with its unfolded mesh, and conversions between the two. Immutable; shared by the main class and
+// the offset curves.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_SURFACE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_SURFACE_H
@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Element_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Index_renumbering.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Point_conversion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
@@ -33,7 +33,7 @@ template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPo
 struct Geodesic_surface
 {
   typedef typename Computation<Traits>::Computing_traits Computing_traits;
-  typedef typename Computing_traits::FT Number; // of the unfolded mesh
+  typedef typename Computing_traits::FT Number; // number type of the unfolded mesh
   typedef typename Traits::Kernel Kernel;
   typedef typename Traits::FT FT;
   typedef typename Traits::Point_3 Point_3;
@@ -55,7 +55,7 @@ struct Geodesic_surface
   {
   }
 
-  // Numbers of the unfolded mesh, for the user, and the other way round.
+  // Conversion between the numbers of the unfolded mesh and those of the user.
   static decltype(auto) exported(const Number& x) { return converted_number<FT>(x); }
   static decltype(auto) imported(const FT& x) { return converted_number<Number>(x); }
   static Barycentric_coordinates exported(const std::array<Number, 3>& w)
@@ -67,16 +67,16 @@ struct Geodesic_surface
     return {imported(w[0]), imported(w[1]), imported(w[2])};
   }
 
-  // As a point of the traits, of whatever kernel the mesh's points are.
+  // Converts the mesh's point to the traits' kernel.
   Point_3 position(vertex_descriptor v) const { return converted_point<Point_3, FT>(get(vpm, v)); }
 
-  // The numbers in the unfolded mesh.
+  // Indices in the unfolded mesh.
   Index index_of(vertex_descriptor v) const { return numbers.of(v); }
   Index index_of(face_descriptor f) const { return numbers.of(f); }
-  Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not on the border
+  Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not of a border halfedge
 
-  // Of a halfedge, or of the opposite one if it is on the border.
-  // \throws std::invalid_argument if the halfedge is null or of another mesh, or if neither of the two has a face
+  // Index of the halfedge, or of its opposite if it is a border halfedge.
+  // \throws std::invalid_argument if the halfedge is null or of another mesh, or if the edge has no face
   Index index_beside_edge(halfedge_descriptor h) const
   {
     check_halfedge(h);
@@ -84,15 +84,15 @@ struct Geodesic_surface
     if (is_border(h, tm)) throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge without a face");
     const face_descriptor f = face(h, tm);
     const Index i = index_of(f);
-    if (!(i < face_of.size()) || face_of[i] != f) complain_of_foreign_edge();
+    if (!(i < face_of.size()) || face_of[i] != f) throw_foreign_edge();
     return index_of_halfedge(h);
   }
 
-  // \throws std::invalid_argument if the halfedge is null, or its index is not in use. Descriptors that are pointers are
-  // recognized by their face.
+  // \throws std::invalid_argument if the halfedge is null or its index is unused. Pointers as descriptors are recognized by
+  // their face.
   void check_halfedge(halfedge_descriptor h) const
   {
-    if (h == Graph_traits::null_halfedge() || !has_index(tm, h, 0)) complain_of_foreign_edge();
+    if (h == Graph_traits::null_halfedge() || !has_index(tm, h, 0)) throw_foreign_edge();
   }
 
   Face_location location(Index face, const Point_in_face<Number>& p) const
@@ -100,14 +100,14 @@ struct Geodesic_surface
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric(p)));
   }
 
-  // A point known to lie on halfedge `edge` of the face; 3 if on none.
+  // Location of a point that lies on halfedge `edge` of the face; 3 if on none.
   Face_location location(Index face, const Point_in_face<Number>& p, int edge) const
   {
     if (edge == 3) return location(face, p);
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
   }
 
-  // At an isolated vertex there is no face.
+  // Location in the null face for an isolated vertex.
   Face_location location(const Surface_point<Number>& p) const
   {
     if (p.kind == Surface_point<Number>::FACE) return location(p.element, {p.x, p.y});
@@ -116,7 +116,7 @@ struct Geodesic_surface
     return location_on(h, p.kind == Surface_point<Number>::EDGE ? exported(Number(p.x / unfolded[h].length)) : FT(0));
   }
 
-  // As it was asked for.
+  // Location with the barycentric coordinates given by the user.
   Face_location location(const Located_point<Number>& p) const
   {
     if (p.kind != Surface_point<Number>::FACE) return location(static_cast<const Surface_point<Number>&>(p));
@@ -128,7 +128,7 @@ struct Geodesic_surface
     return location_on(p.halfedge, exported(p.part));
   }
 
-  // At the part t of the way from the source of a halfedge to its target.
+  // Location on halfedge h at parameter t.
   Face_location location_on(Index h, const FT& t) const
   {
     Face_location l(face_of[h / 3], Barycentric_coordinates{FT(0), FT(0), FT(0)});
@@ -153,10 +153,10 @@ struct Geodesic_surface
     return position(vertex_of[p.element]);
   }
 
-  // At the part t of the way from vertex a to vertex b.
+  // The point on the segment from vertex a to vertex b at parameter t.
   Point_3 between(Index a, Index b, const FT& t) const
   {
-    const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // not copied if the map has them
+    const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // no copy if the map returns references
     const Point_3 &p = converted_point<Point_3, FT>(at_a), &q = converted_point<Point_3, FT>(at_b);
     const FT s = FT(1) - t;
     return Point_3(FT(s * p.x() + t * q.x()), FT(s * p.y() + t * q.y()), FT(s * p.z() + t * q.z()));
@@ -168,7 +168,7 @@ struct Geodesic_surface
     return h % 3 == 0 ? first : h % 3 == 1 ? next(first, tm) : prev(first, tm);
   }
 
-  // A vector in the frame of a halfedge, in space.
+  // Converts a vector in the frame of a halfedge to a vector in space.
   Vector_3 vector(Index halfedge, const Point_in_face<Number>& v) const
   {
     const halfedge_descriptor h = halfedge_of(halfedge);
@@ -197,10 +197,10 @@ struct Geodesic_surface
 
   const Triangle_mesh& tm;
   VertexPointMap vpm;
-  Element_numbers<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
+  Index_renumbering<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
-  std::vector<face_descriptor> face_of;     // by number
-  std::vector<vertex_descriptor> vertex_of; // by number
+  std::vector<face_descriptor> face_of; // by index in the unfolded mesh
+  std::vector<vertex_descriptor> vertex_of; // by index in the unfolded mesh
 
 private:
   typedef std::decay_t<decltype(get(std::declval<const VertexPointMap&>(), std::declval<vertex_descriptor>()).x())>
@@ -222,7 +222,7 @@ private:
     : tm(mesh), vpm(point_map), numbers(mesh, vim, fim, all_vertices, all_faces)
   {
     const All_face_links links = numbers.face_links(all_faces, team);
-    // coordinates that are no floating point numbers may share memory
+    // coordinates of other than built-in types may share memory, so one thread reads them
     auto&& readers_of_points = team_or_alone(team);
     numbers.renumber_if_scattered(links, all_vertices, vpm, readers_of_points);
     face_of.resize(numbers.faces_end());
@@ -243,7 +243,7 @@ private:
         const vertex_descriptor v = all_vertices[k];
         const Index i = index_of(v);
         vertex_of[i] = v;
-        // others may have coordinates that no number can be made of
+        // isolated vertices may have coordinates that are not convertible, such as NaN
         if (halfedge(v, tm) != Graph_traits::null_halfedge())
           points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
       }
@@ -252,10 +252,10 @@ private:
     if (!unfolded.has_usable_scale())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
                                   "type: the mesh must be scaled");
-    if (!unfolded.is_laid_out()) complain();
+    if (!unfolded.is_laid_out()) throw_degenerate_face();
   }
 
-  // Whether the index of a halfedge is in use, for meshes that can tell, as CGAL::Surface_mesh
+  // Whether the index of a halfedge is in use, for meshes that provide this information, such as CGAL::Surface_mesh.
   template <class Mesh>
   static auto has_index(const Mesh& mesh, halfedge_descriptor h, int)
     -> decltype(mesh.has_valid_index(h) && !mesh.is_removed(h))
@@ -268,13 +268,13 @@ private:
     return true;
   }
 
-  [[noreturn]] static void complain_of_foreign_edge()
+  [[noreturn]] static void throw_foreign_edge()
   {
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge that is not of this mesh");
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: an edge of another mesh");
   }
 
-  // Of the first face that can't be laid out.
-  void complain() const
+  // Throws for the first face that has no layout.
+  void throw_degenerate_face() const
   {
     for (face_descriptor f : faces(tm))
       if (!unfolded.has_area(index_of(f)))

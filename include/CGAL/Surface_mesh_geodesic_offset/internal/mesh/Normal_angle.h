@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The angle between the normals of two neighbouring faces.
+// Angle between the normals of two adjacent faces.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_NORMAL_ANGLE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_NORMAL_ANGLE_H
@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// In degrees, from 0 to 180, rounded. It is measured between the heights of the two faces over their common edge, which are
-// orthogonal to it: so it is exact to some 1e-14 near 0 and 180, too, where a cosine says little, and in needle faces with a
-// short common edge. h: a halfedge with a face on either side. Surface: a Geodesic_surface.
+// Angle in degrees, from 0 to 180, rounded. It is computed from the heights of the two faces over the common edge, which
+// are orthogonal to the edge, so the error is about 1e-14 also near 0 and 180, where a cosine is ill-conditioned, and in
+// needle faces with a short common edge. h: a halfedge with a face on either side. Surface: a Geodesic_surface.
 template <class Surface>
 double angle_of_normals(const Surface& surface, typename Surface::halfedge_descriptor h)
 {

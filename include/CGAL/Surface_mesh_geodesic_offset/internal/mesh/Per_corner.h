@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Three values of a face: one per corner, or one per halfedge.
+// Three values of a face: one per corner or per halfedge.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_PER_CORNER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_PER_CORNER_H
@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// As std::array<T, 3>, of which barycentric coordinates are in the interface, with an index of any integer type: corners are
-// counted with `int`.
+// std::array<T, 3>, the type of barycentric coordinates in the interface, with an index of any integer type: corners are
+// numbered by `int`.
 template <class T>
 class Per_corner
 {

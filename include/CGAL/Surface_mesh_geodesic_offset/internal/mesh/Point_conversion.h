@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points of the mesh may belong to another kernel than the traits: they are converted where they are read.
+// Conversion of mesh points to the kernel of the traits.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_POINT_CONVERSION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_POINT_CONVERSION_H
@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// P: any type with x(), y() and z(). The result is p itself if it need not be converted.
+// P: any type with x(), y() and z(). Returns p itself if no conversion is needed.
 template <class Point_3, class FT, class P>
 decltype(auto) converted_point(const P& p)
 {

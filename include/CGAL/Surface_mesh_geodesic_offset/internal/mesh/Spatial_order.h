@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An order of points in which those that follow each other are mostly near to each other: along a Morton curve. It has jumps
-// that a Hilbert curve has not, and is found in a fraction of the time that CGAL::hilbert_sort() takes to look for medians.
+// Order of points along a Morton curve, so that consecutive points are mostly close. Unlike a Hilbert curve, it has jumps,
+// but the computation takes a fraction of the time of the median searches in CGAL::hilbert_sort().
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_SPATIAL_ORDER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_SPATIAL_ORDER_H
@@ -34,7 +34,7 @@ class Spatial_order
 public:
   typedef Per_corner<double> Point; // three coordinates
 
-  // Of n points; point(i) has finite coordinates.
+  // Order of n points; point(i) has finite coordinates.
   template <class Function, class Team>
   Spatial_order(std::size_t n, const Function& point, Team& team) : m_items(n)
   {
@@ -52,7 +52,7 @@ public:
     Box all;
     for (const Box& b : boxes) all.add(b.low, b.high);
     const double extent = all.extent();
-    const double scale = double(largest) / extent; // of one point, and of numbers too large to subtract: no order
+    const double scale = double(largest) / extent; // infinite for a single point, or on overflow: then no order
     const bool has_order = std::isfinite(scale) && std::isfinite(extent);
     blocks.for_each(team, [&](Index, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -69,7 +69,7 @@ public:
       [](const Item& i, const Item& j) { return i.key < j.key; });
   }
 
-  // Of the i-th point on the curve, the index.
+  // Index of the i-th point on the curve.
   Index operator[](std::size_t i) const { return m_items[i].index; }
 
 private:
@@ -102,7 +102,7 @@ private:
     Index index;
   };
 
-  // Puts two zeros between each two of 21 bits.
+  // Inserts two zero bits between adjacent bits of a 21-bit number.
   static std::uint64_t spread(std::uint64_t i)
   {
     CGAL_precondition(i <= largest);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Locates points and rays on the surface. The first ones are looked for in all faces, later ones in an AABB tree; the answers
-// are the same. Projections on needle faces are our own: those of the kernels can be far off.
+// Location of points and rays on the surface. The first queries search all faces, later ones an AABB tree; the results are
+// the same. Projections on triangles are our own, since those of the kernels can be inaccurate on needle faces.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_SURFACE_LOCATOR_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_SURFACE_LOCATOR_H
@@ -42,7 +42,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A point of a segment, at the parameter in [0, 1], and its distance to another point.
+// Nearest point of a segment to a point p, by its parameter in [0, 1], and its distance from p.
 template <class Kernel>
 struct Nearest_on_edge
 {
@@ -53,7 +53,7 @@ struct Nearest_on_edge
   {
     const typename Kernel::Vector_3 e = b - a, v = p - a;
     parameter = (std::min)(FT(1), (std::max)(FT(0), FT((v * e) / e.squared_length())));
-    // measured from the nearer end: exactly zero there
+    // measured from the nearer end, so that it is exactly zero there
     squared_distance = FT(2) * parameter < FT(1) ? FT((v - parameter * e).squared_length())
                                                  : FT((p - b + (FT(1) - parameter) * e).squared_length());
   }
@@ -61,8 +61,8 @@ struct Nearest_on_edge
   FT parameter, squared_distance;
 };
 
-// Projects on the plane of a triangle. The frame starts with the longest edge and the height over it: so the result is
-// within rounding of the edges' length from the right point also in needles, which it is not by areas or a Gram matrix.
+// Projection on the plane of a triangle. The frame consists of the longest edge and the height over it, so the error is of
+// the order of rounding of the edges' length also in needles; areas or a Gram matrix do not achieve this.
 template <class Kernel>
 class Triangle_projection
 {
@@ -90,7 +90,7 @@ public:
     m_height = v - m_foot * m_base;
   }
 
-  // Barycentric coordinates of the point of the triangle that is nearest to p.
+  // Barycentric coordinates of the point of the triangle nearest to p.
   Coordinates nearest(const Point_3& p) const
   {
     Coordinates w = coordinates(components(p - m_corner[m_first]), FT(1));
@@ -108,14 +108,15 @@ public:
     return w;
   }
 
-  // Where source + t direction, known to meet the triangle, meets it first.
+  // Smallest t such that source + t direction is in the triangle. Precondition: the ray meets the triangle.
   FT first_parameter(const Point_3& source, const Vector_3& direction) const
   {
     const Components s = components(source - m_corner[m_first]), d = components(direction);
     const FT across = d.rest.squared_length();
     if (across > CGAL::square(Number_policy<FT>::rounding(16)) * direction.squared_length())
       return (std::max)(FT(0), FT(-(s.rest * d.rest) / across));
-    const Coordinates at = coordinates(s, FT(1)), speed = coordinates(d, FT(0)); // in the plane: where it enters
+    // ray in the plane of the triangle: where it enters
+    const Coordinates at = coordinates(s, FT(1)), speed = coordinates(d, FT(0));
     FT enters(0);
     for (int k = 0; k < 3; ++k)
       if (at[k] < FT(0) && speed[k] > FT(0)) enters = (std::max)(enters, FT(-at[k] / speed[k]));
@@ -123,7 +124,7 @@ public:
   }
 
 private:
-  struct Components // of a vector: along the base, along the height, and orthogonal to both
+  struct Components // components of a vector: along the base, along the height, and orthogonal to both
   {
     FT base, height;
     Vector_3 rest;
@@ -147,13 +148,13 @@ private:
   }
 
   Per_corner<Point_3> m_corner;
-  int m_first = 0; // where the longest edge starts
+  int m_first = 0; // source of the longest edge
   Vector_3 m_base, m_height;
-  FT m_foot; // of the height, on the base
+  FT m_foot; // foot of the height, as a parameter on the base
 };
 
-// Queries may come from several threads. A mesh without faces has no location: all functions throw std::invalid_argument.
-// Isolated vertices are never found. Surface: a Geodesic_surface.
+// Concurrent queries are safe. On a mesh without faces, all functions throw std::invalid_argument. Isolated vertices are
+// ignored. Surface: a Geodesic_surface.
 template <class Surface>
 class Surface_locator
 {
@@ -173,14 +174,15 @@ public:
 
   explicit Surface_locator(std::shared_ptr<const Surface> surface) : m_surface(std::move(surface)) {}
 
-  // Says how many queries will follow: the tree is built now if they are many.
+  // Announces the number of further queries: builds the tree at once if it pays.
   void expect(std::size_t queries) const
   {
     if (has_faces() && m_scans + queries > scans_for_a_tree) tree();
   }
 
-  // The location nearest to p. If that or p is within the tolerance (a length) of a vertex, it is exactly at the nearest
-  // vertex; else, if of an edge, exactly on the nearest edge. Looks at the faces that hang together within the tolerance.
+  // The location nearest to p, snapped: if the location or p is within the tolerance (a length) of a vertex, the result is
+  // exactly at the nearest vertex; otherwise, if of an edge, exactly on the nearest edge. The search covers adjacent faces
+  // within the tolerance.
   Face_location locate(const Point_3& p, const FT& tolerance) const
   {
     check(p - CGAL::ORIGIN, tolerance);
@@ -188,7 +190,7 @@ public:
     return snapped(Face_location(f, projection(f).nearest(p)), p, tolerance);
   }
 
-  // The first point of a ray on the surface, as above; a location in the null face if it misses.
+  // The first point of a ray on the surface, snapped likewise; a location in the null face if the ray misses the surface.
   Face_location locate(const Ray_3& r, const FT& tolerance) const
   {
     const Point_3 source = r.source();
@@ -212,12 +214,12 @@ public:
     return first.first == Graph_traits::null_face() ? first : snapped(first, nearest, tolerance);
   }
 
-  // A length: what rounding can do to points with the coordinates of the mesh; zero for exact numbers.
+  // Bound of the rounding error of points with the coordinates of the mesh; zero for exact numbers.
   FT default_tolerance() const { return Number_policy<FT>::rounding(64) * FT(largest_coordinate()); }
 
 private:
-  // Reads the surface's vertex point map. A tree needs a map that can be default constructed and assigned, with points of
-  // its own kernel; the user's map need not be such a one.
+  // Adapter of the surface's vertex point map for the tree, which needs a default-constructible, assignable map with points
+  // of its kernel.
   struct Point_map
   {
     typedef vertex_descriptor key_type;
@@ -240,14 +242,14 @@ private:
 #endif
   typedef Per_corner<double> Coordinates;
 
-  // The number of searches through all faces that take the time in which the tree is built: on meshes with 600 to 1.3 million
-  // faces, 600 to 3,500 ns per face for the tree and 6 to 44 ns for a search. Building the tree after as many searches takes at
-  // most twice the time of the better choice, for any number of queries.
+  // Searches through all faces that take as long as building the tree: on meshes with 600 to 1.3 million faces, 600 to
+  // 3,500 ns per face for the tree, and 6 to 44 ns per face for a search. If the tree is built after this many searches,
+  // any number of queries takes at most twice the time of the better choice.
   static constexpr std::size_t scans_for_a_tree = 100;
 
   bool has_faces() const { return faces(m_surface->tm).begin() != faces(m_surface->tm).end(); }
 
-  // Whether this query is answered by looking through all faces.
+  // Whether this query searches all faces; counts it.
   bool scans() const
   {
     if (!has_faces())
@@ -261,7 +263,7 @@ private:
     m_scans = scans_for_a_tree;
     std::call_once(m_tree_once, [&] {
       m_tree.rebuild(faces(tm).begin(), faces(tm).end(), tm, Point_map{m_surface.get()});
-      std::vector<typename Tree::Point_and_primitive_id> hints; // the tree's own would have each vertex several times
+      std::vector<typename Tree::Point_and_primitive_id> hints; // the tree's own hints repeat each vertex
       for (Index v = 0; v < m_surface->unfolded.number_of_vertices(); ++v)
       {
         const Index corner = m_surface->unfolded.corner(v);
@@ -269,14 +271,14 @@ private:
         const face_descriptor f = m_surface->face_of[corner / 3];
         hints.emplace_back(corners(f)[corner % 3], f);
       }
-      m_tree.build(); // now, not in the first query
+      m_tree.build(); // otherwise the first query would build the tree
       m_tree.accelerate_distance_queries(hints.begin(), hints.end());
     });
     return m_tree;
   }
 
-  // The order of faces at the parameters or squared distances s and t: of several at the same, the first in the mesh counts,
-  // in whatever order they come.
+  // Order of faces at parameters or squared distances s and t. Of equal ones, the first in the mesh wins, independent of
+  // the order of the search.
   bool is_before(const FT& s, face_descriptor f, const FT& t, face_descriptor g) const
   {
     return s < t || (s == t && m_surface->numbers.index_in_mesh(f) < m_surface->numbers.index_in_mesh(g));
@@ -287,7 +289,7 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
-  // What rounding can do to the distance of a point from the surface, or of a ray from its source: more than enough.
+  // Generous bound of the rounding error of the distance of a point from the surface, or of a ray from its source.
   double slack(const Coordinates& p) const
   {
     const double unit = (std::max)(std::numeric_limits<double>::epsilon(), CGAL::to_double(Number_policy<FT>::rounding(1)));
@@ -307,7 +309,7 @@ private:
     return m_largest_coordinate;
   }
 
-  // The nearest of the faces that are tried. Rounded distances decide which are.
+  // The nearest of the tried faces, by rounded distances.
   class Nearest_face
   {
   public:
@@ -335,7 +337,7 @@ private:
 
     face_descriptor face() const { return m_face; }
 
-    // For the tree.
+    // Interface of tree traversal.
     bool go_further() const { return true; }
     void intersection(const Point_3&, const Primitive& primitive) { try_face(primitive.id()); }
     template <class Node>
@@ -372,7 +374,7 @@ private:
     return nearest.face();
   }
 
-  // By predicates: exact ones make no holes between faces.
+  // Faces that intersect the ray, by predicates: exact predicates leave no gaps between faces.
   std::vector<face_descriptor> hit_faces(const Ray_3& r) const
   {
     std::vector<face_descriptor> hit;
@@ -385,7 +387,7 @@ private:
     const double length = std::hypot(d[0], d[1], d[2]), allowance = slack(s);
     for_each_ball([&](face_descriptor f, const Coordinates& c, double radius) {
       const double x = c[0] - s[0], y = c[1] - s[1], z = c[2] - s[2];
-      const double u = y * d[2] - z * d[1], v = z * d[0] - x * d[2], w = x * d[1] - y * d[0]; // of the line
+      const double u = y * d[2] - z * d[1], v = z * d[0] - x * d[2], w = x * d[1] - y * d[0]; // cross product with d
       if (u * u + v * v + w * w > CGAL::square((radius + allowance) * length)) return;
       const Per_corner<Point_3> t = corners(f);
       if (Kernel().do_intersect_3_object()(r, typename Kernel::Triangle_3(t[0], t[1], t[2]))) hit.push_back(f);
@@ -393,7 +395,7 @@ private:
     return hit;
   }
 
-  // Calls f(face, center, radius) for each face, with a ball that contains it up to rounding.
+  // Calls f(face, center, radius) for each face, with a ball that contains the face up to rounding.
   template <class Function>
   void for_each_ball(const Function& f) const
   {
@@ -410,8 +412,7 @@ private:
   static void check(const Vector_3& v, const FT& tolerance)
   {
     if (!Number_policy<FT>::is_finite(v.squared_length()))
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: what to locate has a coordinate that is not finite, or "
-                                  "whose square is not");
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a coordinate to locate, or its square, is not finite");
     if (!(tolerance >= FT(0)))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the tolerance is negative or not a number");
   }
@@ -429,14 +430,14 @@ private:
     return Triangle_projection<Kernel>(corners(f));
   }
 
-  // l, the location of p, moved to a vertex or an edge within the tolerance.
+  // Moves l, the location of p, to a vertex or an edge within the tolerance.
   Face_location snapped(const Face_location& l, const Point_3& p, const FT& tolerance) const
   {
     const Triangle_mesh& tm = m_surface->tm;
     const Point_3 q = m_surface->point(l);
     const FT limit = CGAL::square(tolerance);
     Face_location at_vertex = l, on_edge = l;
-    FT to_vertex(-1), to_edge(-1); // squared; negative: none
+    FT to_vertex(-1), to_edge(-1); // squared; negative: none found
     std::vector<face_descriptor> reached(1, l.first);
     std::set<Index> seen{m_surface->index_of(l.first)};
     for (std::size_t i = 0; i < reached.size() && !CGAL::is_zero(to_vertex); ++i)

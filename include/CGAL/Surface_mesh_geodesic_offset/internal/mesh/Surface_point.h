@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A point of the surface, classified: at a vertex, inside an edge, or inside a face.
+// Classified point of the surface: at a vertex, inside an edge, or inside a face.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_SURFACE_POINT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_SURFACE_POINT_H
@@ -30,8 +30,8 @@ struct Surface_point
   enum Kind : unsigned char { VERTEX, EDGE, FACE };
 
   Kind kind = FACE;
-  Index element = no_index; // a vertex, a halfedge, or a face
-  FT x = FT(0), y = FT(0);  // EDGE: x along the halfedge; FACE: in the face's frame
+  Index element = no_index; // vertex, halfedge or face
+  FT x = FT(0), y = FT(0); // EDGE: x along the halfedge; FACE: in the face frame
 
   static Surface_point at_vertex(Index v)
   {
@@ -58,16 +58,15 @@ struct Surface_point
   }
 };
 
-// A point of a face in the frame of halfedge h, from its barycentric coordinates with respect to the target of h and the
-// apex.
+// Point of a face in the frame of halfedge h, from its barycentric coordinates at the target of h and at the apex.
 template <class FT>
 inline Point_in_face<FT> position_in_frame(const Unfolded_mesh<FT>& mesh, Index h, const FT& target, const FT& apex)
 {
   return {target * mesh[h].length + apex * mesh[h].apex_x, apex * mesh[h].apex_y};
 }
 
-// A point as it was asked for: inside a face, with its barycentric coordinates, from which each halfedge's frame gets it
-// without the rounding of another's.
+// Surface point with the user's barycentric coordinates if it is inside a face. Each halfedge frame is computed from these,
+// without the rounding error of another frame.
 template <class FT>
 struct Located_point : Surface_point<FT>
 {
@@ -77,7 +76,8 @@ struct Located_point : Surface_point<FT>
   Located_point(const Surface_point<FT>& p, const std::array<FT, 3>& w) : Surface_point<FT>(p), weights(w) {}
 };
 
-// Where a path crosses an edge, as a part of the way from the source of the halfedge to its target; or passes a vertex.
+// Intersection of a path with an edge, as a parameter from the source of the halfedge to its target, or a vertex on the
+// path.
 template <class FT>
 struct Path_crossing
 {
@@ -86,11 +86,11 @@ struct Path_crossing
   FT part;
 };
 
-// Barycentric coordinates below this part of the largest are round-off of zero: the point is on the edge, or at the
-// vertex.
+// Barycentric coordinates below this fraction of the largest one are rounding errors of zero: the point is on the edge or
+// at the vertex.
 inline double snapping_tolerance() { return 1e-13; }
 
-// At a vertex, or on an edge, if it is one; w: coordinates of which the sum is 1.
+// Snaps to a vertex or an edge if possible. w: barycentric coordinates with sum 1.
 template <class FT, class Name>
 Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face, const Name& name, bool valid,
                                        const std::array<FT, 3>& coordinates, const FT& eps)
@@ -113,8 +113,8 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in face " + std::to_string(name()) +
                                 " does not lie in the face, or the face is not of this mesh");
   if (zeros == 2) return Surface_point<FT>::at_vertex(mesh.source(3 * face + Index(other)));
-  // Halfedge k is opposite to corner `zero`. The point is projected on it: on a needle, a coordinate of the size of rounding
-  // stands for a long way along the halfedge.
+  // Halfedge k is opposite to corner `zero`. The point must be projected: on a needle, a coordinate of the order of
+  // rounding corresponds to a long distance along the halfedge.
   const int k = (zero + 1) % 3;
   const Index h = 3 * face + Index(k);
   const FT length = mesh[h].length, t = position_in_frame(mesh, h, w[(k + 1) % 3], w[zero]).x;
@@ -123,7 +123,7 @@ Located_point<FT> classify_on_boundary(const Unfolded_mesh<FT>& mesh, Index face
   return Surface_point<FT>::on_edge(h, t);
 }
 
-// name(): the number by which the user knows the face, which need not be one of the mesh.
+// name(): the index of the face for messages, also if it is of another mesh.
 template <class FT, class Name>
 BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Index face, const Name& name,
                                              std::array<FT, 3> w)
@@ -133,12 +133,12 @@ BOOST_FORCEINLINE Located_point<FT> classify(const Unfolded_mesh<FT>& mesh, Inde
   const bool valid = face < mesh.number_of_faces() && mesh.source(3 * face) != no_index && CGAL::is_positive(sum);
   if (valid)
     for (FT& x : w) x /= sum;
-  if (!(valid && w[0] > eps && w[1] > eps && w[2] > eps)) // if so, none is above 1
+  if (!(valid && w[0] > eps && w[1] > eps && w[2] > eps)) // with sum 1, also none exceeds 1
     return classify_on_boundary(mesh, face, name, valid && Number_policy<FT>::is_finite(sum), w, eps);
   return {Surface_point<FT>::in_face(face, position_in_frame(mesh, 3 * face, w[1], w[2])), w};
 }
 
-// The faces around a surface point.
+// Faces incident to a surface point.
 template <class FT>
 std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p)
 {
@@ -162,15 +162,15 @@ std::vector<Index> faces_of(const Unfolded_mesh<FT>& mesh, const Surface_point<F
   return result;
 }
 
-// The number of the halfedge that one of the bits below stands for.
+// Number of the halfedge of a bit in `edges` below.
 inline int edge_of_bit(unsigned bit)
 {
   CGAL_precondition(bit == 1 || bit == 2 || bit == 4);
   return bit == 1 ? 0 : bit == 2 ? 1 : 2;
 }
 
-// Position of p in the frame of the face; returns false if p does not lie in this (closed) face.
-// `edges` receives a bit for each halfedge of the face on which p lies.
+// Computes the position of p in the face frame. Returns false if p does not lie in this closed face. `edges` receives one
+// bit per halfedge of the face that contains p.
 template <class FT>
 bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face,
                       Point_in_face<FT>& position, unsigned& edges)
@@ -201,7 +201,8 @@ bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p,
   return false;
 }
 
-// A vector in the frame of a face around p, a point inside a face or an edge, in that of the point's face or halfedge.
+// Transforms a vector from the face frame to the frame of p's face or halfedge. Precondition: p is inside a face or an
+// edge.
 template <class FT>
 Point_in_face<FT> vector_at_point(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, Index face,
                                   const Point_in_face<FT>& v)

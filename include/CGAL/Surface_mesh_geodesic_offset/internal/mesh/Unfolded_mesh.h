@@ -3,8 +3,8 @@
 //
 // Step 1 of the pipeline: the mesh as flat arrays, each face laid out in the plane.
 //
-// Halfedge 3f+k is the k-th halfedge of the face with the number f, starting at halfedge(f). Its frame has its origin at the
-// source of the halfedge, its x axis along the halfedge and the face above. Border halfedges have no index.
+// Halfedge 3f+k is the k-th halfedge of face f, starting at halfedge(f). Its frame has its origin at the source of the
+// halfedge, its x axis along the halfedge, and the face above. Border halfedges have no index.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_UNFOLDED_MESH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_UNFOLDED_MESH_H
@@ -39,13 +39,13 @@ template <class FT>
 struct Unfolded_halfedge
 {
   FT length;
-  FT apex_x, apex_y; // the third vertex of the face, in the frame of this halfedge
-  Index twin;        // no_index on the border
-  Index origin;      // vertex
+  FT apex_x, apex_y; // third vertex of the face, in the frame of this halfedge
+  Index twin; // no_index on the border
+  Index origin; // source vertex
 };
 
-// A direction at a vertex: a vector in the frame of a halfedge that leaves the vertex, inside the corner
-// between this halfedge and the next one counterclockwise.
+// Direction at a vertex: a vector in the frame of an outgoing halfedge, inside the corner between this halfedge and the
+// next one counterclockwise.
 template <class FT>
 struct Ray_at_vertex
 {
@@ -62,8 +62,8 @@ public:
 
   Unfolded_mesh() = default;
 
-  // numbers: Element_numbers; links: of the faces, by index; face_at: the index of each face, by number, or more than all if
-  // there is none; points: of the vertices, by number.
+  // numbers: an Index_renumbering; links: by mesh index of the face; face_at: mesh index of each face, out of range for
+  // unused indices; points: of the vertices.
   template <class Numbers, class Traits, class Team>
   Unfolded_mesh(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
                 const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team)
@@ -81,7 +81,7 @@ public:
     }
   }
 
-  // Otherwise there are faces of which has_area() is false, and the object is of no further use.
+  // False if a face has no area (see has_area()); then the object must not be used.
   bool is_laid_out() const { return m_is_laid_out; }
 
   bool has_area(Index face) const
@@ -91,7 +91,8 @@ public:
     return result;
   }
 
-  // Whether products of four lengths are within the range of the numbers, unless a length is zero or not finite.
+  // Whether products of four lengths are within the range of the number type. Also true if the longest edge is zero or not
+  // finite.
   bool has_usable_scale() const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return true;
@@ -109,15 +110,15 @@ public:
     return m_halfedges[h];
   }
 
-  // Says that the face of h will be asked for soon.
+  // Prefetches the face of h.
   void prefetch_face(Index h) const
   {
     const Halfedge* const first = &m_halfedges[3 * face(h)];
     prefetch(first, 3 * sizeof(Halfedge));
-    prefetch(&first[2].origin); // which may be in one line more
+    prefetch(&first[2].origin); // possibly in a further cache line
   }
 
-  // without comparisons, of which compilers make branches that could not be foreseen
+  // without comparisons, which compile to unpredictable branches
   static Index next(Index h) { return h + 1 - 3 * (h % 3 >> 1); }
   static Index previous(Index h) { return h + 2 - 3 * ((h % 3 + 1) >> 1); }
   static Index face(Index h) { return h / 3; }
@@ -127,14 +128,14 @@ public:
   Index target(Index h) const { return m_halfedges[next(h)].origin; }
   Index apex(Index h) const { return m_halfedges[previous(h)].origin; }
 
-  // The corner, that is the halfedge leaving the same vertex, that follows counterclockwise / clockwise.
+  // The next corner around the source counterclockwise or clockwise; a corner is the halfedge that leaves the vertex.
   Index corner_ccw(Index h) const { return twin(previous(h)); }
   Index corner_cw(Index h) const { return twin(h) == no_index ? no_index : next(twin(h)); }
 
-  // A first corner of the vertex: the most clockwise one if the vertex is on the border; none if isolated.
+  // First corner of the vertex: the most clockwise one on the border; no_index if the vertex is isolated.
   Index corner(Index v) const { return m_corner[v]; }
 
-  // The most clockwise corner of the fan of c, if it is bounded by the border; no_index if it closes.
+  // The most clockwise corner of the fan of c if the border bounds it; no_index for a closed fan.
   Index first_on_border(Index c) const
   {
     Index first = c;
@@ -146,7 +147,7 @@ public:
     return first;
   }
 
-  // First corners of the further fans of a vertex in which several fans meet (a pinched vertex).
+  // Calls f with the first corner of each fan; only a pinched vertex has several.
   template <class Function>
   void for_each_fan(Index v, const Function& f) const
   {
@@ -156,7 +157,7 @@ public:
     for (; it != m_more_fans.end() && it->first == v; ++it) f(it->second);
   }
 
-  // Whether f(corner) is true for one of the corners of a fan, counterclockwise from its first one; the rest is not asked.
+  // Whether f(corner) is true for a corner of a fan; visits corners counterclockwise and stops at the first success.
   template <class Function>
   bool any_corner(Index first, const Function& f) const
   {
@@ -169,8 +170,8 @@ public:
     return false;
   }
 
-  // Can shortest paths bend here? True for saddle vertices (total angle above 2 pi), border vertices with an
-  // inner angle above pi, and pinched vertices.
+  // Whether shortest paths can bend at the vertex: true for saddle vertices (total angle above 2 pi), border vertices with
+  // an inner angle above pi, and pinched vertices.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
 
   bool has_several_fans(Index v) const
@@ -197,7 +198,7 @@ private:
     return length > FT(0) && Number_policy<FT>::is_finite(length) && apex_y > FT(0);
   }
 
-  // What is known of a block of faces afterwards.
+  // Summary of a block of faces.
   struct Laid_out_faces
   {
     bool have_area = true;
@@ -205,7 +206,7 @@ private:
     std::size_t number = 0;
   };
 
-  // first_corners: at each vertex the corner with the lowest number; none yet
+  // first_corners: initially no_index; receives the lowest corner at each vertex.
   template <class Traits, class Numbers, class Team, class First_corners>
   void set_up(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
               const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team,
@@ -213,11 +214,11 @@ private:
   {
     const Blocks blocks(face_at.size(), team.size());
     std::vector<Laid_out_faces> laid_out(blocks.number());
-    std::vector<double> lengths(face_at.size() / Blocks::step + 1, 0.); // their sums, in an order that depends on no blocks
+    std::vector<double> lengths(face_at.size() / Blocks::step + 1, 0.); // sums per step, independent of the number of blocks
     blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
       laid_out[block] = lay_out_faces(begin, end, numbers, links, face_at, points, traits, first_corners, lengths);
     });
-    std::size_t number_of_faces = 0; // gaps are not counted
+    std::size_t number_of_faces = 0; // without unused indices
     for (const Laid_out_faces& l : laid_out)
     {
       m_is_laid_out &= l.have_area;
@@ -233,7 +234,7 @@ private:
     if (number_of_corners != 3 * number_of_faces) find_more_fans();
   }
 
-  // Whether the halfedges of each edge are twins of each other, with opposite ends and the same length.
+  // Whether halfedges are paired consistently: twins have opposite ends and equal lengths.
   bool has_consistent_twins() const
   {
     for (Index h = 0; h < m_halfedges.size(); ++h)
@@ -279,7 +280,7 @@ private:
         if (b != no_index)
         {
           twin = 3 * numbers.of_face(b) + links[b].halfedge_from(l.source[std::size_t(k + 1) % 3]);
-          // one number for both sides of an edge: an exact number knows itself at once
+          // share one number between both sides of an edge: exact comparison of an expression with itself is immediate
           if constexpr (!Number_policy<FT>::is_inexact)
             if (twin < h) length[k] = m_halfedges[twin].length;
         }
@@ -291,7 +292,7 @@ private:
     return result;
   }
 
-  // To i, if it is larger.
+  // Atomic minimum.
   static void lower(Index& number, Index i) { number = (std::min)(number, i); }
   static void lower(std::atomic<Index>& number, Index i)
   {
@@ -299,15 +300,15 @@ private:
     while (i < known && !number.compare_exchange_weak(known, i, std::memory_order_relaxed)) {}
   }
 
-  // The corners around a vertex, from border to border or all around.
+  // Corners around a vertex, from border to border or all around.
   struct Fan
   {
-    Index first; // if there is a border: the most clockwise one
+    Index first; // most clockwise corner if there is a border
     Index size;
-    bool bends; // whether shortest paths can, at the vertex
+    bool bends; // shortest paths can bend at the vertex
   };
 
-  // Returns how many there are, not counting further fans.
+  // Returns the number of corners in the first fans.
   template <class First_corners, class Team>
   std::size_t find_corners(const First_corners& first, Team& team)
   {
@@ -350,13 +351,13 @@ private:
     std::sort(m_more_fans.begin(), m_more_fans.end());
   }
 
-  // Multiplies the apices as complex numbers: the angle of the product is the sum of the corner angles. As these are smaller
-  // than pi, it changes between the two half-planes at each half turn. How long it is does not matter.
+  // The product of the apices as complex numbers has the sum of the corner angles as its angle. Each corner angle is less
+  // than pi, so each half turn changes the half-plane of the product. Its magnitude is irrelevant.
   Fan fan_of(Index first) const
   {
     FT x(1), y(0);
     int half_turns = 0;
-    bool is_below = false; // with an angle in [pi, 2 pi)
+    bool is_below = false; // angle in [pi, 2 pi)
     Fan fan{first, 0, false};
     Index c = first;
     do
@@ -390,7 +391,7 @@ private:
     return fan;
   }
 
-  // So that its product with a length whose square is within the range of the numbers is within it, too.
+  // Scales (x, y) such that its product with a length of usable scale does not overflow or underflow.
   static void keep_within_range(FT& x, FT& y)
   {
     if constexpr (Number_policy<FT>::is_inexact)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Directions around a vertex: turning by quarter turns, and the sector between two directions. All by walking from
-// corner to corner with unfolded vectors and side tests; no angle is ever computed.
+// Directions around a vertex: quarter turns, and the sector between two directions. Computed from corner to corner with
+// unfolded vectors and side tests, without angles.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_VERTEX_SECTOR_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_VERTEX_SECTOR_H
@@ -32,14 +32,14 @@ public:
 
   explicit Vertex_sector(const Unfolded_mesh<FT>& mesh) : m_mesh(&mesh) {}
 
-  // The direction reached from `ray` by one or two quarter turns counterclockwise, less an angle whose tangent is `less`; no
-  // corner if the border is met before.
+  // Turns `ray` counterclockwise by one or two quarter turns, minus an angle with tangent `less`. The result has no corner
+  // if the border comes first.
   Ray turn_ccw(const Ray& ray, int quarter_turns, const FT& less = FT(0)) const
   {
     Ray r = ray;
     r.x = quarter_turns == 1 ? FT(less * ray.x - ray.y) : FT(-ray.x - less * ray.y);
     r.y = quarter_turns == 1 ? FT(ray.x + less * ray.y) : FT(less * ray.x - ray.y);
-    // The corner is less than a half turn wide, so a half turn always leaves the first corner.
+    // A corner is narrower than a half turn, so a half turn always leaves the first corner.
     bool may_be_inside = quarter_turns == 1 || !CGAL::is_zero(less);
     const Index limit = Index(m_mesh->number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
@@ -80,7 +80,7 @@ public:
     return Ray();
   }
 
-  // Whether the border lies between a and b, going counterclockwise from a.
+  // Whether the border lies between a and b, counterclockwise from a.
   bool passes_border(const Ray& a, const Ray& b) const
   {
     if (same_corner_in_order(a, b)) return false;
@@ -92,8 +92,8 @@ public:
     return true;
   }
 
-  // Whether the angle from a counterclockwise to b (a full turn if they are equal) is at least pi, less an angle whose tangent is
-  // `less`. The border must not lie between.
+  // Whether the counterclockwise angle from a to b (a full turn if they are equal) is at least pi, minus an angle with
+  // tangent `less`. Precondition: no border lies between.
   bool is_reflex(const Ray& a, const Ray& b, const FT& less = FT(0)) const
   {
     if (same_corner_in_order(a, b)) return false;
@@ -107,18 +107,18 @@ public:
     return false;
   }
 
-  // Whether, going counterclockwise from a, `from` comes before `to`: they are a quarter turn behind a, and a quarter turn
-  // before a ray that is at least a half turn away. With a half turn up to rounding they may come in the wrong order.
+  // Whether `from` precedes `to` counterclockwise from a. `from` is a quarter turn after a, and `to` a quarter turn before
+  // a ray that is at least a half turn after a; rounding may reverse them if the latter angle is a half turn.
   bool come_in_order(const Ray& a, const Ray& from, const Ray& to) const
   {
-    if (from.corner == to.corner) return true; // left to for_each_corner()
+    if (from.corner == to.corner) return true; // for_each_corner() decides
     if (to.corner == a.corner) return !same_corner_in_order(a, to);
     return !comes_first(to.corner, a.corner, from.corner);
   }
 
-  // Calls f(corner, from, to) for each corner of the sector that reaches from `from` counterclockwise to `to`; the
-  // rays are null where the sector covers the corner up to its edge. Without a corner, `from` stands for the border at
-  // `first`, and `to` for the border at the other end.
+  // Calls f(corner, from, to) for each corner of the sector from `from` counterclockwise to `to`. A ray is null where the
+  // edge of the corner bounds the sector in it. If `from` has no corner, it stands for the border at `first`; if `to` has
+  // none, for the other end of the border.
   template <class Function>
   void for_each_corner(const Ray& from, const Ray& to, Index first, const Function& f) const
   {
@@ -126,7 +126,7 @@ public:
     const Index start = c;
     if (from.corner != no_index && from.corner == to.corner)
     {
-      // either a narrow sector inside one corner, or nothing: the sector never closes on itself
+      // a narrow sector inside one corner, or nothing: a sector never closes on itself
       if (CGAL::is_positive(cross(from.x, from.y, to.x, to.y))) f(c, &from, &to);
       return;
     }
@@ -141,9 +141,9 @@ public:
     } while (c != no_index && c != start);
   }
 
-  // Shortest paths that reach a vertex, with `back` the direction where they came from, go on at angles of at least pi to it
-  // on either side. Calls f(from, to, first) for the sectors of these directions, to be given to for_each_corner. They are
-  // wider by a small angle at both ends if `back` is known up to that angle only.
+  // Shortest paths that arrive at a vertex from direction `back` continue at angles of at least pi to it on either side.
+  // Calls f(from, to, first), with arguments for for_each_corner(), for each sector of these directions. `angle`, the error
+  // of `back`, widens sectors at both ends.
   template <class Function>
   void for_each_sector_behind(const Ray& back, const Function& f, const FT& angle = FT(0)) const
   {
@@ -154,17 +154,19 @@ public:
       if (from.corner != no_index) f(from, Ray(), first);
       if (to.corner != no_index) f(Ray(), to, first);
     }
-    // With a total angle of 2 pi up to rounding the two limits may come in the wrong order: then there is no sector.
+    // If the total angle is 2 pi up to rounding, the two limits may be reversed: then there is no sector.
     else if (!comes_first(back.corner, from.corner, to.corner))
       f(from, to, from.corner);
   }
 
-  // Calls f(from, to, first) for the margins of those sectors: the directions beside each bounding ray, up to margin_angle().
-  // Paths from several images may tie at the vertex. One image gives `back`; rounding may have dropped rays of the others
-  // up to the square root of the rounding of distances. Rays in a margin close the gap. They are paths of the surface, and as
-  // long as others up to rounding; margin_surcharge() makes them lose.
+  // Calls f(from, to, first) for the margins of these sectors: the directions beside each bounding ray, up to
+  // margin_angle(). Paths from several images may tie at the vertex. `back` belongs to one image, and rounding may have
+  // dropped rays of the others within the square root of the relative rounding error of distances. Rays in a margin close
+  // this gap. Their paths are on the surface and are as long as others up to rounding; margin_surcharge() makes them lose
+  // ties.
   //
-  // `ties`: whether there may be other paths. `hidden`: the angle of a gap behind the vertex, for which the margins make up, too.
+  // `ties`: whether other paths may tie. `hidden`: the angle of a known gap behind the vertex, which the margins also
+  // cover.
   template <class Function>
   void for_each_margin_behind(const Ray& back, bool ties, const FT& hidden, const Function& f) const
   {
@@ -177,9 +179,9 @@ public:
     if (behind.corner != no_index) f(turn_cw(back, 2), behind, first);
   }
 
-  // The width of margins: 2^-20 radians, eight times the square root of 2^-46, up to which distances tie; at most 1 / 16 of each
-  // corner, for needles. Zero where the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by
-  // 2^-75 of its length, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
+  // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46; at most 1 / 16 of each corner,
+  // for needles. Zero if the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by a
+  // fraction of 2^-75, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
   FT margin_angle(const Ray& back, bool ties, const FT& hidden) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
@@ -200,12 +202,12 @@ public:
     }
   }
 
-  // What is added to the distances of rays in a margin, at a largest distance: above the rounding of two distances, so that
-  // margins lose ties.
+  // Surcharge on the distances of rays in a margin: larger than the rounding error of two distances, so that margins lose
+  // ties.
   static FT margin_surcharge(const FT& largest_distance) { return Number_policy<FT>::rounding(64) * largest_distance; }
 
-  // The part of the directions [from, to] in the corner at the source of h: its bounding rays, null for the corner's own
-  // edges. False if there is none.
+  // Intersection of the sector [from, to] with the corner at the source of h: its bounding rays, null for the edges of the
+  // corner. False if empty.
   bool part_in_corner(const Ray& from, const Ray& to, Index first, Index h, const Ray*& lower, const Ray*& upper) const
   {
     bool found = false;
@@ -218,7 +220,7 @@ public:
     return found;
   }
 
-  // Where a ray from the source of h leaves the face, in the frame of the twin of the opposite edge.
+  // Intersection of a ray from the source of h with the opposite edge, in the frame of that edge's twin.
   FT exit_of_ray(Index h, const Ray& r) const
   {
     const FT length = (*m_mesh)[m_mesh->next(h)].length;
@@ -229,7 +231,7 @@ public:
   }
 
 private:
-  // Whether a sector, as in for_each_corner(), lies in one corner and is not wider than a small angle.
+  // Whether a sector, with arguments as in for_each_corner(), lies in one corner and is at most as wide as a small angle.
   bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
   {
     int number_of_corners = 0;
@@ -242,7 +244,8 @@ private:
     return result;
   }
 
-  // Half a turn less an angle. The angle is subtracted half way, where no border is near: `back` may be along one.
+  // Half a turn minus an angle. The angle is subtracted after a quarter turn, away from the border, since `back` may be
+  // along the border.
   Ray half_turn_ccw(const Ray& back, const FT& angle) const
   {
     if (CGAL::is_zero(angle)) return turn_ccw(back, 2);
@@ -257,7 +260,7 @@ private:
     return quarter.corner == no_index ? quarter : turn_cw(turned(quarter, angle), 1);
   }
 
-  // The ray, turned counterclockwise by a small angle; at most up to the border.
+  // Turns the ray counterclockwise by a small angle, at most to the border.
   Ray turned(const Ray& ray, const FT& angle) const
   {
     Ray r{ray.corner, ray.x - angle * ray.y, ray.y + angle * ray.x};

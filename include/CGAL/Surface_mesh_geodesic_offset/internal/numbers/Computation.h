@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers that computations run on, which may be others than those of the user's kernel, and the way between the two.
+// The number type of the computation, which may differ from that of the user's kernel, and conversions between the two.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_COMPUTATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_COMPUTATION_H
@@ -26,17 +26,17 @@ class Surface_mesh_geodesic_offset_traits;
 namespace Geodesic_offset {
 namespace internal {
 
-// Exact_square_roots.h says what stands for CORE::Expr.
+// The number type of the computation for a kernel's FT. Radical_numbers.h specializes it for CORE::Expr.
 template <class FT>
 struct Computation_number
 {
   static_assert(!std::is_same<FT, CORE::Expr>::value,
                 "Surface_mesh_geodesic_offset: for a kernel with exact square roots, include "
-                "<CGAL/Surface_mesh_geodesic_offset/Exact_square_roots.h>");
+                "<CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>");
   typedef FT type;
 };
 
-// The traits of the package that a class is, or is derived from; void for others.
+// The package's traits class that a class is or derives from; void for other classes.
 template <class K, class TriangleMesh>
 Surface_mesh_geodesic_offset_traits<K, TriangleMesh>
 package_traits_of(const Surface_mesh_geodesic_offset_traits<K, TriangleMesh>*);
@@ -45,7 +45,7 @@ void package_traits_of(const void*);
 template <class Traits>
 using Package_traits = decltype(internal::package_traits_of(static_cast<const Traits*>(nullptr)));
 
-// The types of the functors of traits.
+// Functor types of a traits class.
 template <class Traits, class T = const Traits&>
 using Functors_of = std::tuple<decltype(std::declval<T>().construct_apices_2_object()),
                                decltype(std::declval<T>().change_frame_2_object()),
@@ -54,8 +54,8 @@ using Functors_of = std::tuple<decltype(std::declval<T>().construct_apices_2_obj
                                decltype(std::declval<T>().compute_distance_2_object()),
                                decltype(std::declval<T>().compare_distance_2_object())>;
 
-// The traits that compute: the user's, unless these are the package's own, or derived from them, with numbers that others
-// stand for.
+// The traits of the computation: the user's, or, if these are the package's traits or derived from them and the computation
+// uses another number type, the package's traits with that type.
 template <class Traits, class Package = Package_traits<Traits>>
 struct Computation;
 

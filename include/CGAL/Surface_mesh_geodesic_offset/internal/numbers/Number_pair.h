@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two numbers on which the same is done, as the two ends of a window: for double in one register, by the instructions that
-// all processors of the architecture have. Every operation rounds as that on the single numbers does.
+// Two numbers for the same operation, such as the two ends of a window. Two doubles share a register of SSE2, which every
+// x86-64 processor has. Each operation rounds as the operation on single numbers does.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_NUMBER_PAIR_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_NUMBER_PAIR_H
@@ -19,12 +19,12 @@ template <class FT>
 class Number_pair
 {
 public:
-  // What a comparison says of each of the two. Nothing is true of what is no number.
+  // Result of a comparison of both numbers; comparisons with NaN are false.
   class Test
   {
   public:
     Test(bool first, bool second) : m_bits(unsigned(first) | unsigned(second) << 1) {}
-    unsigned bits() const { return m_bits; } // bit 0: of the first; bit 1: of the second
+    unsigned bits() const { return m_bits; } // bit 0: first; bit 1: second
     friend Test operator&(Test a, Test b) { return Test(a.m_bits & b.m_bits); }
 
   private:
@@ -36,7 +36,7 @@ public:
   explicit Number_pair(const FT& both) : m_first(both), m_second(both) {}
   Number_pair(const FT& first, const FT& second) : m_first(first), m_second(second) {}
 
-  // Of two members of an object, the second right behind the first.
+  // Loads two members of an object; the second must directly follow the first in memory.
   static Number_pair of(const FT& first, const FT& second) { return Number_pair(first, second); }
   void put(FT& first, FT& second) const
   {

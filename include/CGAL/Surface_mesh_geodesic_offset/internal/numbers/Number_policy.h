@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the pipeline needs to know of a number type beyond its arithmetic.
+// Properties of a number type beyond its arithmetic.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_NUMBER_POLICY_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_NUMBER_POLICY_H
@@ -27,7 +27,7 @@ namespace internal {
 typedef std::uint32_t Index;
 constexpr Index no_index = 0xffffffffu;
 
-// Distances are square roots.
+// Distances need square roots.
 template <class FT>
 constexpr bool has_square_roots()
 {
@@ -35,8 +35,8 @@ constexpr bool has_square_roots()
                              CGAL::Field_with_sqrt_tag*>::value;
 }
 
-// The unit in the last place of 1, for number types without numeric_limits: of those that CGAL has, CGAL::Gmpfr and its
-// like, whose precision is set while the program runs.
+// Unit in the last place of 1, for number types without numeric_limits: CGAL::Gmpfr and similar types of run-time
+// precision.
 template <class FT>
 struct Unit_roundoff
 {
@@ -48,14 +48,14 @@ struct Unit_roundoff
   }
 };
 
-// Relative tolerances are zero for exact number types: there, equal means equal.
+// Rounding allowances are zero for exact number types.
 template <class FT>
 struct Number_policy
 {
   static constexpr bool is_inexact =
     std::is_same<typename CGAL::Algebraic_structure_traits<FT>::Is_exact, CGAL::Tag_false>::value;
 
-  // Larger than every distance on a mesh.
+  // Exceeds every distance on a mesh.
   static FT infinity()
   {
     if constexpr (std::numeric_limits<FT>::has_infinity) return std::numeric_limits<FT>::infinity();
@@ -64,7 +64,7 @@ struct Number_policy
 
   static bool is_finite(const FT& x) { return x < infinity(); }
 
-  // A relative rounding allowance of `factor` units of the last place.
+  // Relative rounding allowance of `factor` units in the last place.
   static FT rounding(double factor)
   {
     if constexpr (!is_inexact) return FT(0);
@@ -73,7 +73,7 @@ struct Number_policy
   }
 };
 
-// How many signs were decided so far in the process, and how many of them not by intervals, if the number type counts them.
+// Process-wide number of sign decisions, and of those that intervals did not make, for number types that count them.
 template <class FT>
 struct Sign_decisions
 {
@@ -88,7 +88,7 @@ inline FT square_root(const FT& x)
 }
 
 #ifdef CGAL_GEODESIC_OFFSET_HAS_SSE2
-// The same without branches, and without the call that reports errors.
+// Version without branches and without the library call for error reports.
 template <>
 inline double square_root<double>(const double& x)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a concurrency tag means: who works, and how work is divided.
+// Interpretation of a concurrency tag: the team of workers, and the division of work into blocks.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_CONCURRENCY_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_CONCURRENCY_H
@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The calling thread alone, as a team.
+// Team of the calling thread alone.
 struct Single_worker
 {
   static constexpr unsigned size() { return 1; }
@@ -51,7 +51,8 @@ struct Team_of<Parallel_tag>
 };
 #endif
 
-// The tag that counts for a number type: operations on others than floating point numbers may share memory.
+// The effective tag for a number type: always sequential unless FT is a built-in floating point type, since numbers of
+// other types may share memory.
 template <class Concurrency_tag, class FT>
 struct Concurrency
 {
@@ -63,18 +64,18 @@ struct Concurrency
   typedef Team_of<Tag> Team;
 };
 
-// How many items are given to a team at once, where each leaves something that is put together afterwards.
+// Number of items per call of Team::for_each() if the results of each item are stored until the call returns.
 inline std::size_t items_at_once(unsigned team_size)
 {
   constexpr std::size_t by_each = 64, most = 1 << 12;
   return team_size == 1 ? 1 : (std::min)(by_each * team_size, most);
 }
 
-// Items in a row, in blocks for a team; one block for one worker.
+// Division of a range of items into blocks for a team; one block for a single worker.
 class Blocks
 {
 public:
-  static constexpr std::size_t step = 1 << 10; // blocks begin at multiples of it
+  static constexpr std::size_t step = 1 << 10; // block boundaries are multiples of it
 
   Blocks(std::size_t items, unsigned team_size)
     : m_items(items), m_size(team_size == 1 ? items : (items / (std::min)(by_each * team_size, most) / step + 1) * step)
@@ -83,7 +84,7 @@ public:
 
   Index number() const { return m_items == 0 ? 0 : Index((m_items - 1) / m_size + 1); }
 
-  // Calls f(block, begin, end) for each, from several threads at once.
+  // Calls f(block, begin, end) for each block, concurrently.
   template <class Team, class Function>
   void for_each(Team& team, const Function& f) const
   {

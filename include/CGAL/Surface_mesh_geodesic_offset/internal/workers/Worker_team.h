@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fork and join for many short rounds of work: TBB lends threads once, and these wait for the rounds in a loop.
+// Fork and join for many short rounds of work. TBB lends threads once per team; they wait for the rounds in a loop.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_WORKER_TEAM_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WORKERS_WORKER_TEAM_H
@@ -36,8 +36,8 @@
 #define CGAL_GEODESIC_OFFSET_PAUSE() ((void)0)
 #endif
 
-// ThreadSanitizer sees how this file synchronizes threads, but not how libtbb does, unless that is built with it. It is
-// told that a task begins after it was put into the arena; of TBB's own task objects it is told nothing.
+// ThreadSanitizer sees the synchronization in this file, but not that inside libtbb unless libtbb is instrumented. So it is
+// informed that a task starts after its insertion into the arena, and ignores TBB's own task objects.
 #if defined(__SANITIZE_THREAD__)
 #define CGAL_GEODESIC_OFFSET_THREAD_SANITIZER
 #elif defined(__has_feature)
@@ -56,12 +56,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The calling thread, worker 0, and helpers. No round waits for a helper that is not there: who comes takes part of the
-// items, and if TBB has no thread to lend, worker 0 does all.
+// Worker 0 is the calling thread, the others are helpers. No round waits for a missing helper: each present helper
+// processes some of the items, and if TBB lends no thread, worker 0 processes all of them.
 class Worker_team
 {
 public:
-  // As many as TBB may use where it is called.
+  // The number of threads that TBB allows at the place of the call.
   static unsigned possible_size()
   {
     const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
@@ -102,10 +102,10 @@ public:
 
   unsigned size() const { return m_size; }
 
-  // Calls f(worker, i) for each i < n, from several threads at once, where worker < size(). Items next to each other, in
-  // shares of about the same weight, are for the same worker in each round, as long as none is idle. What was written before
-  // is seen by all of them, and what they write afterwards by the caller. If there are exceptions, that of the first item is
-  // thrown on; whether f is called for items behind it is not said.
+  // Calls f(worker, i) for each i < n, concurrently, with worker < size(). Each worker starts with a contiguous share of
+  // the items, in the order of the workers and of similar weight, so that it mostly has the same items in each round; idle
+  // workers steal items. All workers see what was written before the call, and the caller sees what they write. Rethrows
+  // the exception of the first item that throws; f may or may not be called for later items.
   template <class Weight, class Function>
   void for_each(Index n, const Weight& weight, bool is_worth_help, const Function& f)
   {
@@ -143,14 +143,14 @@ public:
   }
 
 private:
-  // Helpers that have come leave; those that have not will find nothing to do.
+  // Present helpers leave; late helpers find no work.
   void dismiss()
   {
     for (auto& share : m_shared->share) share.store(Shared::share_of(Shared::no_more, 0, 0));
   }
 
-  // Where helpers wait for threads, those of all teams that are made where TBB may use as many. Short builds may be over
-  // before a thread comes, and arenas of their own would heap up.
+  // Arena in which helpers wait for threads, shared by all teams created under the same thread limit. A short build may end
+  // before a thread arrives, so arenas per team would accumulate.
   static tbb::task_arena& arena()
   {
     static std::mutex mutex;
@@ -162,7 +162,7 @@ private:
     return *arena;
   }
 
-  // Waits a little: first on the core, for work that comes soon, then leaving it to others.
+  // Back-off while waiting: spin, then yield, then sleep.
   class Patience
   {
   public:
@@ -184,9 +184,9 @@ private:
 
   struct Shared
   {
-    static constexpr std::uint32_t no_more = ~std::uint32_t(0); // rounds
+    static constexpr std::uint32_t no_more = ~std::uint32_t(0); // round number: the team is dismissed
 
-    // What is left of the items for a worker in a round: the number of this, and [first, end) of them.
+    // Remaining items of a worker in a round: the round number and the range [first, end).
     struct alignas(64) Share
     {
       std::atomic<std::uint64_t> items{0};
@@ -206,14 +206,14 @@ private:
     std::vector<Index> order;
     const void* function = nullptr;
     void (*call)(const void*, unsigned, Index) = nullptr;
-    alignas(64) std::atomic<Index> done{0}; // by helpers
+    alignas(64) std::atomic<Index> done{0}; // number of items, by helpers
     alignas(64) std::atomic<unsigned> helpers{0};
-    std::fenv_t environment; // of worker 0: helpers round as it does
+    std::fenv_t environment; // of worker 0; helpers use the same rounding mode
     std::mutex mutex;
-    std::exception_ptr exception; // of the first item that has one
+    std::exception_ptr exception; // of the first item that threw
     Index failed_item = no_index;
 
-    // Takes the first item of the share of a worker, or the last one.
+    // Removes the first or last item of the share of worker `of`.
     bool take(unsigned of, std::uint32_t round, bool is_first, Index& i)
     {
       std::uint64_t s = share[of].items.load(std::memory_order_relaxed), less;
@@ -229,7 +229,7 @@ private:
       return true;
     }
 
-    // Works on the share of a worker, then on what is left of others. Returns how many items that were.
+    // Processes the share of a worker, then steals from other shares. Returns the number of processed items.
     Index work(unsigned worker, unsigned size, std::uint32_t round)
     {
       Index number = 0, i;
@@ -254,7 +254,7 @@ private:
       }
     }
 
-    // Once all items are done; the exception is the caller's then.
+    // Passes the exception to the caller; called when all items are done.
     void rethrow()
     {
       if (failed_item == no_index) return;

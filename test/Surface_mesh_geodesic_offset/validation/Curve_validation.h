@@ -1,17 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Walks along offset curves. Checks that pieces join, that their points are on the level, and that the distances decrease
-// to the left; notes where the curves cross edges. Takes time linear in the number of pieces, each times the windows of
-// its face.
+// Traversal of offset curves. Checks that pieces are joined, that their points are on the level, and that distances
+// decrease to the left; records crossings with edges. Time: for each piece, the number of windows of its face.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CURVE_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CURVE_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <string>
 #include <utility>
@@ -35,7 +32,7 @@ public:
   {
   }
 
-  // Appends what the curve consists of to `level`.
+  // Adds the pieces, gates and crossings of the curve to `level`.
   void operator()(const Offset_curve& curve, Validation_level& level) const
   {
     const std::size_t n = curve.number_of_pieces();
@@ -78,8 +75,8 @@ private:
 
   std::string where(Index face) const { return " in face " + std::to_string(face); }
 
-  // In the face, and at the level? In the frame of the face the ends are the same as by their locations, and on the circle
-  // or line of the piece.
+  // Checks that points are in the face and at the level, that both end points of a piece agree with their locations, and
+  // that they are on the circle or line of the piece.
   void check_points(const Piece& piece, const Validation_piece& plane, const Validation_level& level, bool is_last) const
   {
     const Validation_face face = m_surface.face_at(plane.face);
@@ -117,7 +114,7 @@ private:
     }
   }
 
-  // Left of the piece shortest paths run straight towards its center, so there the distance falls as fast as the way.
+  // On the left of the piece, shortest paths run straight towards its center, so the distance decreases at unit rate.
   void check_orientation(const Validation_piece& plane, const Validation_level& level) const
   {
     const double tolerance = m_options.level_tolerance * m_surface.diagonal();
@@ -126,7 +123,7 @@ private:
                    [&] { return "a piece runs backwards" + where(plane.face); });
     const Validation_face face = m_surface.face_at(plane.face);
     const Point m = plane.middle(), left = plane.left_at(m);
-    double way = face.way_out(m, left);
+    double way = face.exit_distance(m, left);
     if (!plane.is_straight) way = (std::min)(way, plane.radius);
     way = (std::min)(way, level.cut) / 2;
     if (!(way > 4 * tolerance) || face.outside(m) > tolerance) return;
@@ -168,7 +165,7 @@ private:
     level.add_gate(g, start.second[(g + 1) % 3], true);
   }
 
-  // Ends of open curves.
+  // Checks an end of an open curve.
   void check_end(const Piece& piece, bool is_start, Validation_level& level) const
   {
     const Location l = plain(is_start ? piece.start() : piece.end());
@@ -191,4 +188,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_CURVE_VALIDATION_H

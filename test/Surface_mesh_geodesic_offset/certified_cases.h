@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Small meshes on which bounds of distances are put to the test: adversarial ones, made for the places where a margin may be
-// forgotten, and general ones. A seed determines a case.
+// Small meshes for tests of distance bounds: adversarial ones, designed to expose missing error terms, and general ones. A
+// seed determines a case.
 
-#ifndef GEODESIC_OFFSET_TEST_ENCLOSURE_CASES_H
-#define GEODESIC_OFFSET_TEST_ENCLOSURE_CASES_H
+#ifndef GEODESIC_OFFSET_TEST_CERTIFIED_CASES_H
+#define GEODESIC_OFFSET_TEST_CERTIFIED_CASES_H
 
 #include "generated_curved_meshes.h"
 #include "generated_flat_meshes.h"
@@ -21,7 +21,7 @@
 
 namespace test {
 
-struct Enclosure_case
+struct Certified_case
 {
   typedef Reference_distances::Point Point;
   typedef Reference_distances::Triangle Triangle;
@@ -34,16 +34,16 @@ struct Enclosure_case
   std::vector<Location> sources, queries;
 };
 
-class Enclosure_cases
+class Certified_cases
 {
 public:
-  typedef Enclosure_case::Point Point;
-  typedef Enclosure_case::Triangle Triangle;
-  typedef Enclosure_case::Location Location;
+  typedef Certified_case::Point Point;
+  typedef Certified_case::Triangle Triangle;
+  typedef Certified_case::Location Location;
 
-  static Enclosure_case adversarial(unsigned seed)
+  static Certified_case adversarial(unsigned seed)
   {
-    Enclosure_cases c(seed);
+    Certified_cases c(seed);
     switch (seed % 8)
     {
     case 0: c.flat_cap(); break;
@@ -58,9 +58,9 @@ public:
     return c.finished();
   }
 
-  static Enclosure_case general(unsigned seed)
+  static Certified_case general(unsigned seed)
   {
-    Enclosure_cases c(seed);
+    Certified_cases c(seed);
     const std::size_t n = c.index(4);
     switch (seed % 8)
     {
@@ -78,15 +78,15 @@ public:
   }
 
 private:
-  explicit Enclosure_cases(unsigned seed) : random_(seed * 2654435761u + 1) {}
+  explicit Certified_cases(unsigned seed) : random_(seed * 2654435761u + 1) {}
 
   double number(double low, double high) { return uniform(random_, low, high); }
   std::size_t index(std::size_t n) { return uniform_index(random_, n); }
   bool one_of(std::size_t n) { return index(n) == 0; }
   double sign() { return one_of(2) ? 1 : -1; }
-  // with a uniform exponent of ten
+  // log-uniform
   double power(double low, double high) { return std::pow(10, number(low, high)); }
-  // zero, or of any smallness
+  // zero, or arbitrarily small
   double tiny(double low, double high) { return one_of(4) ? 0 : sign() * power(low, high); }
 
   std::size_t add(double x, double y, double z)
@@ -96,8 +96,8 @@ private:
   }
   void add_triangle(std::size_t p, std::size_t q, std::size_t r) { case_.triangles.push_back({p, q, r}); }
 
-  // A saddle vertex in front of a flat face, and a target behind: the shortest path bends in the vertex hardly or not at all,
-  // and the sector of the pseudo-source ends where the target is.
+  // A saddle vertex in front of a flat face, and a target behind it: the shortest path bends at the vertex little or not at
+  // all, and the target is at the end of the pseudo-source's sector.
   void flat_cap()
   {
     case_.kind = "flat cap behind a saddle";
@@ -105,7 +105,7 @@ private:
     const double x = power(-3, 1), y = tilt * number(0, 1);
     const std::size_t s = add(-x, y, 0), v = add(0, 0, 0);
     const std::size_t p = add(height * number(0.5, 2), -power(-2, 1), 0), q = add(height * number(0.5, 2), power(-2, 1), 0);
-    // straight on, up to rounding or a little more
+    // straight ahead, up to rounding or slightly more
     const double far = one_of(2) ? std::ldexp(1, int(index(5)) - 2) : number(0.2, 5);
     const std::size_t t = add(far * x, -far * y + tiny(-17, -8), 0);
     const std::size_t m = add(number(-1, 0), number(-1, 0), number(0.2, 2));
@@ -125,7 +125,7 @@ private:
     finish_shape(3);
   }
 
-  // A fan of tiny faces, some with a vertex far away.
+  // A fan of tiny faces, some with a distant vertex.
   void graded_cluster()
   {
     case_.kind = "graded cluster";
@@ -154,7 +154,7 @@ private:
     finish_shape(4);
   }
 
-  // Behind a saddle vertex, edges run nearly along the bounding ray of its sector.
+  // Edges behind a saddle vertex that are nearly parallel to the bounding ray of its sector.
   void tangent_sector()
   {
     case_.kind = "sector along edges";
@@ -197,7 +197,7 @@ private:
     finish_shape(2);
   }
 
-  // Symmetric meshes, exactly or nearly: paths of equal length on many ways.
+  // Symmetric meshes, exactly or nearly: many paths of equal length.
   void ties()
   {
     case_.kind = "ties";
@@ -222,7 +222,7 @@ private:
     finish_shape(is_closed ? 0 : 2);
   }
 
-  // A source so close to a saddle vertex that the direction there is hardly known.
+  // A source so close to a saddle vertex that the direction to it is ill-conditioned.
   void near_saddle()
   {
     case_.kind = "source near a saddle";
@@ -243,7 +243,7 @@ private:
     finish_shape(4);
   }
 
-  // Faces of which the height is far below their length, in the plane or bent.
+  // Faces whose height is far below their length, in the plane or bent.
   void flat_faces()
   {
     case_.kind = "flat faces";
@@ -278,7 +278,7 @@ private:
     finish_shape(2);
   }
 
-  // A cluster at the far end of long needles: windows cross edges far from the end that coordinates count from.
+  // A cluster at the far end of long needles: windows cross edges far from the origin of their coordinates.
   void graded_needles()
   {
     case_.kind = "graded needles";
@@ -295,14 +295,14 @@ private:
     finish_shape(4);
   }
 
-  // Flips, more faces at the border, another position, and sometimes another source.
+  // Random flips, additional faces at the border, a motion, and sometimes another source.
   void finish_shape(std::size_t faces)
   {
     if (one_of(3)) grow(index(faces + 1));
     if (one_of(2))
       for (Triangle& t : case_.triangles) std::swap(t[1], t[2]);
     if (one_of(2))
-      for (Triangle& t : case_.triangles) std::swap(t[0], t[2]), std::swap(t[0], t[1]); // another first side
+      for (Triangle& t : case_.triangles) std::swap(t[0], t[2]), std::swap(t[0], t[1]); // change the first side
     if (one_of(2)) move();
     if (one_of(6))
     {
@@ -312,7 +312,7 @@ private:
     }
   }
 
-  // Triangles at random sides of the border, about as large as these.
+  // Adds n triangles of similar size at random border edges.
   void grow(std::size_t n)
   {
     for (std::size_t i = 0; i < n; ++i)
@@ -334,7 +334,7 @@ private:
     }
   }
 
-  // Turned and scaled: coordinates are rounded.
+  // Rotation and scaling: coordinates are rounded.
   void move()
   {
     const double scale = one_of(3) ? power(-20, 20) : 1;
@@ -376,7 +376,7 @@ private:
     case_.sources.push_back({triangle, weights});
   }
 
-  // At a vertex, on an edge, near a corner, or inside a face. No weight is within the tolerance for zero, but zero.
+  // At a vertex, on an edge, near a corner, or inside a face. Nonzero weights exceed the tolerance for zero.
   Location any_location()
   {
     Location l{index(case_.triangles.size()), {0, 0, 0}};
@@ -403,8 +403,8 @@ private:
       case_.sources.push_back(any_location());
   }
 
-  // Points that no triangle uses are left out.
-  Enclosure_case finished()
+  // Removes unused points.
+  Certified_case finished()
   {
     std::vector<std::size_t> number(case_.points.size(), std::size_t(-1));
     std::vector<Point> used;
@@ -429,9 +429,9 @@ private:
   }
 
   Random random_;
-  Enclosure_case case_;
+  Certified_case case_;
 };
 
 } // namespace test
 
-#endif // GEODESIC_OFFSET_TEST_ENCLOSURE_CASES_H
+#endif // GEODESIC_OFFSET_TEST_CERTIFIED_CASES_H

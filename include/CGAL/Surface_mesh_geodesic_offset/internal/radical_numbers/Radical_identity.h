@@ -1,22 +1,22 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Proofs that an expression is zero by the way in which it is built, whatever the values of its parts are.
+// Proofs that an expression is zero by its structure, whatever the values of its parts.
 //
-// The end of an arc lies on the arc, and two circles have the same common points whichever of them comes first: most
-// expressions that are zero are so by an identity of a few quantities, which may be large expressions themselves. The
-// expression is expanded down to some number of operations from the top. What is below is an indeterminate, and alike parts
-// are the same one. Above, a value is a quotient of polynomials, and a square root is an indeterminate with a known square.
-// An expression is zero if its numerator is the zero polynomial. The depth grows until a proof is found or the polynomials
-// get too large.
+// Most expressions that are zero are identities of a few quantities: the end of an arc lies on the arc, and two circles
+// have the same intersections in either order. These quantities may be large expressions themselves. The expression is
+// expanded to a given number of operations below the top; each subexpression below that depth is an indeterminate, and
+// alike subexpressions are one indeterminate. Above it, a value is a quotient of polynomials, and a square root is an
+// indeterminate with a known square. The expression is zero if its numerator is the zero polynomial. The depth
+// increases until a proof is found or the polynomials get too large.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_IDENTITY_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_IDENTITY_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_IDENTITY_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_IDENTITY_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <algorithm>
 #include <array>
@@ -32,21 +32,21 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Whether two expressions are the same operations on the same constants. Numbers that are computed twice in the same way
-// are alike, as the image of a window that comes to an edge twice.
+// Whether two expressions apply the same operations to the same constants, as those of a number that is computed twice
+// in the same way.
 class Radical_likeness
 {
 public:
   bool operator()(const Radical_node& a, const Radical_node& b) { return are_alike(a, b, 0); }
 
 private:
-  static constexpr std::size_t most_levels = 1000; // of the recursion
+  static constexpr std::size_t most_levels = 1000; // of recursion
   static constexpr std::size_t most_pairs = 1 << 14;
 
   bool are_alike(const Radical_node& a, const Radical_node& b, std::size_t level)
   {
     if (&a == &b) return true;
-    const Double_enclosure &x = a.enclosure(), &y = b.enclosure();
+    const Double_interval &x = a.interval(), &y = b.interval();
     if (x.high < y.low || y.high < x.low || a.operation() != b.operation()) return false;
     if (a.rational()) return *a.rational() == *b.rational();
     if (!a.operand(0) || level == most_levels || m_known.size() == most_pairs) return false;
@@ -57,10 +57,10 @@ private:
     return m_known[{&a, &b}] = true;
   }
 
-  std::map<std::pair<const Radical_node*, const Radical_node*>, bool> m_known; // false while it is being found out
+  std::map<std::pair<const Radical_node*, const Radical_node*>, bool> m_known; // false while the comparison is in progress
 };
 
-// A polynomial in indeterminates with rational coefficients.
+// Polynomial in indeterminates with rational coefficients.
 class Radical_polynomial
 {
 public:
@@ -123,13 +123,14 @@ public:
     return p;
   }
 
-  // With over / under in place of the square of indeterminate i, times a power of `under` that makes it a polynomial.
+  // Substitutes over / under for the square of indeterminate i, and multiplies by the power of `under` that clears
+  // denominators.
   Radical_polynomial with_square(std::size_t i, const Radical_polynomial& over, const Radical_polynomial& under,
                                  Radical_work& work) const
   {
     const unsigned squares = degree(i) / 2;
     if (squares == 0) return *this;
-    std::vector<Radical_polynomial> parts(squares + 1); // by the number of squares
+    std::vector<Radical_polynomial> parts(squares + 1); // indexed by the exponent of the square
     for (const auto& t : m_terms)
     {
       Exponents e = t.first;
@@ -162,8 +163,8 @@ private:
 class Radical_identity
 {
 public:
-  // True only if the number is zero. If that is not so, or needs another proof, it takes at most `most_depth` times
-  // `most_steps` products of two terms to find out.
+  // Returns true only if the number is zero. An unsuccessful search takes at most `most_depth` times `most_steps`
+  // products of two terms.
   static bool proves_zero(const Radical_node& top)
   {
     for (std::size_t depth = 1; depth <= most_depth; ++depth)
@@ -174,7 +175,7 @@ public:
         if (identity.vanishes(top, depth)) return true;
       }
       catch (const Radical_limit_exceeded&)
-      { // a greater depth may have fewer indeterminates
+      { // a greater depth may need fewer indeterminates
       }
       if (identity.m_is_complete) return false;
     }
@@ -184,7 +185,7 @@ public:
 private:
   static constexpr std::size_t most_steps = std::size_t(1) << 15;
   static constexpr std::size_t most_depth = 24;
-  static constexpr std::size_t most_bits_of_coefficient = 512; // a larger constant is an indeterminate
+  static constexpr std::size_t most_bits_of_coefficient = 512; // larger constants become indeterminates
 
   struct Quotient
   {
@@ -193,16 +194,17 @@ private:
   struct Indeterminate
   {
     const Radical_node* node; // null for a square root
-    Quotient square;          // of a square root
+    Quotient square; // for a square root
   };
 
   Radical_identity() : m_work(most_steps) {}
 
   bool vanishes(const Radical_node& top, std::size_t depth)
   {
-    // Expanded are the nodes to which no way from the top has `depth` operations or more. Users come before their operands.
+    // A node is expanded if every path from the top to it has fewer than `depth` operations. Users precede their
+    // operands.
     typedef std::pair<std::size_t, const Radical_node*> Entry; // depth of the node, node
-    std::map<Entry, std::size_t, std::greater<Entry>> pending; // operations from the top
+    std::map<Entry, std::size_t, std::greater<Entry>> pending; // longest path from the top, in operations
     std::vector<const Radical_node*> expanded;
     pending.emplace(Entry(top.depth(), &top), 0);
     m_is_complete = true;
@@ -291,7 +293,7 @@ private:
     return Radical_polynomial::indeterminate(m_indeterminates.size() - 1);
   }
 
-  // No denominator of an expression is zero, so a numerator may be multiplied by that of a square.
+  // No denominator in an expression is zero, so multiplying by the denominator of a square preserves zeros.
   bool is_zero(Radical_polynomial p)
   {
     for (std::size_t i = m_indeterminates.size(); i-- > 0 && !p.is_zero();)
@@ -315,7 +317,7 @@ private:
   Radical_likeness m_is_alike;
   bool m_is_complete = false; // all operations are expanded
   std::unordered_map<const Radical_node*, Quotient> m_values;
-  std::vector<Indeterminate> m_indeterminates; // a square root comes after those that its square is made of
+  std::vector<Indeterminate> m_indeterminates; // a square root comes after the indeterminates in its square
 };
 
 } // namespace internal

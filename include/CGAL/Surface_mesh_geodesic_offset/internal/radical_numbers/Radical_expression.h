@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes expressions, simplified where that takes no evaluation: what is made of small rationals stays a rational.
+// Construction of expressions, with simplifications that need no evaluation: results of operations on small rationals
+// are rationals.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_EXPRESSION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_EXPRESSION_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_EXPRESSION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_EXPRESSION_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -85,7 +86,7 @@ public:
   static Reference square_root(const Reference& a)
   {
     if (!a) return a;
-    if (a->enclosure().high < 0) throw std::domain_error("square root of a negative number");
+    if (a->interval().high < 0) throw std::domain_error("square root of a negative number");
     if (a->rational())
     {
       const Big_integer over(numerator_of(*a->rational())), under(denominator_of(*a->rational()));
@@ -94,14 +95,14 @@ public:
     }
     if (a->operation() == Radical_operation::MULTIPLY && a->operand(0) == a->operand(1))
     {
-      const int sign = a->operand(0)->enclosure().sign();
+      const int sign = a->operand(0)->interval().sign();
       if (sign != 0) return sign > 0 ? a->operand(0) : negative(a->operand(0));
     }
     return Radical_node::make(Radical_operation::SQUARE_ROOT, a);
   }
 
 private:
-  static constexpr std::size_t most_bits = 2000; // of a rational that is worth computing
+  static constexpr std::size_t most_bits = 2000; // larger rationals are not computed
 
   static bool is_small(const Big_rational& q) { return bits_of(q) < most_bits; }
   static bool are_small(const Reference& a, const Reference& b)

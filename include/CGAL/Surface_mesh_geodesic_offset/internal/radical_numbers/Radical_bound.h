@@ -1,19 +1,19 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How close to zero an expression may be without being zero: the bound of C. Burnikel, S. Funke, K. Mehlhorn, S. Schirra
-// and S. Schmitt, A Separation Bound for Real Algebraic Expressions, ESA 2001. With k square roots it is of degree 2^k,
-// so it serves for few roots only.
+// Lower bound of the absolute value of an expression that is not zero: C. Burnikel, S. Funke, K. Mehlhorn, S. Schirra
+// and S. Schmitt, A Separation Bound for Real Algebraic Expressions, ESA 2001. Its degree is 2^k for k square roots, so
+// it is useful only for few roots.
 //
-// CORE computes the same bound, but in CGAL 5.5 with a wrong degree for a subexpression whose roots occur elsewhere too:
-// for (s - t) * (s + t) with sums s, t of roots that are nearly equal, CORE says zero.
+// CORE of CGAL 5.5 computes the same bound with a wrong degree for subexpressions whose roots also occur elsewhere: it
+// returns zero for (s - t) * (s + t) with nearly equal sums s, t of roots.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_BOUND_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_BOUND_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_BOUND_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_BOUND_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ namespace internal {
 class Radical_bound
 {
 public:
-  // Some n such that the number is zero or at least 2^-n in absolute value, if there is one up to `largest`.
+  // Returns n such that the number is zero or at least 2^-n in absolute value, if the bound gives an n up to `largest`.
   static std::optional<std::size_t> bits(Radical_node& top, std::size_t largest)
   {
     Radical_bound bound;
@@ -42,8 +42,8 @@ public:
   }
 
 private:
-  // The number is a quotient of algebraic integers, whose conjugates are at most 2^over and 2^under. The logarithms are
-  // rounded up to integers, so that sums of them are exact.
+  // The number is a quotient of algebraic integers whose conjugates are at most 2^over and 2^under. The logarithms are
+  // rounded up to integers, so their sums are exact.
   struct Size
   {
     double over, under;

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The exact number type for square roots: identities that hold and others that nearly hold, against algebra and against
-// CORE::Expr. Every equality here is also tested with a tiny error added, which must be seen.
+// Exact number type for square roots: identities, and near identities, against algebra and CORE::Expr. Every equality is
+// also tested with a tiny error, which must be detected.
 
 #include "test_check.h"
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Exact_root_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_number.h>
 
 #include <CGAL/Cartesian.h>
 #include <CGAL/squared_distance_2.h>
@@ -22,10 +22,10 @@
 #include <string>
 #include <vector>
 
-namespace test_exact_root_number {
+namespace test_radical_number {
 
 using CGAL::Exact_rational;
-typedef CGAL::Geodesic_offset::internal::Exact_root_number Number;
+typedef CGAL::Geodesic_offset::internal::Radical_number Number;
 
 Number root(const Number& x) { return CGAL::sqrt(x); }
 
@@ -39,7 +39,7 @@ Number power(const Number& x, unsigned n)
 
 Number tiny(unsigned digits) { return 1 / power(10, digits); }
 
-// Equal numbers, and the same numbers with an error, compared in all ways.
+// Compares equal numbers, and the same numbers with an error, in all ways.
 void check_equal(const Number& a, const Number& b, const std::string& what)
 {
   const Number e = tiny(120);
@@ -60,7 +60,7 @@ class Random
 {
 public:
   explicit Random(unsigned seed) : m_engine(seed) {}
-  // Without std::uniform_int_distribution, which differs between libraries.
+  // Without std::uniform_int_distribution, whose results depend on the library.
   int below(int n) { return int(m_engine() % std::uint64_t(n)); }
   Exact_rational rational(int size) { return Exact_rational(1 + below(size)) / (1 + below(size)); }
   double coordinate() { return std::ldexp(double(m_engine() >> 11), -53) - 0.5; }
@@ -96,7 +96,7 @@ void test_constants()
   CHECK_THROWS(CGAL::sign(1 / (root(2) * root(3) - root(6)) - 1), std::domain_error);
 }
 
-// What generic code of CGAL uses.
+// Operations used by generic code of CGAL.
 void test_traits()
 {
   typedef CGAL::Algebraic_structure_traits<Number> Algebra;
@@ -158,7 +158,7 @@ void test_identities()
   }
 }
 
-// Radicands the common factors of which only greatest common divisors can find.
+// Radicands whose common factors only greatest common divisors can find.
 void test_large_radicands()
 {
   Random random(2);
@@ -192,7 +192,7 @@ void test_many_roots()
     for (std::size_t i = n; i-- > 0;) sum -= 2 * root(primes[i]) * root(3);
     check_equal(sum, 0, "sum of roots");
   }
-  // 2^7 terms, twice
+  // 2^7 terms, in two ways
   Number p = 1, q = 1;
   for (int i = 0; i < 7; ++i)
   {
@@ -211,7 +211,7 @@ void test_near_equality()
     check_less(s2, s2 + e, "digits");
     check_less(root(2 + e) - s2, e / 2, "derivative of the root");
     check_less(root(3 + s2), root(3 + s2 + e), "nested");
-    // the convergents of sqrt 2 come as near as their denominators allow
+    // the convergents of sqrt 2 are as close as their denominators allow
     Number p = 1, q = 1;
     for (unsigned i = 0; i < digits; ++i)
     {
@@ -262,7 +262,7 @@ void test_nested_roots()
   check_less(root(a + tiny(200)) - root(a), tiny(200), "");
   CHECK(a != b && root(1 + a) != root(1 + b) && a + b != root(12) && a * s2 != root(5 + s2));
 
-  // all signs inside a square, which is made of two expressions so that it is not seen to be one
+  // all signs inside a square, which is made of two expressions so that it is not recognized as a square
   for (int signs = 0; signs < 32; ++signs)
   {
     const auto number = [&](bool nested) {
@@ -274,7 +274,7 @@ void test_nested_roots()
     for (bool nested : {false, true})
       check_equal(root(number(nested) * number(nested)), CGAL::abs(number(nested)), "signs");
   }
-  // a quotient with a negative denominator too long for a rational one
+  // a quotient with a negative denominator whose rational form is too long
   const Number sum = s2 + s3 + s5 + root(7) + root(11);
   check_equal(root(-3 / (sum - 12)), root(3 / (12 - sum)), "negative numerator and denominator");
   check_equal(root(-3 / (sum - 12)) * (12 - sum), root(3 * (12 - sum)), "a quotient");
@@ -289,14 +289,15 @@ void test_nested_roots()
     const Number d = s + root(x * x + y * y);
     check_equal(d, (s * n * f + root(power(x * n * f, 2) + power(y * f * n, 2))) / (n * f), "scaled");
     check_equal(d * (root(x * x + y * y) - s), x * x + y * y - s * s, "difference of squares");
-    // turned by an angle with rational cosine and sine
+    // rotation by an angle with rational cosine and sine
     const Number u = random.rational(9), c = (1 - u * u) / (1 + u * u), z = 2 * u / (1 + u * u);
     check_equal(d, root(power(c * x - z * y, 2) + power(z * x + c * y, 2)) + s, "turned");
     check_less(d, s + root(x * x + y * y + tiny(90)), "not quite");
   }
 }
 
-// A point carried around a vertex of a flat surface in space from face to face, as windows are unfolded, comes back.
+// A point that is unfolded from face to face around a vertex of a flat surface in space, as windows are, returns to its
+// position.
 void test_fan()
 {
   Random random(4);
@@ -334,8 +335,8 @@ void test_fan()
   for (int n : {5, 9}) check_fan(n, true);
 }
 
-// Across a strip of triangles in space, the way from one end to the other is as long as the way back. Each is the nested
-// root of a sum with as many roots as there are triangles.
+// Across a strip of triangles in space, both directions give the same length. Each length is the nested root of a sum with
+// as many roots as there are triangles.
 void test_strips()
 {
   Random random(8);
@@ -343,7 +344,7 @@ void test_strips()
   const auto squared_distance = [](const Point& p, const Point& q) {
     return Number(CGAL::square(p[0] - q[0]) + CGAL::square(p[1] - q[1]) + CGAL::square(p[2] - q[2]));
   };
-  // the point c in the frame of the halfedge from a to b, above it
+  // position of c in the frame of the halfedge from a to b, above it
   const auto unfold = [&](const Point& a, const Point& b, const Point& c, Number& x, Number& y) {
     const Number ab = squared_distance(a, b), ac = squared_distance(a, c);
     x = (ab + ac - squared_distance(b, c)) / (2 * root(ab));
@@ -355,7 +356,7 @@ void test_strips()
     std::size_t i = 1;
     for (; i + 3 < p.size(); ++i)
     {
-      // into the frame of the next edge, mirrored at it so that the source stays on the positive side
+      // to the frame of the next edge, reflected so that the source stays on the positive side
       unfold(p[i], p[i + 1], p[i + 2], cx, cy);
       const Number e = root(squared_distance(p[i], p[i + 1])), f = root(squared_distance(p[i + 1], p[i + 2]));
       const Number c = (cx - e) / f, s = cy / f, u = x - e;
@@ -379,7 +380,7 @@ void test_strips()
     }
 }
 
-// What is zero by the way in which it is made of parts, whatever the parts are: these are too large for exact arithmetic.
+// Zeros by construction, whatever the parts are: the parts are too large for exact arithmetic.
 void test_zero_by_construction()
 {
   auto& counts = Number::counts();
@@ -405,7 +406,7 @@ void test_zero_by_construction()
   check_zero(root(x / y), root(x * y) / y, "root of a fraction");
   check_zero(sum_of_roots(8), sum_of_roots(8), "the same operations again");
 
-  // The common points of two circles, of each of them as the first, and the middle of an arc.
+  // Intersections of two circles, in both orders, and the midpoint of an arc.
   struct Point
   {
     Number x, y;
@@ -431,14 +432,14 @@ void test_zero_by_construction()
   check_zero(distance({c.x + rc / a * ax, c.y + rc / a * ay}, c), rc, "the middle of an arc");
   CHECK(identities >= 10);
 
-  // Not zero, and zero for another reason: the parts of root 6 are not those of root 2 and root 3.
+  // Nonzero, and zero for another reason: the parts of root 6 are not those of root 2 and root 3.
   counts.reset();
   CHECK(root(Number(2)) + root(Number(3)) == root(5 + 2 * root(Number(6))) && counts.zero_by_identity.value() == 0);
   const Number z = root(Number(5)) - root(Number(5) + tiny(200));
   CHECK(CGAL::is_negative(x * z) && CGAL::is_negative(z / x) && counts.zero_by_identity.value() == 0);
 }
 
-// What exact arithmetic does not settle.
+// Numbers that exact arithmetic does not decide.
 void test_root_bounds()
 {
   auto& counts = Number::counts();
@@ -450,7 +451,7 @@ void test_root_bounds()
   CHECK(root(a) + root(b) < root(a + b + 2 * root(a * b)) + tiny(400) && counts.by_high_precision.value() == 1);
   CHECK(counts.by_core.value() == 0);
 
-  // CORE 1.7 of CGAL 5.5 takes this difference for zero
+  // CORE 1.7 of CGAL 5.5 computes zero for this difference
   const Number large = power(10, 14);
   Number s = 0, t = 0;
   for (int i : {0, 3, 5, 6, 9, 10, 12, 15}) s += root(large + i);
@@ -458,7 +459,7 @@ void test_root_bounds()
   const Number difference = s - t, sum = s + t;
   CHECK(CGAL::is_negative(difference * sum) && CGAL::is_negative(difference));
 
-  // Each expression is as large as its bound says, and the bound is not much too cautious for a single root.
+  // Each expression is at least as large as its bound, and the bound is not too pessimistic for a single root.
   typedef CGAL::Geodesic_offset::internal::Radical_expression Make;
   using CGAL::Geodesic_offset::internal::Big_rational;
   using CGAL::Geodesic_offset::internal::Radical_bound;
@@ -527,7 +528,7 @@ void test_against_core()
               (power(10, 35) * 3 + Number(14159265358979323LL) * power(10, 18) + Number(846264338327950288LL)) /
                 power(10, 35),
               "a long decimal of CORE");
-  // a root of a polynomial is a number of which only CORE knows
+  // a root of a polynomial, which only CORE can represent
   CORE::BigInt coefficients[] = {-2, 0, 0, 1};
   const Number cube_root(CORE::Expr(CORE::Polynomial<CORE::BigInt>(3, coefficients), 1));
   CHECK(cube_root > Number(1.25) && cube_root < Number(1.26) && cube_root + root(2) - cube_root == root(2));
@@ -606,9 +607,9 @@ void test_counts()
   CHECK(x < y + tiny(30) && counts.by_precision.value() == 1);
   CHECK(x < y + tiny(300) && counts.exactly_not_zero.value() == 1);
   CHECK(x == y && counts.exactly_zero.value() == 1);
-  // the equality is remembered
+  // the equality is cached
   CHECK(x == y && counts.exactly_zero.value() == 1 && counts.by_identity.value() == 2);
-  // a nested root that is proved to be none of other roots
+  // a nested root that is proved to be independent of other roots
   const Number nested = root(3 + root(2));
   CHECK(nested * nested * nested < nested * (3 + root(2)) + tiny(300) && counts.exactly_not_zero.value() == 2);
   CHECK(counts.by_core.value() == 0 && counts.by_high_precision.value() == 0 && counts.by_root_bound.value() == 0);
@@ -616,9 +617,9 @@ void test_counts()
   CHECK(counts.by_identity.value() == 0 && counts.exactly_zero.value() == 0);
 }
 
-} // namespace test_exact_root_number
+} // namespace test_radical_number
 
-GEODESIC_OFFSET_TEST(test_exact_root_number)
+GEODESIC_OFFSET_TEST(test_radical_number)
 {
   test_constants();
   test_traits();
@@ -637,5 +638,5 @@ GEODESIC_OFFSET_TEST(test_exact_root_number)
   test_to_double();
   test_rounding_modes();
   test_counts();
-  return test::Report::instance().finish("test_exact_root_number");
+  return test::Report::instance().finish("test_radical_number");
 }

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where one of two windows on a halfedge is certainly farther than the other one.
+// Parts of the overlap of two windows on a halfedge where one is certainly farther than the other.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_OVERLAP_SPLIT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_OVERLAP_SPLIT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_tie.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_bisector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A few disjoint intervals in order.
+// Few disjoint intervals in order.
 class Interval_set
 {
 public:
@@ -29,7 +29,7 @@ public:
   int size() const { return m_size; }
   const Interval& operator[](int i) const { return m_intervals[i]; }
 
-  // An interval that begins where the last one ends, or after it.
+  // Precondition: the interval begins at or after the end of the last one.
   void append(const Interval& i)
   {
     if (m_size > 0 && i.from <= m_intervals[m_size - 1].to)
@@ -47,41 +47,41 @@ private:
   int m_size = 0;
 };
 
-// Two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
+// Two windows a and b on the overlap [low, high] of their intervals; b begins within a.
 //
-// The difference of the two distances has one stationary point at most. So between two points where one window is certainly
-// farther it is so everywhere, unless a minimum of the difference lies between: that is excluded if the difference does not
-// decrease at the first point or does not increase at the second one.
-class Certified_ties
+// The difference of the two distances has at most one stationary point. So a window that is certainly farther at two points
+// is farther everywhere between them unless a minimum of the difference lies there. No minimum exists if the difference
+// does not decrease at the first point or does not increase at the second.
+class Certified_overlap_split
 {
 public:
   typedef Certified_window Window;
 
-  Certified_ties(const Window& a, const Window& b, double length)
-    : m_a(a), m_b(b), m_tie(a, b, length), m_low(b.b0), m_high((std::min)(a.b1, b.b1)), m_margin(m_tie.margin())
+  Certified_overlap_split(const Window& a, const Window& b, double length)
+    : m_a(a), m_b(b), m_bisector(a, b, length), m_low(b.b0), m_high((std::min)(a.b1, b.b1)), m_margin(m_bisector.margin())
   {
-    m_at_low = m_tie.difference(m_low);
-    m_at_high = m_tie.difference(m_high);
-    m_has_middle = m_tie.stationary_point(m_middle) && m_low < m_middle && m_middle < m_high;
-    if (m_has_middle) m_at_middle = m_tie.difference(m_middle);
+    m_at_low = m_bisector.difference(m_low);
+    m_at_high = m_bisector.difference(m_high);
+    m_has_middle = m_bisector.stationary_point(m_middle) && m_low < m_middle && m_middle < m_high;
+    if (m_has_middle) m_at_middle = m_bisector.difference(m_middle);
   }
 
   double low() const { return m_low; }
   double high() const { return m_high; }
 
-  // Whether neither is certainly farther anywhere.
-  bool tie() const
+  // Whether neither window is certainly farther anywhere.
+  bool is_tie() const
   {
     return std::abs(m_at_low) <= m_margin && std::abs(m_at_high) <= m_margin &&
            (!m_has_middle || std::abs(m_at_middle) <= m_margin);
   }
 
-  // The parts of the overlap where a, or b, is not certainly farther than the other one.
+  // Parts of the overlap where a, or b, is not certainly farther than the other window.
   Interval_set kept_of_first() const { return kept(1); }
   Interval_set kept_of_second() const { return kept(-1); }
 
 private:
-  // `of` = 1: where a is not certainly farther; -1: where b is not.
+  // `of` = 1: for a; `of` = -1: for b.
   Interval_set kept(int of) const
   {
     const auto excess = [&](double g) { return of * g - m_margin; };
@@ -94,7 +94,7 @@ private:
       {
         const double middle = excess(m_at_middle);
         if (middle > 0)
-        { // a minimum above the margin: distances change by no more than the way
+        { // a minimum above the margin: distances are 1-Lipschitz
           const double from = (std::max)(m_low, m_middle - middle / 4), to = (std::min)(m_high, m_middle + middle / 4);
           if (is_farther_between(of, m_low, from) && is_farther_between(of, to, m_high)) return result;
         }
@@ -137,13 +137,13 @@ private:
     return result;
   }
 
-  // Given that it is so at both points.
+  // Precondition: the window is certainly farther at both points.
   bool is_farther_between(int of, double from, double to) const
   {
-    return from == to || !m_tie.may_turn_between(of, from, to) || is_farther_everywhere(of);
+    return from == to || !m_bisector.may_turn_between(of, from, to) || is_farther_everywhere(of);
   }
 
-  // By the triangle of both images.
+  // By the triangle inequality for both images.
   bool is_farther_everywhere(int of) const
   {
     if (m_a.is_parallel() || m_b.is_parallel()) return false;
@@ -152,8 +152,8 @@ private:
     return of * (m_a.sigma - m_b.sigma) - apart > m_margin;
   }
 
-  // A point where the window is certainly farther, close to the end of the part where it is so: `good` is in it, `bad`
-  // is not; with the excess at both.
+  // A point where the window is certainly farther, near the end of that part. `good` is in the part, `bad` is not; at_good
+  // and at_bad are the excesses there.
   double last_farther(int of, double good, double at_good, double bad, double at_bad) const
   {
     const double enough = unit_roundoff * 16 * (std::abs(good) + std::abs(bad));
@@ -163,7 +163,7 @@ private:
       const double aim = 4 * m_margin;
       double t = i % 3 == 2 ? 0.5 * (good + bad) : good + (bad - good) * ((at_good - aim) / (at_good - at_bad));
       if (!((good < t && t < bad) || (bad < t && t < good))) t = 0.5 * (good + bad);
-      const double g = of * m_tie.difference(t) - m_margin;
+      const double g = of * m_bisector.difference(t) - m_margin;
       if (g > 0)
       {
         good = t;
@@ -180,7 +180,7 @@ private:
 
   const Window& m_a;
   const Window& m_b;
-  const Certified_tie m_tie;
+  const Certified_bisector m_bisector;
   double m_low, m_high, m_middle = 0;
   const double m_margin;
   double m_at_low, m_at_high, m_at_middle = 0;

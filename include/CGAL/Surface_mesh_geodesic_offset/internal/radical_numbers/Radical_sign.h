@@ -1,21 +1,21 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sign of an expression, by means that get stronger and slower: intervals of doubles, intervals of more bits, identities
-// of the parts of the expression, exact arithmetic with roots, which decides whether the number is zero, and bounds on roots,
-// first our own, then those of CORE.
+// Sign of an expression, by methods of increasing strength and cost: intervals of doubles, intervals of more bits,
+// identities of the parts of the expression, exact arithmetic with roots (which decides whether the number is zero),
+// and root bounds, first Radical_bound, then CORE's.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SIGN_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SIGN_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SIGN_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_bound.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_core.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_identity.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_bound.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_core.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_identity.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <atomic>
 #include <cstddef>
@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// How many signs and comparisons were decided by what. Counts of several threads at once may miss some.
-struct Exact_root_number_counts
+// Number of signs and comparisons decided by each method. Concurrent increments may be lost.
+struct Radical_number_counts
 {
   class Counter
   {
@@ -44,14 +44,14 @@ struct Exact_root_number_counts
     std::atomic<std::uint64_t> m_value;
   };
 
-  Counter by_identity;       // the same expression, or a rational
-  Counter by_doubles;        // intervals of doubles
-  Counter by_precision;      // intervals of up to 256 bits
-  Counter zero_by_identity;  // proved to be zero by an identity of parts of the expression
-  Counter exactly_zero;      // proved to be zero by exact arithmetic
-  Counter exactly_not_zero;  // proved not to be; then intervals of any precision
-  Counter by_high_precision; // not settled by exact arithmetic, intervals of up to 65536 bits
-  Counter by_root_bound;     // intervals of so many bits that the number is zero if they do not tell
+  Counter by_identity; // same expression, or a rational
+  Counter by_doubles; // intervals of doubles
+  Counter by_precision; // intervals of up to 256 bits
+  Counter zero_by_identity; // zero by an identity of parts of the expression
+  Counter exactly_zero; // zero by exact arithmetic
+  Counter exactly_not_zero; // nonzero by exact arithmetic; sign by intervals of any precision
+  Counter by_high_precision; // undecided by exact arithmetic; intervals of up to 65536 bits
+  Counter by_root_bound; // intervals of as many bits as the root bound needs
   Counter by_core;
 
   void reset()
@@ -62,7 +62,7 @@ struct Exact_root_number_counts
   }
 };
 
-// The value of an expression by exact arithmetic. Values without nested roots are kept with the nodes.
+// Exact value of an expression. Nodes cache values without nested roots.
 class Radical_evaluation
 {
 public:
@@ -83,7 +83,7 @@ public:
     {
     }
     if (result == Vanishing::ZERO) top.set_closed_form(Radical_quotient());
-    // operands come first, and a node forgets only those that come before it
+    // operands come first, and a node drops only nodes that precede it
     m_evaluated.push_back(&top);
     for (Radical_node* n : m_evaluated) n->forget_operands();
     return result;
@@ -143,9 +143,9 @@ class Radical_sign
 public:
   typedef Radical_node::Reference Reference;
 
-  static Exact_root_number_counts& counts()
+  static Radical_number_counts& counts()
   {
-    static Exact_root_number_counts c;
+    static Radical_number_counts c;
     return c;
   }
 
@@ -226,7 +226,7 @@ public:
       ++counts().by_identity;
       return 0;
     }
-    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    const Double_interval &x = a->interval(), &y = b->interval();
     if (x.high < y.low || y.high < x.low || (x.is_point() && y.is_point()))
     {
       ++counts().by_doubles;
@@ -241,29 +241,29 @@ public:
     return of(Radical_expression::difference(a, b));
   }
 
-  // 0 if intervals of few bits do not tell.
+  // Returns 0 if intervals of few bits do not decide.
   static int of_difference_by_intervals(const Reference& a, const Reference& b)
   {
     if (a == b) return 0;
     if (!a || !b) return of_difference(a, b);
-    const Double_enclosure &x = a->enclosure(), &y = b->enclosure();
+    const Double_interval &x = a->interval(), &y = b->interval();
     if (x.low > y.high) return 1;
     if (x.high < y.low) return -1;
     const Reference d = Radical_expression::difference(a, b);
     return d && refined_has_sign(*d, Radical_node::first_precision, exact_from) ? d->sign() : 0;
   }
 
-  // Finds the closed forms of what an expression is made of, as far as that takes no time.
+  // Computes closed forms of subexpressions within a small number of steps.
   static void simplify(const Reference& a)
   {
     if (a && !a->closed_form() && !a->rational()) Radical_evaluation{steps_to_simplify}(*a);
   }
 
-  // Makes the enclosure of a number so tight that all its doubles are close to the number. False for zero.
+  // Refines the interval of a number until it is tight. Returns false for zero.
   static bool approximate(const Reference& a)
   {
     if (!a) return false;
-    for (std::size_t bits = Radical_node::first_precision; !a->enclosure().is_tight(); bits *= 2)
+    for (std::size_t bits = Radical_node::first_precision; !a->interval().is_tight(); bits *= 2)
     {
       if (bits > exact_from && !a->has_sign() && of(a) == 0) return false;
       a->refine(bits);
@@ -276,7 +276,7 @@ private:
   static constexpr std::size_t steps_to_simplify = std::size_t(1) << 10;
   static constexpr std::size_t most_bits_of_bound = 1 << 21;
 
-  // Of two sums that share a term, the other terms; of two square roots, what is under them: they compare alike.
+  // The parts to compare instead: the other terms of two sums with a common term, the radicands of two square roots.
   typedef std::pair<const Reference*, const Reference*> Parts;
   static std::optional<Parts> differing_parts(const Radical_node& a, const Radical_node& b)
   {
@@ -295,7 +295,7 @@ private:
     n.forget_operands();
   }
 
-  // A number that is made by fewer roots and quotients and has the same sign as a, times the factor.
+  // Returns a number that needs fewer roots and quotients; its sign times `factor` is the sign of a.
   static Reference with_same_sign(Reference a, int& factor)
   {
     while (a && a->operand(0))
@@ -320,7 +320,7 @@ private:
         a = y;
         continue;
       case Radical_operation::SUBTRACT:
-        // sqrt(u) - y and u - y^2 have one sign for y > 0
+        // for y > 0, sqrt(u) - y and u - y^2 have the same sign
         if (is_root(*x) && y->has_sign() && y->sign() > 0) a = Radical_expression::difference(x->operand(0), square(y));
         else if (is_root(*y) && x->has_sign() && x->sign() > 0)
           a = Radical_expression::difference(square(x), y->operand(0));

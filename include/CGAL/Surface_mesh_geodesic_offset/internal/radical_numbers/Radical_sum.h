@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of rational multiples of square roots of positive integers, in a form that shows whether they are zero.
+// Sums of rational multiples of square roots of positive integers, in a form in which only zero has no terms.
 //
-// The square roots of distinct products of integers that are pairwise coprime and no squares are linearly independent
-// over the rationals. So a sum whose radicands are such products is zero only if it has no terms. Such integers are found
-// by greatest common divisors alone; nothing is factored into primes.
+// The square roots of distinct products of pairwise coprime non-square integers are linearly independent over the
+// rationals. So a sum with such radicands is zero only if it has no terms. Greatest common divisors suffice to find a
+// coprime base; no integer is factored into primes.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SUM_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_SUM_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SUM_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_SUM_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// without expression templates: all values have the type one sees
+// without expression templates, so that the type of each expression is its value's
 typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off> Big_integer;
 typedef boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off> Big_rational;
 
@@ -39,12 +39,12 @@ inline std::size_t bits_of(const Big_rational& q)
 
 inline bool is_square(const Big_integer& n) { return mpz_perfect_square_p(n.backend().data()) != 0; }
 
-// Thrown when an exact computation gets larger than it is worth.
+// Thrown when an exact computation exceeds its limits.
 struct Radical_limit_exceeded
 {
 };
 
-// Counts the steps of an exact computation.
+// Step budget of an exact computation.
 class Radical_work
 {
 public:
@@ -60,7 +60,7 @@ private:
   std::size_t m_left;
 };
 
-// Moves squares that are easily found from n > 0 to the root: those of powers of small primes, and n itself.
+// Moves easily found squares from n > 0 to `root`: even powers of small primes, and n itself if it is a square.
 inline void split_square(Big_integer& n, Big_integer& root)
 {
   root = 1;
@@ -80,8 +80,8 @@ inline void split_square(Big_integer& n, Big_integer& root)
   }
 }
 
-// factor * sqrt(radicand), times the product of the symbols whose bits are set. What a symbol means, only the field of
-// the sum knows: a nested root.
+// factor * sqrt(radicand), times the product of the symbols whose bits are set. A symbol is a nested root; its meaning
+// is known only to the Radical_field of the sum.
 struct Radical_term
 {
   Big_rational factor;
@@ -94,7 +94,7 @@ struct Radical_term
   }
   bool is_like(const Radical_term& o) const { return symbols == o.symbols && radicand == o.radicand; }
 
-  // The product of the roots; the symbols must be distinct.
+  // Precondition: the symbols are disjoint.
   friend Radical_term operator*(const Radical_term& a, const Radical_term& b)
   {
     Radical_term t{a.factor * b.factor, 1, a.symbols ^ b.symbols};
@@ -107,7 +107,7 @@ struct Radical_term
       {
         const Big_integer rest = s->radicand / common;
         if (rest == 1) continue;
-        // the rests are coprime, so their product is a square only if both are
+        // the two rests are coprime, so their product is a square only if both are
         if (is_square(rest)) t.factor *= boost::multiprecision::sqrt(rest);
         else t.radicand *= rest;
       }
@@ -116,7 +116,7 @@ struct Radical_term
   }
 };
 
-// Pairwise coprime integers, none a square, whose products are all the integers inserted, up to squares.
+// Pairwise coprime non-square integers whose products represent all inserted integers, up to squares.
 class Coprime_base
 {
 public:
@@ -153,8 +153,8 @@ public:
     }
   }
 
-  // The square root of an inserted number: an integer times the root of a product of distinct elements, whose
-  // positions are passed on.
+  // Square root of an inserted number: returns an integer, and calls `odd` with the position of each element under the
+  // remaining root.
   template <class Element_visitor>
   Big_integer split(Big_integer n, Element_visitor odd) const
   {
@@ -207,7 +207,7 @@ public:
   const std::vector<Radical_term>& terms() const { return m_terms; }
   std::size_t size() const { return m_terms.size(); }
 
-  // Certainly zero; after reduce(), for a sum without symbols, zero if and only if empty.
+  // An empty sum is zero. After reduce(), the converse holds for sums without symbols.
   bool is_empty() const { return m_terms.empty(); }
   bool is_rational() const { return is_empty() || (size() == 1 && m_terms[0].radicand == 1 && m_terms[0].symbols == 0); }
   bool is_one() const { return size() == 1 && is_rational() && m_terms[0].factor == 1; }
@@ -250,7 +250,7 @@ public:
     return a + b;
   }
 
-  // The largest positive rational that leaves factors that are integers without a common divisor. Not for zero.
+  // The positive rational whose division leaves coprime integer factors. Precondition: the sum is not empty.
   Big_rational content() const
   {
     Big_integer over = 0, under = 1;

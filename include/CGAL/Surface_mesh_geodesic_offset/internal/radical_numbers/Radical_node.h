@@ -1,21 +1,21 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The nodes of expressions made of rationals by + - * / and square roots, and their evaluation with intervals.
+// Nodes of expressions made of rationals by + - * / and square roots, and their evaluation with intervals.
 //
-// Nodes are counted by reference and shared. The value of a node never changes; what is known of it does, and a node may
-// forget its operands once its value is known in a closed form. Neither is guarded against other threads. Nothing here
-// is recursive: an expression may be as deep as memory allows.
+// Nodes are reference-counted and shared. The value of a node is constant, but its cached bounds improve, and a node
+// may drop its operands once its closed form is known. Neither is protected against concurrent access. Nothing here is
+// recursive, so only memory limits the depth of an expression.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_NODE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_NODE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NODE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NODE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Core_numbers.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_field.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <CGAL/CORE_Expr.h>
 
@@ -33,9 +33,9 @@ namespace internal {
 
 enum class Radical_operation : std::uint8_t
 {
-  RATIONAL,    // a constant
-  CLOSED_FORM, // a constant: a sum of roots of rationals
-  CORE_NUMBER, // a constant: a number that CORE knows and we do not
+  RATIONAL, // constant
+  CLOSED_FORM, // constant: sum of roots of rationals
+  CORE_NUMBER, // constant: a number that only CORE can represent
   NEGATE,
   ADD,
   SUBTRACT,
@@ -47,7 +47,7 @@ enum class Radical_operation : std::uint8_t
 class Radical_node
 {
 public:
-  // A counted reference. None stands for zero, which is never an operand: no operation needs it.
+  // Reference-counted pointer. Null stands for zero, which is never an operand.
   class Reference
   {
   public:
@@ -83,16 +83,16 @@ public:
   {
     if (q.is_zero()) return Reference();
     Reference r(new Radical_node(Radical_operation::RATIONAL));
-    Multiprecision_enclosure e(bits_of_double);
+    Multiprecision_interval e(bits_of_double);
     e.set(q);
-    r->m_enclosure = e.rounded();
+    r->m_interval = e.rounded();
     r->m_rational.reset(new Big_rational(std::move(q)));
     return r;
   }
   static Reference make(const CORE::Expr& x)
   {
     Reference r(new Radical_node(Radical_operation::CORE_NUMBER));
-    r->m_enclosure = Double_enclosure::everything();
+    r->m_interval = Double_interval::everything();
     r->m_core.reset(new CORE::Expr(x));
     r->refine(first_precision);
     return r;
@@ -103,7 +103,7 @@ public:
     r->m_operands[0] = a;
     r->m_operands[1] = b;
     r->m_depth = 1 + (std::max)(a->m_depth, b ? b->m_depth : std::uint32_t(0));
-    r->m_enclosure = r->evaluate();
+    r->m_interval = r->evaluate();
     return r;
   }
 
@@ -112,20 +112,20 @@ public:
   std::size_t depth() const { return m_depth; }
   const Big_rational* rational() const { return m_rational.get(); } // of a rational constant, else null
   const CORE::Expr& core_number() const { return *m_core; }
-  const Double_enclosure& enclosure() const { return m_enclosure; }
-  // The bits beyond the range of doubles count.
-  bool has_sign() const { return m_enclosure.has_sign() || (m_bounds && m_bounds->has_sign()); }
-  int sign() const { return m_enclosure.has_sign() || !m_bounds ? m_enclosure.sign() : m_bounds->sign(); }
-  // A double near the number, once the enclosure is tight.
-  double approximation() const { return m_bounds ? m_bounds->low_to_nearest() : m_enclosure.middle(); }
+  const Double_interval& interval() const { return m_interval; }
+  // Includes the multiprecision bounds, which have a sign also beyond the range of doubles.
+  bool has_sign() const { return m_interval.has_sign() || (m_bounds && m_bounds->has_sign()); }
+  int sign() const { return m_interval.has_sign() || !m_bounds ? m_interval.sign() : m_bounds->sign(); }
+  // Nearest double or a close one, once the interval is tight.
+  double approximation() const { return m_bounds ? m_bounds->low_to_nearest() : m_interval.middle(); }
   bool is_below(std::size_t bits) const { return m_bounds && m_bounds->is_below(bits); }
   std::size_t precision() const { return m_bounds ? std::size_t(m_bounds->precision()) : 0; }
 
-  // The closed form, if it is known. It has no symbols.
+  // Closed form without symbols, or null if unknown.
   const Radical_quotient* closed_form() const { return m_closed_form.get(); }
   void set_closed_form(Radical_quotient q) { m_closed_form.reset(new Radical_quotient(std::move(q))); }
 
-  // Makes the node a constant if its closed form is short.
+  // Turns a node with a short closed form into a constant.
   void forget_operands()
   {
     if (!m_operands[0] || !m_closed_form || !m_closed_form->is_sum()) return;
@@ -135,10 +135,10 @@ public:
     {
       m_rational.reset(new Big_rational(s.rational()));
       m_operation = Radical_operation::RATIONAL;
-      // also where the number is zero, so that no interval is needed to see it
-      m_bounds.reset(new Multiprecision_enclosure(bits_of_double));
+      // zero gets bounds, too, so that no evaluation is needed to see its sign
+      m_bounds.reset(new Multiprecision_interval(bits_of_double));
       m_bounds->set(*m_rational);
-      m_enclosure.intersect(m_bounds->rounded());
+      m_interval.intersect(m_bounds->rounded());
     }
     else m_operation = Radical_operation::CLOSED_FORM;
     m_depth = 0;
@@ -146,8 +146,7 @@ public:
     m_operands[1] = Reference();
   }
 
-  // Visits all nodes below and including a node that are needed, after their operands. A node must not be needed any
-  // more once it is visited.
+  // Visits the needed nodes at and below `top`, operands first. A visited node must no longer be needed.
   template <class Is_needed, class Visitor>
   static void visit(Radical_node& top, const Is_needed& is_needed, const Visitor& visitor)
   {
@@ -167,7 +166,7 @@ public:
     }
   }
 
-  // Evaluates the node with bounds of at least so many bits.
+  // Evaluates the node with bounds of at least `bits` bits.
   void refine(std::size_t bits)
   {
     visit(*this, [&](const Radical_node& n) { return n.precision() < bits; },
@@ -185,7 +184,7 @@ private:
   static void release(Radical_node* n)
   {
     if (--n->m_references != 0) return;
-    // a long chain of operands that die with their only user
+    // iterative, since a long chain of operands may die with its only user
     Radical_node* dying = n;
     n->m_next = nullptr;
     while (dying)
@@ -204,28 +203,28 @@ private:
     }
   }
 
-  Double_enclosure evaluate() const
+  Double_interval evaluate() const
   {
-    const Double_enclosure& a = m_operands[0]->m_enclosure;
+    const Double_interval& a = m_operands[0]->m_interval;
     switch (m_operation)
     {
     case Radical_operation::NEGATE: return -a;
-    case Radical_operation::ADD: return a + m_operands[1]->m_enclosure;
-    case Radical_operation::SUBTRACT: return a - m_operands[1]->m_enclosure;
-    case Radical_operation::MULTIPLY: return a * m_operands[1]->m_enclosure;
-    case Radical_operation::DIVIDE: return a / m_operands[1]->m_enclosure;
+    case Radical_operation::ADD: return a + m_operands[1]->m_interval;
+    case Radical_operation::SUBTRACT: return a - m_operands[1]->m_interval;
+    case Radical_operation::MULTIPLY: return a * m_operands[1]->m_interval;
+    case Radical_operation::DIVIDE: return a / m_operands[1]->m_interval;
     default: return sqrt(a);
     }
   }
 
   void evaluate_with(std::size_t bits)
   {
-    std::unique_ptr<Multiprecision_enclosure> e(new Multiprecision_enclosure(mpfr_prec_t(bits)));
-    const auto bounds = [this](int i) -> const Multiprecision_enclosure& { return *m_operands[i]->m_bounds; };
+    std::unique_ptr<Multiprecision_interval> e(new Multiprecision_interval(mpfr_prec_t(bits)));
+    const auto bounds = [this](int i) -> const Multiprecision_interval& { return *m_operands[i]->m_bounds; };
     switch (m_operation)
     {
     case Radical_operation::RATIONAL: e->set(*m_rational); break;
-    case Radical_operation::CLOSED_FORM: *e = enclosure_of_closed_form(bits); break;
+    case Radical_operation::CLOSED_FORM: *e = interval_of_closed_form(bits); break;
     case Radical_operation::CORE_NUMBER: set_by_core(*e); break;
     case Radical_operation::NEGATE: e->set_negative(bounds(0)); break;
     case Radical_operation::ADD: e->set_sum(bounds(0), bounds(1)); break;
@@ -235,17 +234,17 @@ private:
     case Radical_operation::SQUARE_ROOT: e->set_root(bounds(0)); break;
     }
     m_bounds = std::move(e);
-    m_enclosure.intersect(m_bounds->rounded());
+    m_interval.intersect(m_bounds->rounded());
   }
 
-  Multiprecision_enclosure enclosure_of_closed_form(std::size_t bits) const
+  Multiprecision_interval interval_of_closed_form(std::size_t bits) const
   {
-    const auto no_symbol = [](std::size_t) -> Multiprecision_enclosure { throw std::logic_error("not a closed form"); };
-    return enclosure_of(m_closed_form->numerator, mpfr_prec_t(bits), no_symbol);
+    const auto no_symbol = [](std::size_t) -> Multiprecision_interval { throw std::logic_error("not a closed form"); };
+    return interval_of(m_closed_form->numerator, mpfr_prec_t(bits), no_symbol);
   }
 
-  // CORE approximates with an absolute or a relative error of at most 2^-bits.
-  void set_by_core(Multiprecision_enclosure& e) const
+  // CORE approximates with an absolute or relative error of at most 2^-bits.
+  void set_by_core(Multiprecision_interval& e) const
   {
     const long bits = long(e.precision());
     const Big_rational middle = rational_of_core(m_core->approx(bits + 8, bits + 8).BigRatValue());
@@ -255,15 +254,15 @@ private:
     e.set(middle - error, middle + error);
   }
 
-  Radical_node* m_next = nullptr; // while dying
+  Radical_node* m_next = nullptr; // list of dying nodes
   std::size_t m_references = 0;
   std::uint32_t m_depth = 0;
   Radical_operation m_operation;
   Reference m_operands[2];
-  Double_enclosure m_enclosure;
+  Double_interval m_interval;
   std::unique_ptr<Big_rational> m_rational;
   std::unique_ptr<CORE::Expr> m_core;
-  std::unique_ptr<Multiprecision_enclosure> m_bounds;
+  std::unique_ptr<Multiprecision_interval> m_bounds;
   std::unique_ptr<Radical_quotient> m_closed_form;
 };
 

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Integers and rationals to and from CORE. Since CGAL 6 its numbers are those of Boost; before they were its own, of GMP.
+// Conversion of integers and rationals to and from CORE, whose own numbers CGAL 6 replaced by those of Boost.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_CORE_NUMBERS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_CORE_NUMBERS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_CORE_NUMBERS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_CORE_NUMBERS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <CGAL/CORE_Expr.h>
 
@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Core_number: CORE::BigInt for an integer of Boost, CORE::BigRat for a rational.
+// Core_number is CORE::BigInt for an integer of Boost, CORE::BigRat for a rational.
 template <class Core_number, class Number>
 CORE::Expr core_expression(const Number& n)
 {
@@ -28,7 +28,7 @@ CORE::Expr core_expression(const Number& n)
     return CORE::Expr(Core_number(n.backend().data()));
 }
 
-// Core_rational: CORE::BigRat.
+// Core_rational is CORE::BigRat.
 template <class Core_rational>
 Big_rational rational_of_core(const Core_rational& q)
 {

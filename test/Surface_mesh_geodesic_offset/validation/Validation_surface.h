@@ -1,13 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The mesh and the field as the validation sees them: laid out from the points of the mesh, and asked through the public
-// queries, so that nothing of the pipeline is used to judge the pipeline.
+// Mesh and field for the validation: the layout comes from the points of the mesh, and distances from public queries, so
+// that the pipeline is not used to judge itself.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_SURFACE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_SURFACE_H
-
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
@@ -30,7 +28,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A face in its public frame: origin at the source of `halfedge(f, tm)`, x-axis along it.
+// Face in its public frame: origin at the source of `halfedge(f, tm)`, x axis along it.
 struct Validation_face
 {
   typedef Point_in_face<double> Point;
@@ -53,14 +51,14 @@ struct Validation_face
     return {{1 - w1 - w2, w1, w2}};
   }
 
-  // How far p is beyond the line of an edge; negative inside.
+  // Distance of p beyond the line of an edge; negative inside.
   double outside(const Point& p) const
   {
     const Weights w = weights(p);
     return (std::max)({-w[0] * height(0), -w[1] * height(1), -w[2] * height(2)});
   }
 
-  // The weights of a point that may be outside by rounding: then, of its projection on an edge.
+  // Projects weights of a point that rounding moved outside to an edge.
   Weights projected(const Weights& w) const
   {
     const int k = int(std::min_element(w.begin(), w.end()) - w.begin());
@@ -75,8 +73,8 @@ struct Validation_face
     return result;
   }
 
-  // The way from a point inside along a unit direction to where it leaves the face.
-  double way_out(const Point& p, const Point& direction) const
+  // Distance from a point inside, along a unit direction, to the boundary of the face.
+  double exit_distance(const Point& p, const Point& direction) const
   {
     double way = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k)
@@ -89,7 +87,7 @@ struct Validation_face
   }
 };
 
-// `Geodesic`: a Surface_mesh_geodesic_offset that was built with kept windows.
+// `Geodesic`: a Surface_mesh_geodesic_offset built with kept windows.
 template <class Geodesic>
 class Validation_surface
 {
@@ -122,8 +120,8 @@ public:
       m_point[i] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
       box += p.bbox();
     }
-    // Far from the origin of space, points on edges would lose digits. A difference of two numbers of which neither is more than
-    // twice the other one is exact.
+    // Points on edges far from the origin would lose digits. The difference of two numbers is exact if neither exceeds
+    // twice the other.
     for (int i = 0; i < 3; ++i)
     {
       const double least = (box.min)(i), largest = (box.max)(i);
@@ -159,21 +157,21 @@ public:
     find_shared_vertices();
   }
 
-  std::size_t number_of_faces() const { return m_faces.size(); } // indices that may be unused included
+  std::size_t number_of_faces() const { return m_faces.size(); } // including unused indices
   std::size_t number_of_vertices() const { return m_distance.size(); }
   bool is_used(Index face) const { return m_origin[3 * face] != no_index; }
   double diagonal() const { return m_diagonal; }
 
   Index index_of(face_descriptor f) const { return Index(get(m_face_index, f)); }
 
-  // Halfedge 3f + k starts at corner k of face f. no_index: none, on the border.
+  // Halfedge 3f + k starts at corner k of face f. no_index on the border.
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
   Index target(Index halfedge) const { return m_origin[after(halfedge)]; }
 
   double vertex_distance(Index v) const { return m_distance[v]; }
 
-  // Whether several fans of faces meet at a vertex, without a common edge there.
+  // Whether several fans of faces meet at a vertex without a common edge.
   bool is_shared(Index v) const { return m_is_shared[v]; }
 
   Point_in_space point(Index face, const Weights& w) const
@@ -191,7 +189,7 @@ public:
 
   double edge_length(Index halfedge) const { return distance(m_point[origin(halfedge)], m_point[target(halfedge)]); }
 
-  // Twice the area from the two shorter sides: from long ones that differ little it would lose digits.
+  // Twice the area from the two shorter sides: the difference of long ones would lose digits.
   Face face_at(Index f) const
   {
     const Point_in_space &a = m_point[m_origin[3 * f]], &b = m_point[m_origin[3 * f + 1]],
@@ -206,7 +204,7 @@ public:
     return Face{f, {{0, 0}, {base, 0}, {-dot(u[0], u[2]) / base, std::sqrt(dot(n, n)) / base}}};
   }
 
-  // The distance of a point of the face that may be outside by rounding.
+  // Distance of a point of the face that rounding may have moved outside.
   double distance_at(Index face, Weights w) const
   {
     typename Geodesic::Barycentric_coordinates exact;
@@ -216,7 +214,7 @@ public:
   }
   double distance_at(const Face& face, const Point& p) const { return distance_at(face.face, face.weights(p)); }
 
-  // Bounds of the distance in a face, from its corners alone: the distance is 1-Lipschitz.
+  // Bounds of the distance in a face from its corners: the distance is 1-Lipschitz.
   void range_of(const Face& face, double& low, double& high) const
   {
     low = 0;
@@ -231,7 +229,7 @@ public:
   }
 
 private:
-  // A second walk round a vertex begins in another fan.
+  // A second traversal around a vertex belongs to another fan.
   void find_shared_vertices()
   {
     m_is_shared.assign(number_of_vertices(), false);
@@ -268,7 +266,7 @@ private:
 // Uniform in (0, 1), the same on all platforms.
 inline double validation_random(std::mt19937& random) { return (double(random()) + 0.5) / 4294967296.; }
 
-// Uniform in a triangle, not closer to its sides than a hundredth of its heights.
+// Uniform in a triangle, at least a hundredth of the heights away from its sides.
 inline Validation_face::Weights validation_random_weights(std::mt19937& random)
 {
   double s = validation_random(random), t = validation_random(random);
@@ -285,4 +283,4 @@ inline Validation_face::Weights validation_random_weights(std::mt19937& random)
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_SURFACE_H

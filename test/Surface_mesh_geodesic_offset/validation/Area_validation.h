@@ -1,22 +1,21 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The area of the near part { D < d } of a face, twice: from the curves, and from the field.
+// Area of the near part { D < d } of a face, computed from the curves and from the field.
 //
-// From the curves by Green's theorem: the boundary of the near part runs along the pieces, and from where a curve leaves the
-// face counterclockwise along the boundary of the face to where the next one enters. From the field by bounds: D is
-// 1-Lipschitz in a face (along any path of length l it changes by at most l), so a triangle all of whose points are
-// within r of a point c is near if D(c) + r < d and far if D(c) - r >= d; otherwise its longest edge is halved. What is
-// still undecided in the end is what the bounds differ by.
+// From the curves, by Green's theorem: the boundary of the near part consists of the pieces and, from each exit of a curve
+// counterclockwise to the next entry, parts of the boundary of the face. From the field, by bounds: D is 1-Lipschitz in a
+// face (it changes by at most l along a path of length l), so a triangle whose points are all within r of a point c is near
+// if D(c) + r < d and far if D(c) - r >= d; otherwise its longest edge is bisected. The area of undecided triangles is the
+// difference of the bounds.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_AREA_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_AREA_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
 
 #include <algorithm>
 #include <array>
@@ -43,7 +42,7 @@ public:
   {
   }
 
-  // From the curves, for `faces`: all that the level may pass through. Linear in faces and pieces.
+  // Near areas of `faces`, which must include all faces that the level may pass through. Time linear in faces and pieces.
   Areas from_curves(const Validation_level& level, const std::vector<Index>& faces) const
   {
     Areas areas;
@@ -63,8 +62,8 @@ public:
     return areas;
   }
 
-  // Compares some of them with the bounds from the field: 2^(depth + 1) queries a face at most, but usually as many as
-  // 2^(depth / 2) times a small number.
+  // Compares some areas with bounds from the field: at most 2^(depth + 1) queries per face, typically a small multiple of
+  // 2^(depth / 2).
   void check_against_field(const Validation_level& level, const Areas& areas, std::vector<Index> faces,
                            std::mt19937& random) const
   {
@@ -89,7 +88,7 @@ public:
     }
   }
 
-  // The near part of a face must not become smaller from a level to the next one.
+  // Checks that the near part of a face does not shrink from a level to the next one.
   void check_growth(const Validation_level& smaller, const Areas& areas_of_smaller, const Validation_level& larger,
                     const Areas& areas_of_larger) const
   {
@@ -110,14 +109,14 @@ public:
   }
 
 private:
-  // Points of curves are off their level by at most this much.
+  // Upper bound of the distance of points of curves from their level.
   double tolerance(const Validation_face& face) const
   {
     return m_options.level_tolerance * m_surface.diagonal() *
            (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
   }
 
-  // False if the gates are not by turns.
+  // Returns false if entries and exits do not alternate.
   bool twice_area(const Validation_level& level, const Validation_face& face, double& area) const
   {
     const Point o = (1. / 3) * (face.corner[0] + (face.corner[1] + face.corner[2]));
@@ -156,7 +155,7 @@ private:
     return area + cross(p - o, face.on_edge(k, to.t) - o);
   }
 
-  // Of a face that no curve enters: its corners are on one side, except those too close to the level to tell.
+  // Whether the boundary of a face without gates is near: all corners that are not too close to the level are on one side.
   bool boundary_is_near(const Validation_level& level, Index f) const
   {
     Index best = m_surface.origin(3 * f);
@@ -212,4 +211,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_AREA_VALIDATION_H

@@ -1,16 +1,16 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Expressions from and to CORE::Expr, exactly and with shared subexpressions shared.
+// Exact conversion of expressions to and from CORE::Expr; shared subexpressions remain shared.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_CORE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_CORE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_CORE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_CORE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Core_numbers.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_expression.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_node.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Core_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_expression.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_node.h>
 
 #include <CGAL/CORE_Expr.h>
 
@@ -28,7 +28,7 @@ namespace internal {
 class Radical_to_core
 {
 public:
-  // CORE evaluates and destroys expressions recursively, so deeper ones would exhaust the stack.
+  // Evaluation and destruction in CORE are recursive; deeper expressions would overflow the stack.
   static constexpr std::size_t largest_depth = 5000;
 
   static CORE::Expr convert(const Radical_node::Reference& a)
@@ -61,15 +61,15 @@ private:
 
   static constexpr std::size_t bits = 256;
 
-  // CORE evaluates each number with doubles first, and asks for a root bound if that does not tell the sign. With our
-  // enclosure for these doubles it need not ask, but for zero.
+  // CORE first evaluates a number with doubles, and needs a root bound if they do not determine the sign. Our interval
+  // replaces these doubles, so only zeros need root bounds.
   static void tell_what_is_known(const Radical_node& n, const CORE::Expr& x)
   {
-    const Double_enclosure& e = n.enclosure();
+    const Double_interval& e = n.interval();
     if (!e.has_sign() || !e.is_tight() || !(std::abs(e.middle()) > 1e-300) || !(std::abs(e.middle()) < 1e300)) return;
-    x.Rep()->ffVal = CORE::filteredFp(e.middle(), std::abs(e.middle()), units_of_enclosure);
+    x.Rep()->ffVal = CORE::filteredFp(e.middle(), std::abs(e.middle()), units_of_interval);
   }
-  static constexpr int units_of_enclosure = 16; // at most, of 2^-53
+  static constexpr int units_of_interval = 16; // upper bound, in units of 2^-53
 
   static CORE::Expr converted(const Big_rational& q) { return core_expression<CORE::BigRat>(q); }
 
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  // Without symbols.
+  // For sums without symbols.
   static CORE::Expr converted(const Radical_sum& s)
   {
     CORE::Expr sum(0);
@@ -108,7 +108,7 @@ private:
   }
 };
 
-// Takes the expression apart: what CORE builds by + - * / and square roots becomes an expression of ours.
+// Decomposes CORE's expression: its operations + - * / and square roots become operations of ours.
 class Radical_from_core
 {
 public:
@@ -137,7 +137,7 @@ public:
   }
 
 private:
-  // The operands are protected members of CORE; derived classes may name them.
+  // The operands are protected members of CORE, accessible in derived classes.
   struct Unary : CORE::UnaryOpRep
   {
     static CORE::ExprRep* of(CORE::UnaryOpRep* r) { return r->*(&Unary::child); }
@@ -154,7 +154,7 @@ private:
     return dynamic_cast<Rep*>(r) != nullptr;
   }
 
-  // None for what we have no operation for.
+  // Returns null for operations without a counterpart.
   static std::pair<CORE::ExprRep*, CORE::ExprRep*> operands(CORE::ExprRep* r)
   {
     if (is<CORE::NegRep>(r) || is<CORE::SqrtRep>(r)) return {Unary::of(static_cast<CORE::UnaryOpRep*>(r)), nullptr};
@@ -181,7 +181,7 @@ private:
     if (is<CORE::ConstDoubleRep>(r)) return Radical_node::make(Big_rational(r->ffVal.getValue()));
     r->incRef();
     const CORE::Expr x(r);
-    // CORE does not tell the value of a rational constant, only approximations, which determine it.
+    // CORE gives only approximations of a rational constant, but they determine it.
     const long most_bits = is<CORE::ConstRealRep>(r) ? 1 << 16 : 1 << 8;
     for (long bits = 64; bits <= most_bits; bits *= 2)
     {
@@ -190,14 +190,14 @@ private:
       mpq_div_2exp(error.backend().data(), error.backend().data(), mp_bitcnt_t(bits));
       error *= 1 + boost::multiprecision::abs(middle);
       const Big_rational q = simplest_between(middle - error, middle + error);
-      // a fraction that needs most of the bits is a mere coincidence
+      // a fraction that needs most of the bits is a coincidence
       if (2 * bits_of(q) > std::size_t(bits) * 3 && !is<CORE::ConstRealRep>(r)) continue;
       if (x == core_expression<CORE::BigRat>(q)) return Radical_node::make(q);
     }
     return Radical_node::make(x);
   }
 
-  // The rational with the smallest denominator, by continued fractions.
+  // The rational with the smallest denominator in an interval, by continued fractions.
   static Big_rational simplest_between(Big_rational low, Big_rational high)
   {
     if (low.sign() <= 0 && high.sign() >= 0) return 0;

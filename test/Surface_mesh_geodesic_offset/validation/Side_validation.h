@@ -1,17 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks that the curves of a level separate nearer points from farther ones, and nothing else: vertices along the edges,
-// points of the edges between crossings, and points in faces. What is not separated lacks a curve; this also sees
-// curves that are there twice.
+// Checks that the curves of a level separate nearer points from farther ones and no others: vertices along the edges,
+// points of edges between crossings, and points in faces. It finds missing curves and duplicate curves.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_SIDE_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_SIDE_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <algorithm>
 #include <random>
@@ -36,7 +33,8 @@ public:
   {
   }
 
-  // Every edge of the mesh: linear, and a query for each crossing. Needs the sides of the vertices.
+  // Checks every edge of the mesh: linear time, and one query per crossing. Precondition: the sides of the vertices are
+  // known.
   void check_edges(const Validation_level& level, std::mt19937& random) const
   {
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
@@ -44,7 +42,8 @@ public:
         if (!(m_surface.twin(h) < h)) check_edge(h, level, random);
   }
 
-  // `faces`: all that the level may pass through. A query for each probe, and each probe against the pieces in its face.
+  // `faces`: all faces that the level may pass through. One query per probe; each probe is compared with the pieces in its
+  // face.
   void check_faces(const Validation_level& level, const std::vector<Index>& faces, std::mt19937& random) const
   {
     if (faces.empty()) return;
@@ -77,7 +76,7 @@ private:
     return "vertex " + std::to_string(v) + " (" + validation_text(m_surface.vertex_distance(v) - level.cut) + ")";
   }
 
-  // Between its crossings the edge is near and far in turn.
+  // Between its crossings, the edge is alternately near and far.
   void check_along_edge(Index h, const Validation_level& level, std::mt19937& random) const
   {
     const auto range = level.crossings_of(h);
@@ -101,7 +100,7 @@ private:
     m_report.separated_on_edges += std::size_t(range.second - range.first);
   }
 
-  // `steps`: those of all crossings before t.
+  // `steps`: sum of the steps of all crossings before t.
   void check_on_edge(Index h, double t, const Validation_level& level, int steps) const
   {
     Weights w{{0, 0, 0}};
@@ -115,11 +114,11 @@ private:
     });
   }
 
-  // Each probe is compared with the one before.
+  // Compares each probe with the previous one.
   void check_face(Index f, std::size_t n, const Validation_level& level, std::mt19937& random) const
   {
     const Validation_face face = m_surface.face_at(f);
-    // points of thinner faces are beside the pieces by rounding; the edges of the face are checked
+    // in thinner faces, rounding may move points to the other side of pieces; then only the edges are checked
     constexpr double rounding = 0x1p-46;
     if (!((std::min)({face.height(0), face.height(1), face.height(2)}) > rounding * m_surface.diagonal())) return;
     const auto pieces = level.pieces_in(f);
@@ -158,4 +157,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_SIDE_VALIDATION_H

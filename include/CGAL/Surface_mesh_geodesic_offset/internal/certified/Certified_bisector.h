@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is certain of the difference of the distances of two windows on a halfedge.
+// Certain statements about the difference of the distances of two windows on a halfedge.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_TIE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BISECTOR_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_CERTIFIED_BISECTOR_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -20,24 +20,24 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Of two windows a and b. Their difference is that of a's distance and b's.
-class Certified_tie
+// The difference is the distance of window a minus that of window b.
+class Certified_bisector
 {
 public:
   typedef Certified_window Window;
 
-  Certified_tie(const Window& a, const Window& b, double length)
+  Certified_bisector(const Window& a, const Window& b, double length)
     : m_a(a), m_b(b),
       m_margin(a.radius + b.radius + 2 * (a.error_of_image() + b.error_of_image()) +
                2 * length_error * ((std::max)((std::max)(a.d0, a.d1), (std::max)(b.d0, b.d1)) + length))
   {
   }
 
-  // One is certainly farther where the difference is beyond this.
+  // A difference beyond the margin is certain.
   double margin() const { return m_margin; }
   double difference(double t) const { return m_a.distance_at(t) - m_b.distance_at(t); }
 
-  // Where the difference is stationary: at most at one point, collinear with both images. Up to rounding.
+  // Approximate stationary point of the difference. At most one exists; it is collinear with both images.
   bool stationary_point(double& t) const
   {
     const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
@@ -48,7 +48,7 @@ public:
     return true;
   }
 
-  // The sign of the derivative of the difference, ZERO if it is not certain: that of (t - x) / |y| for a less that for b.
+  // Sign of the derivative of the difference, that of (t - x) / |y| for a minus the one for b; ZERO if uncertain.
   Sign slope(double t) const
   {
     const double p = m_a.to_image(t) * m_b.y, q = m_b.to_image(t) * m_a.y;
@@ -56,33 +56,33 @@ public:
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
   }
 
-  // Whether the difference may have its stationary point, a minimum of its absolute value, between two points where it is
-  // certain that the same window is farther: `of` = 1 if that is a, -1 if it is b.
+  // Whether a minimum of the absolute difference may lie between two points at which the same window is certainly farther:
+  // a for `of` = 1, b for `of` = -1.
   bool may_turn_between(int of, double from, double to) const
   {
     return int(slope(from)) * of <= 0 && int(slope(to)) * of >= 0;
   }
 
-  // The same, whatever is certain, up to rounding.
+  // Approximate test for a stationary point between two points.
   bool may_turn(double from, double to) const
   {
     double t;
     return stationary_point(t) && from < t && t < to;
   }
 
-  // Where a window is cut, and its distance there.
+  // Position of a cut, and the window's distance there.
   struct Cut
   {
     double t, distance;
   };
 
-  // For a difference that is certainly negative at u and certainly positive at v: what stays of both windows, a up to of_a
-  // and b from of_b. False if it is not certain that nothing else is needed.
+  // For a difference that is certainly negative at u and certainly positive at v, computes the retained parts: a up to
+  // of_a, and b from of_b. Returns false if it is not certain that the rest is superfluous.
   BOOST_FORCEINLINE bool find(double u, double v, Cut& of_a, Cut& of_b) const
   {
     double t;
     if (m_a.is_parallel() || m_b.is_parallel() || !closed_form(u, v, t)) return false;
-    // one step of Newton's iteration, and as far aside as certainty needs
+    // one step of Newton's iteration, then a displacement that makes the sign certain
     typedef Number_pair<double> Pair;
     const Pair x = (Pair(t) - Pair(m_a.x, m_b.x)) - Pair(m_a.x_low, m_b.x_low), y(m_a.y, m_b.y);
     const Pair r = square_root(x * x + y * y);
@@ -101,8 +101,8 @@ public:
   }
 
 private:
-  // Of two proper images, up to rounding. With k = sigma_b - sigma_a, |t - A| = |t - B| + k where
-  // m t + n = |t - A|^2 - |t - B|^2 - k^2 = 2 k |t - B|; squared, and of the two roots one of the right sign.
+  // Approximate bisector point of two point images. With k = sigma_b - sigma_a, |t - A| = |t - B| + k, and m t + n = |t -
+  // A|^2 - |t - B|^2 - k^2 = 2 k |t - B|. Squaring gives a quadratic equation; one of its two roots has the right sign.
   bool closed_form(double u, double v, double& t) const
   {
     const double k = (m_b.sigma - m_a.sigma) + (m_b.sigma_low - m_a.sigma_low);

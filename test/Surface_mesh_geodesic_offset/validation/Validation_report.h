@@ -1,12 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the validation of offset curves found: checks and failures of each kind, and the worst figures.
+// Results of a validation of offset curves: checks and failures of each kind, and the worst figures.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_REPORT_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_REPORT_H
-
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H
 
 #include <algorithm>
 #include <array>
@@ -22,14 +20,14 @@ namespace internal {
 
 enum Validation_kind : unsigned char
 {
-  CLOSEDNESS,   // pieces join; open curves begin and end on the border
-  ON_LEVEL,     // points of curves are at the distance that the curve claims
-  EDGE_PARITY,  // an edge is crossed an odd number of times exactly if its ends are on different sides
-  SEPARATION,   // points of an edge or a face are on different sides exactly if curves separate them
-  ORIENTATION,  // the smaller distances are on the left
-  NO_CROSSING,  // curves of one level do not cross in any face
-  NESTING,      // curves of different levels do not cross, and the near region grows with the level
-  AREA,         // the area of the near part of a face, from the curves and from the field
+  CLOSEDNESS, // pieces are joined; open curves begin and end on the border
+  ON_LEVEL, // points of curves are at the distance of the curve
+  EDGE_PARITY, // an edge is crossed an odd number of times iff its ends are on different sides
+  SEPARATION, // points of an edge or a face are on different sides iff curves separate them
+  ORIENTATION, // the smaller distances are on the left
+  NO_CROSSING, // curves of one level do not cross in any face
+  NESTING, // curves of different levels do not cross; near regions grow with the level
+  AREA, // the near area of a face from the curves agrees with bounds from the field
   NUMBER_OF_VALIDATION_KINDS
 };
 
@@ -49,17 +47,17 @@ inline std::string validation_text(double x)
 
 struct Validation_options
 {
-  std::size_t probes = 1000;          // points in faces, of each level (at least `probes_in_face` in a face)
-  std::size_t probes_in_face = 3;     // in each face that the level may pass through
-  std::size_t quadrature_faces = 8;   // faces of each level whose area is compared with the field's
-  std::size_t quadrature_depth = 12;  // bisections of a face: two more halve what is left undecided
+  std::size_t probes = 1000; // points in faces per level (at least `probes_in_face` per face)
+  std::size_t probes_in_face = 3; // per face that the level may pass through
+  std::size_t quadrature_faces = 8; // faces per level whose area is compared with the field
+  std::size_t quadrature_depth = 12; // bisections of a face: two more halve the undecided area
   std::size_t largest_number_of_texts = 20;
   unsigned seed = 1;
 
-  // Lengths, in diagonals of the bounding box. A joint of two arcs that meet at a small angle is known less well than
-  // a distance, so points of curves may be as far off their level.
+  // Lengths in diagonals of the bounding box. The joint of two arcs that meet at a small angle is less accurate than a
+  // distance, and so are the distances of points from their level.
   double joint_tolerance = 1e-12; // between the end of a piece and the start of the next one
-  double level_tolerance = 1e-9;  // points off their level; how deep curves may seem to cross
+  double level_tolerance = 1e-9; // of points from their level; also of crossing depth
 };
 
 class Validation_report
@@ -71,7 +69,7 @@ public:
   {
   }
 
-  // `text` makes the description of a failure; it is called for the first failures only.
+  // `text` returns the description of a failure; it is called for the first failures only.
   template <class Text>
   bool check(Validation_kind kind, bool ok, const Text& text)
   {
@@ -83,7 +81,7 @@ public:
     return false;
   }
 
-  // What failures are reported with.
+  // Prefix of failure descriptions.
   void set_context(std::string context) { m_context = std::move(context); }
 
   std::size_t checks(Validation_kind kind) const { return m_checks[kind]; }
@@ -95,7 +93,7 @@ public:
   // The first failures of each kind.
   const std::vector<std::string>& texts() const { return m_texts; }
 
-  // Adds the counts and figures of another validation, not its texts.
+  // Adds the counts and figures of another validation, without its texts.
   void add(const Validation_report& other)
   {
     for (std::size_t k = 0; k < NUMBER_OF_VALIDATION_KINDS; ++k)
@@ -124,16 +122,16 @@ public:
   }
 
   std::size_t curves = 0, closed_curves = 0, pieces = 0;
-  std::size_t points = 0;             // whose distance was computed
-  std::size_t loops_in_faces = 0;     // closed curves that stay in one face
+  std::size_t points = 0; // whose distance was computed
+  std::size_t loops_in_faces = 0; // closed curves that stay in one face
   std::size_t most_loops_in_face = 0; // of one level
-  std::size_t separating_edges = 0;   // with ends on different sides
-  std::size_t undecided_vertices = 0; // too close to the level for rounding to tell their side
+  std::size_t separating_edges = 0; // with ends on different sides
+  std::size_t undecided_vertices = 0; // whose side rounding leaves undecided
   std::size_t separated_on_edges = 0, separated_in_faces = 0; // neighbouring probes on different sides
-  std::size_t compared_pairs = 0;     // pieces that are close to each other
-  std::size_t oriented_pieces = 0;    // long enough to see on which side the distances are smaller
-  std::size_t areas = 0;              // compared with the field's
-  double undecided_share = 0;         // sum over these areas of the part of the face between both bounds
+  std::size_t compared_pairs = 0; // pieces close to each other
+  std::size_t oriented_pieces = 0; // long enough to determine the side of the smaller distances
+  std::size_t areas = 0; // compared with the field
+  double undecided_share = 0; // sum over these areas of the undecided fraction of the face
   double worst_undecided_share = 0;
   double worst_joint = 0, worst_off_level = 0, worst_crossing = 0; // in diagonals
 
@@ -155,4 +153,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_REPORT_H

@@ -1,16 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks that pieces do not cross in any face: those of one level, and those of different levels. Pieces are swept by their
-// bounding boxes, so the time is O(n log n) and that of the pairs whose boxes overlap along one axis.
+// Checks that pieces do not cross in any face, neither within a level nor between levels. The pieces are swept by their
+// bounding boxes in time O(n log n) plus the number of pairs whose boxes overlap along one axis.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CROSSING_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_CROSSING_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_CROSSING_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_CROSSING_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_level.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_report.h>
+#include "Validation_level.h"
+#include "Validation_report.h"
 
 #include <algorithm>
 #include <string>
@@ -62,4 +60,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_CROSSING_VALIDATION_H

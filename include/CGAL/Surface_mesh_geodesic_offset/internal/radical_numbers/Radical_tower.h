@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A field made from the rationals by adjoining one square root after the other, each new to the field before it. In such
-// a field inverses are computed and squares are recognised.
+// Tower of quadratic field extensions of the rationals: each step adjoins a square root that the field before does not
+// have. Computes inverses and recognizes squares.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_TOWER_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_TOWER_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_TOWER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_TOWER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,8 +24,8 @@ namespace internal {
 class Radical_tower
 {
 public:
-  // The coefficients of the products of adjoined roots: bit i of the position stands for root i. The length is 2^k for
-  // an element of the field with the first k roots.
+  // Coefficients of the products of adjoined roots: bit i of the position stands for root i. The length is 2^k for an
+  // element of the field with the first k roots.
   typedef std::vector<Big_rational> Element;
 
   explicit Radical_tower(Radical_work& work) : m_work(&work) {}
@@ -33,7 +33,8 @@ public:
   std::size_t levels() const { return m_squares.size(); }
   std::size_t degree() const { return std::size_t(1) << levels(); }
 
-  // Adjoins the square root of an element that has none in the field. Integers come before all other elements.
+  // Adjoins the square root of an element that has none in the field. Integers must be adjoined before all other
+  // elements.
   void adjoin_root_of(const Big_integer& n)
   {
     Element square(degree());
@@ -62,7 +63,7 @@ public:
                   sum(product(a0, b1), product(a1, b0)));
   }
 
-  // Not for zero.
+  // Precondition: a is not zero.
   Element inverse(const Element& a) const
   {
     if (a.size() == 1) return Element(1, 1 / a[0]);
@@ -72,16 +73,16 @@ public:
     return joined(product(a0, scale), product(scaled(a1, -1), scale));
   }
 
-  // Some q, b with a = q * b^2, q rational, if there are any. For a > 0 that is so if and only if the square root of a is
-  // in the field that has the square roots of all rationals besides those adjoined: that field is made from this one by
-  // adjoining roots of rationals, so it has no other quadratic extensions of this one than those by such roots.
+  // Finds a = q b^2 with rational q, if possible. For a > 0 it is possible if and only if sqrt(a) is in the field F(R)
+  // that also contains the square roots R of all other rationals: F(R) results from this field by adjoining roots of
+  // rationals, so it contains no quadratic extensions except those by such roots.
   std::optional<std::pair<Big_rational, Element>> rational_times_square(const Element& a) const
   {
     if (a.size() == 1) return std::make_pair(a[0], Element(1, 1));
     const Element a0 = low(a), a1 = high(a), none(a0.size());
     if (is_zero(a1))
     {
-      // q x^2, or q y^2 s with the square s of the top root; an integer s may as well be in q
+      // a = q x^2, or a = q y^2 s with the square s of the top root; an integer s can be part of q
       if (auto r = rational_times_square(a0)) return std::make_pair(r->first, joined(r->second, none));
       const Element s = square_of_top(a);
       if (a.size() <= std::size_t(1) << m_integers.size()) return std::nullopt;
@@ -122,7 +123,7 @@ private:
     return a;
   }
 
-  // The square of the last of the roots that elements of the length of a are made of.
+  // Square of the last root that elements of this length contain.
   const Element& square_of_top(const Element& a) const
   {
     std::size_t level = 0;
@@ -134,12 +135,12 @@ private:
     return sum(product(a0, a0), scaled(product(square_of_top(a), product(a1, a1)), -1));
   }
 
-  // A square root within the field of elements of this length.
+  // Square root within the field of elements of this length.
   std::optional<Element> root(const Element& a) const
   {
     auto r = rational_times_square(a);
     if (!r) return std::nullopt;
-    // a rational is a square in the field if it is one after multiplication by some of the integers
+    // a rational is a square in the field if its product with some of the adjoined integers is a rational square
     for (std::size_t set = 0; set < a.size() && set < std::size_t(1) << m_integers.size(); ++set)
     {
       m_work->spend(1);

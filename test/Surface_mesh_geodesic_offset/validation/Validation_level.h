@@ -1,15 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The curves of one level, sorted by what they pass through: pieces by face, crossings by edge, and the side of each vertex.
+// The curves of one level: pieces by face, crossings by edge, and the side of each vertex.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_LEVEL_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_LEVEL_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_LEVEL_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_LEVEL_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_piece.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Validation_surface.h>
+#include "Validation_piece.h"
+#include "Validation_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,39 +19,39 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Where a curve enters a face (`is_start`) or leaves it.
+// Entry of a curve into a face (`is_start`), or exit from it.
 struct Validation_gate
 {
   Index halfedge; // of the face
-  double t;       // from its source, 0, to its target, 1
+  double t; // from its source, 0, to its target, 1
   bool is_start;
 };
 
-// Where curves cross an edge.
+// Crossing of a curve with an edge.
 struct Validation_crossing
 {
-  Index edge; // the smaller one of its halfedges
-  double t;   // along this halfedge
-  int step;   // 1 where the near region begins along the halfedge, -1 where it ends
+  Index edge; // the smaller of its halfedge indices
+  double t; // along this halfedge
+  int step; // 1 if the near region begins along the halfedge, -1 if it ends
 };
 
 struct Validation_level
 {
-  // The side of a vertex that lies on the level up to rounding and is shared by several fans: each fan may decide for itself,
-  // since no curve leads from one into another.
+  // Side of a vertex with several fans that is on the level up to rounding: the fans may have different sides, since no
+  // curve leads from one fan to another.
   static constexpr char either_side = 2;
 
-  double level, cut; // the distance asked for, and the one at which it is cut
+  double level, cut; // requested distance, and distance of the cut
   std::size_t number;
   std::size_t curves = 0;
   std::vector<Validation_piece> pieces;
   std::vector<Validation_gate> gates;
   std::vector<Validation_crossing> crossings;
-  std::vector<Index> loops;  // the faces of curves that stay in one face
-  std::vector<char> is_near; // of each vertex: 0, 1, or either_side
+  std::vector<Index> loops; // faces of curves that stay in one face
+  std::vector<char> is_near; // per vertex: 0, 1, or either_side
 
-  // Records that a curve leaves, or enters, the face of a halfedge. Its smaller distances are on its left, so the near part
-  // of the halfedge is behind the point where it leaves.
+  // Records the exit of a curve from the face of a halfedge, or the entry. The smaller distances are on the left of the
+  // curve, so the near part of the halfedge follows an exit.
   void add_gate(Index halfedge, double t, bool is_start) { gates.push_back({halfedge, t, is_start}); }
   template <class Surface>
   void add_crossing(const Surface& surface, Index halfedge, double t, bool is_start)
@@ -76,7 +74,7 @@ struct Validation_level
     });
   }
 
-  // The following need `sort()`.
+  // Precondition of the functions below: sort() was called.
 
   auto pieces_in(Index face) const
   {
@@ -88,7 +86,7 @@ struct Validation_level
     return std::equal_range(pieces.begin(), pieces.end(), face, By_face());
   }
 
-  // Counterclockwise round the face.
+  // Counterclockwise around the face.
   auto gates_of(Index face) const
   {
     struct By_face
@@ -120,9 +118,9 @@ struct Validation_level
     return low < cut && cut <= high && std::isfinite(low);
   }
 
-  // Decides on which side of the level each vertex is. Curves without extent are not given out, so a vertex whose distance
-  // equals the cut level up to rounding may count as nearer or as farther: the crossings of its edges tell which. Whether
-  // all of them tell the same is for the edges to check. Returns the number of such vertices.
+  // Determines the side of each vertex. Curves without extent are not reported, so a vertex whose distance equals the cut
+  // up to rounding may be on either side; the crossings of one of its edges decide, and the checks of edges test whether
+  // the others agree. Returns the number of such vertices.
   template <class Surface>
   std::size_t find_sides(const Surface& surface)
   {
@@ -152,7 +150,7 @@ struct Validation_level
     return most;
   }
 
-  // The steps of all crossings of an edge.
+  // Sum of the steps of all crossings of an edge.
   int sum_of_steps(Index edge) const
   {
     const auto range = crossings_of(edge);
@@ -170,7 +168,7 @@ private:
       Index vertex;
       int step; // from the neighbor
     };
-    std::unordered_map<Index, std::vector<Neighbor>> around; // the undecided vertices
+    std::unordered_map<Index, std::vector<Neighbor>> around; // of the undecided vertices
     std::vector<Index> next;
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       for (Index h = 3 * f; surface.is_used(f) && h < 3 * f + 3; ++h)
@@ -203,7 +201,7 @@ private:
       }
     };
     spread();
-    // Where no vertex is decided, the middle of an edge that is not crossed tells.
+    // In a component without decided vertices, start from the midpoint of an edge without crossings.
     for (Index h = 0; h < 3 * surface.number_of_faces(); ++h)
     {
       if (!surface.is_used(h / 3) || is_decided[surface.origin(h)] || is_near[surface.origin(h)] == either_side) continue;
@@ -226,4 +224,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_LEVEL_H

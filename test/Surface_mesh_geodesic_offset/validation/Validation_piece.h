@@ -1,13 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A piece of an offset curve as plane geometry: what lies on its left, what it separates, the area beside it, and how deep
-// two pieces cross.
+// Plane geometry of a piece of an offset curve: its left side, separation of points, area, and crossing depth of two
+// pieces.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_PIECE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_VALIDATION_PIECE_H
-
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_PIECE_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_PIECE_H
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
@@ -22,8 +20,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// An arc of less than a half turn, counterclockwise round `center`, or a segment with the unit normal `center` away from
-// the smaller distances and `radius` from the origin along it, in the frame of its face.
+// An arc of less than a half turn, counterclockwise around `center`, or a segment with unit normal `center` away from the
+// smaller distances and distance `radius` from the origin along the normal, in the face frame.
 struct Validation_piece
 {
   typedef Point_in_face<double> Point;
@@ -53,14 +51,14 @@ struct Validation_piece
     {
       center = plain(p.center());
       radius = CGAL::to_double(p.radius());
-      // over a chord c an arc of less than a half turn rises by at most c^2 / (4 r)
+      // the height of an arc of less than a half turn over a chord c is at most c^2 / (4 r)
       reach = chord() * chord() / (4 * radius);
     }
     low = {(std::min)(start.x, end.x) - reach, (std::min)(start.y, end.y) - reach};
     high = {(std::max)(start.x, end.x) + reach, (std::max)(start.y, end.y) + reach};
   }
 
-  // How far a point is from the whole circle or line.
+  // Distance of a point from the whole circle or line.
   double off(const Point& p) const
   {
     return std::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
@@ -73,20 +71,20 @@ struct Validation_piece
     if (is_straight) return 0.5 * (start + end);
     const Point sum = (start - center) + (end - center);
     const double l = length(sum);
-    // towards the right of the chord, if the arc is close to a half turn
+    // to the right of the chord if the arc is close to a half turn
     const Point u = l > 0.1 * radius ? (1 / l) * sum : (-1 / chord()) * quarter_turn(end - start);
     return center + radius * u;
   }
 
-  // The unit direction in which the distances decrease, at a point of the piece.
+  // Unit direction of decreasing distances at a point of the piece.
   Point left_at(const Point& p) const { return is_straight ? -1. * center : (1 / length(center - p)) * (center - p); }
 
-  // Do the direction of travel and the side of the smaller distances agree?
+  // Whether the direction of travel agrees with the side of the smaller distances.
   bool runs_forward() const { return cross(end - start, left_at(middle())) > 0; }
 
-  // Whether the segment pq crosses the piece an odd number of times: it does so an odd number of times with the chord, or
-  // one of p and q lies between the chord and the arc. The sides of the chord enter both conditions by one and the same
-  // test, so only points close to the piece itself may be judged wrong, not those close to the chord.
+  // Whether the segment pq crosses the piece an odd number of times: either it crosses the chord an odd number of times, or
+  // exactly one of p and q is between chord and arc. Both conditions share the side tests of the chord, so rounding affects
+  // only points near the piece, not those near the chord.
   bool separates(const Point& p, const Point& q) const
   {
     const bool p_left = is_left(start, end, p), q_left = is_left(start, end, q);
@@ -94,7 +92,7 @@ struct Validation_piece
     return (crosses_chord != is_beside_chord(p, p_left)) != is_beside_chord(q, q_left);
   }
 
-  // Green's theorem: twice the area that the piece sweeps, seen from the origin o.
+  // By Green's theorem: twice the area swept by the ray from the origin o to the piece.
   double twice_area_from(const Point& o) const
   {
     const double triangle = cross(start - o, end - o);
@@ -118,8 +116,8 @@ struct Validation_piece
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y;
   }
 
-  // A lower bound of how far two pieces reach beyond each other on both sides of a crossing; 0 if they do not cross.
-  // Circles that touch seem to cross in two points because of rounding, but less than rounding deep.
+  // Lower bound of the extent of two pieces beyond each other on both sides of a crossing; 0 if they do not cross. Because
+  // of rounding, circles that touch may cross in two points, but with a depth less than rounding.
   double crossing_depth(const Validation_piece& b) const
   {
     Point p[2];
@@ -145,24 +143,25 @@ private:
 
   static bool is_left(const Point& a, const Point& b, const Point& p) { return cross(b - a, p - a) > 0; }
 
-  // Between the chord and the arc. A chord as short as rounding may have any direction, so its side alone does not tell.
+  // Whether p is between chord and arc. A chord as short as rounding has an arbitrary direction, so its side alone does not
+  // decide.
   bool is_beside_chord(const Point& p, bool is_left_of_chord) const
   {
     return !is_straight && !is_left_of_chord && length(p - center) < radius && reaches(p);
   }
 
-  // Is a point in the sector of the piece? Of the whole circle or line: is it on the piece?
+  // Whether a point is in the sector of the piece; for points of the circle or line, whether it is on the piece.
   bool reaches(const Point& p) const
   {
     if (is_straight) return dot(p - start, end - start) >= 0 && dot(p - end, start - end) >= 0;
     return cross(start - center, p - center) >= 0 && cross(p - center, end - center) >= 0;
   }
 
-  // The common points of the whole circles or lines.
+  // Intersections of the whole circles or lines.
   static int meet(const Validation_piece& a, const Validation_piece& b, Point p[2])
   {
     if (!a.is_straight && b.is_straight) return meet(b, a, p);
-    Point foot, across; // the common points are foot + across, foot - across
+    Point foot, across; // the intersections are foot + across, foot - across
     if (a.is_straight && b.is_straight)
     {
       const Point u = a.end - a.start, v = b.end - b.start;
@@ -199,4 +198,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_VALIDATION_PIECE_H

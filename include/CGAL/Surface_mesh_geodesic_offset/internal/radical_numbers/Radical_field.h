@@ -3,18 +3,18 @@
 //
 // Exact arithmetic of one evaluation: quotients of sums of square roots of rationals, and of symbols for nested roots.
 //
-// A nested root becomes a new symbol only if no symbol there is known to give it. As far as it is proved that no product
-// of symbols is a sum of roots of rationals, a sum is zero only if all its coefficients are; symbols of which that
-// is not known still serve to prove that a sum is zero, but not that it is not.
+// A nested root becomes a new symbol only if the existing symbols are not known to generate it. Symbols are independent
+// if no product of them is proved to be a sum of roots of rationals; a sum of independent symbols is zero only if all
+// its coefficients are. Other symbols can prove that a sum is zero, but not that it is nonzero.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_FIELD_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_EXACT_NUMBERS_RADICAL_FIELD_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_FIELD_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_enclosure.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_sum.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/exact_numbers/Radical_tower.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_sum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_tower.h>
 
 #include <array>
 #include <cstddef>
@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A quotient, the denominator of which is not zero.
+// Quotient with nonzero denominator.
 struct Radical_quotient
 {
   Radical_sum numerator, denominator = Radical_sum(1);
@@ -67,13 +67,12 @@ public:
   Radical_quotient square_root(const Radical_quotient& a)
   {
     if (a.is_sum()) return {square_root(a.numerator), Radical_sum(1)};
-    // sqrt(n / d) = sqrt(n d) / |d|
     Radical_sum under = a.denominator;
     if (sign(under) < 0) under.negate();
     return {square_root(product(a.numerator, a.denominator)), std::move(under)};
   }
 
-  // A number of which nothing is known but its value; `identity` tells such numbers apart.
+  // A number known only by its value; equal `identity` means equal numbers.
   Radical_quotient unknown_number(const void* identity)
   {
     std::size_t i = 0;
@@ -92,20 +91,20 @@ public:
 
 private:
   static constexpr std::size_t most_symbols = 64;
-  static constexpr std::size_t most_levels = 10;         // for recognising squares
+  static constexpr std::size_t most_levels = 10; // for recognizing squares
   static constexpr std::size_t most_steps_for_square = 1 << 17;
-  static constexpr std::size_t most_levels_inverted = 4; // beyond, the inverse is longer than it is useful
+  static constexpr std::size_t most_levels_inverted = 4; // inverses in higher fields are too long to be useful
   static constexpr std::size_t least_products_with_base = 32;
   static constexpr mpfr_prec_t most_bits = 1 << 14;
 
   struct Symbol
   {
-    Radical_sum square;   // made of earlier symbols
-    const void* identity; // of an unknown number, which has no square here
-    bool is_independent;  // of all independent symbols before it
+    Radical_sum square; // contains only earlier symbols
+    const void* identity; // of an unknown number, whose square is not used
+    bool is_independent; // of all earlier independent symbols
   };
 
-  // With integers for factors, as fractions would have to be reduced in each product of terms.
+  // Integer factors: fractions would have to be reduced in each product of terms.
   Radical_sum product(Radical_sum a, Radical_sum b)
   {
     if (a.is_empty() || b.is_empty()) return Radical_sum();
@@ -120,7 +119,7 @@ private:
     return result;
   }
 
-  typedef std::map<std::uint64_t, std::vector<Radical_term>> Terms_by_squares; // by the set of symbols that are squared
+  typedef std::map<std::uint64_t, std::vector<Radical_term>> Terms_by_squares; // key: the set of squared symbols
 
   Radical_sum product_of_terms(const Radical_sum& a, const Radical_sum& b)
   {
@@ -144,9 +143,9 @@ private:
     return result;
   }
 
-  // Writes the radicands as sets of elements of a coprime base: instead of a greatest common divisor for each pair of
-  // terms there is one for each term and element, and roots that are multiples of each other are recognised. False if
-  // the base gets too large for that.
+  // Product with radicands as sets of elements of a coprime base: one greatest common divisor per term and element
+  // instead of one per pair of terms, and roots that are multiples of each other are recognized. Returns false if the
+  // base gets too large.
   bool multiply_with_base(const Radical_sum& a, const Radical_sum& b, Terms_by_squares& result)
   {
     Coprime_base base(m_work);
@@ -168,14 +167,14 @@ private:
       }
       return terms;
     };
-    std::map<std::uint64_t, Big_integer> products; // of the elements of a set
+    std::map<std::uint64_t, Big_integer> products; // of the elements in a set
     const auto product_of_set = [&](std::uint64_t set) -> const Big_integer& {
       const auto p = products.emplace(set, 1);
       for (std::size_t i = 0; p.second && i < base.size(); ++i)
         if (set >> i & 1) p.first->second *= base[i];
       return p.first->second;
     };
-    std::map<std::array<std::uint64_t, 3>, Big_rational> sums; // by squared symbols, other symbols and the set
+    std::map<std::array<std::uint64_t, 3>, Big_rational> sums; // key: squared symbols, other symbols, set of elements
     const std::vector<Term> a_terms = with_sets(a), b_terms = with_sets(b);
     for (const Term& s : a_terms)
       for (const Term& t : b_terms)
@@ -217,7 +216,7 @@ private:
     return product(outside, Radical_sum::symbol(unsigned(new_symbol({std::move(a), nullptr, is_independent}))));
   }
 
-  // The square root of a, if it is found to need no new symbol; otherwise, whether it is proved to need one.
+  // Square root of a if no new symbol is needed; otherwise sets `is_independent` to whether the need is proved.
   std::optional<Radical_sum> known_root(const Radical_sum& a, bool& is_independent)
   {
     if (!are_independent(a.symbols())) return std::nullopt;
@@ -260,14 +259,14 @@ private:
     return field.sum(field.tower().inverse(field.element(a)));
   }
 
-  // A tower of fields that has all terms of a sum, with the roots of a coprime base below and symbols above.
+  // Tower of fields that contains all terms of a sum: first the roots of a coprime base, then symbols.
   class Presentation
   {
   public:
     Presentation(const Radical_field& field, Radical_work& work) : m_field(&field), m_base(work), m_tower(work) {}
 
-    // Whether there is a tower with at most so many levels. Independent symbols among `wanted` are adjoined, and those
-    // that their squares are made of.
+    // Builds the tower, with the independent symbols in `wanted` and the symbols in their squares. Returns false if it
+    // would have more than `levels` levels.
     bool contains(const Radical_sum& a, std::uint64_t wanted, std::size_t levels)
     {
       const std::vector<Symbol>& symbols = m_field->m_symbols;
@@ -320,28 +319,28 @@ private:
   private:
     const Radical_field* m_field;
     Coprime_base m_base;
-    std::vector<std::size_t> m_symbols; // ascending: a square is made of symbols before
+    std::vector<std::size_t> m_symbols; // ascending, since a square contains only earlier symbols
     Radical_tower m_tower;
   };
 
-  // Of a sum that is not zero.
+  // Precondition: a is not zero.
   int sign(const Radical_sum& a)
   {
     for (mpfr_prec_t bits = 128; bits <= most_bits; bits *= 2)
     {
-      const Multiprecision_enclosure e = enclosure(a, bits);
+      const Multiprecision_interval e = interval(a, bits);
       if (e.sign() != 0) return e.sign();
     }
     throw Radical_limit_exceeded();
   }
 
-  Multiprecision_enclosure enclosure(const Radical_sum& a, mpfr_prec_t bits)
+  Multiprecision_interval interval(const Radical_sum& a, mpfr_prec_t bits)
   {
     m_work.spend(a.size());
-    return enclosure_of(a, bits, [&](std::size_t i) {
+    return interval_of(a, bits, [&](std::size_t i) {
       if (m_symbols[i].identity) throw Radical_limit_exceeded();
-      Multiprecision_enclosure root(bits);
-      root.set_root(enclosure(m_symbols[i].square, bits));
+      Multiprecision_interval root(bits);
+      root.set_root(interval(m_symbols[i].square, bits));
       return root;
     });
   }

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers of vertices and faces in the flat arrays: the indices of the mesh, or, where these scatter neighbours over
-// the memory, numbers along a space-filling curve.
+// Indices of vertices and faces in the flat arrays: those of the mesh, or, if these scatter neighbours in memory, indices
+// along a space-filling curve.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_ELEMENT_NUMBERS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_ELEMENT_NUMBERS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_INDEX_RENUMBERING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_INDEX_RENUMBERING_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -27,7 +27,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <class TriangleMesh, class VertexIndexMap, class FaceIndexMap>
-class Element_numbers
+class Index_renumbering
 {
 public:
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -35,9 +35,9 @@ public:
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  // vertices, faces: those of the mesh.
-  Element_numbers(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                  const std::vector<vertex_descriptor>& vertices, const std::vector<face_descriptor>& faces)
+  // vertices, faces: all of the mesh.
+  Index_renumbering(const TriangleMesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                    const std::vector<vertex_descriptor>& vertices, const std::vector<face_descriptor>& faces)
     : m_tm(tm), m_vim(vim), m_fim(fim)
   {
     std::size_t largest_vertex = 0, largest_face = 0;
@@ -50,14 +50,14 @@ public:
     if (!faces.empty()) m_faces_end = largest_face + 1;
   }
 
-  // By the indices of the faces.
+  // Links by face index of the mesh.
   template <class Team>
   All_face_links face_links(const std::vector<face_descriptor>& faces, Team& team) const
   {
     return internal::face_links(m_tm, faces, m_vim, m_fim, m_faces_end, team);
   }
 
-  // Until then the numbers are the indices.
+  // Replaces the indices if neighbours are scattered.
   template <class VertexPointMap, class Team>
   void renumber_if_scattered(const All_face_links& links, const std::vector<vertex_descriptor>& vertices,
                              const VertexPointMap& vpm, Team& team)
@@ -65,33 +65,33 @@ public:
     if (is_scattered(links)) renumber(links, vertices, vpm, team);
   }
 
-  // Above all numbers; not all below need be in use.
+  // Upper bounds of the indices; indices below may be unused.
   std::size_t vertices_end() const { return m_vertices_end; }
   std::size_t faces_end() const { return m_faces_end; }
 
-  // no_index, or another number that is not in use, for what is not of the mesh.
+  // Returns no_index or an unused index for elements of another mesh.
   Index of(vertex_descriptor v) const { return number(m_vertex, get(m_vim, v)); }
   Index of(face_descriptor f) const { return number(m_face, get(m_fim, f)); }
-  Index of_halfedge(halfedge_descriptor h) const // not on the border
+  Index of_halfedge(halfedge_descriptor h) const // precondition: h is not a border halfedge
   {
     const face_descriptor f = face(h, m_tm);
     const halfedge_descriptor first = halfedge(f, m_tm);
     return 3 * of(f) + (h == first ? 0 : next(first, m_tm) == h ? 1 : 2);
   }
 
-  // By indices that are of the mesh.
+  // Precondition: index is an index of the mesh.
   Index of_vertex(Index index) const { return m_vertex.empty() ? index : m_vertex[index]; }
   Index of_face(Index index) const { return m_face.empty() ? index : m_face[index]; }
 
-  // The number by which the user knows a face.
+  // Index of the face in the user's mesh.
   std::size_t index_in_mesh(face_descriptor f) const { return std::size_t(get(m_fim, f)); }
 
 private:
   enum
   {
-    worthwhile = 1 << 14, // faces: fewer stay in the caches anyway
-    near = 1 << 10,       // numbers apart: then neighbours are likely to be in the caches together
-    sample = 1 << 12      // faces
+    worthwhile = 1 << 14, // faces: smaller meshes fit in the caches
+    near = 1 << 10, // index distance of neighbours that are likely to be cached together
+    sample = 1 << 12 // faces
   };
 
   template <class I>
@@ -100,7 +100,7 @@ private:
     return renumbered.empty() ? Index(i) : std::size_t(i) < renumbered.size() ? renumbered[std::size_t(i)] : no_index;
   }
 
-  // Whether the indices of neighbours are often far apart, judged by some of the faces.
+  // Whether the indices of neighbours are often far apart, from a sample of faces.
   static bool is_scattered(const All_face_links& links)
   {
     if (links.size() < worthwhile) return false;
@@ -127,7 +127,7 @@ private:
   {
     const auto coordinate = [](const auto& x) {
       const double d = CGAL::to_double(x);
-      return std::isfinite(d) ? d : 0.; // it is complained of later
+      return std::isfinite(d) ? d : 0.; // reported later
     };
     const auto point = [&](std::size_t i) {
       const auto& p = get(vpm, vertices[i]);
@@ -138,7 +138,7 @@ private:
     for (std::size_t i = 0; i < vertices.size(); ++i) m_vertex[get(m_vim, vertices[order[i]])] = Index(i);
     m_vertices_end = vertices.size();
 
-    // faces by the lowest number of their vertices
+    // order faces by the lowest index of their vertices
     std::vector<Index> first(m_vertices_end + 1, 0);
     m_face.assign(m_faces_end, no_index);
     for (std::size_t f = 0; f < links.size(); ++f)
@@ -156,7 +156,7 @@ private:
   VertexIndexMap m_vim;
   FaceIndexMap m_fim;
   std::size_t m_vertices_end = 0, m_faces_end = 0;
-  std::vector<Index> m_vertex, m_face; // by the index of the mesh; empty: as that
+  std::vector<Index> m_vertex, m_face; // by mesh index; empty: identity
 };
 
 } // namespace internal

@@ -1,29 +1,26 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An oracle for offset curves: are they the complete boundary of { D < d } for the field D at hand? For tests and
-// benchmarks; the package itself does not use it.
+// Oracle for offset curves: whether they are the complete boundary of { D < d } for a given field D.
 //
-// What is checked, for families of levels (DESIGN.md section 7 says what an offset curve is):
-// - pieces join in faces and over edges; closed curves close, open ones begin and end on the border;
+// Checks for families of levels:
+// - pieces are joined in faces and over edges; closed curves are closed, open ones begin and end on the border;
 // - all points are on their level;
-// - every edge is crossed an odd number of times exactly if its ends are on different sides of the level;
-// - points of edges and faces are on different sides exactly if curves separate them;
+// - an edge is crossed an odd number of times if and only if its ends are on different sides of the level;
+// - points of edges and faces are on different sides if and only if curves separate them;
 // - the smaller distances are on the left;
-// - curves do not cross, neither each other nor those of other levels, and what is near at a level is near at larger ones;
+// - curves do not cross, and the near region of a level is contained in those of larger levels;
 // - the near area of faces, by Green's theorem, agrees with bounds from the field.
 //
-// Levels are cut 2^-42 of their value below themselves, with inexact numbers, and so they are checked.
+// With inexact numbers, levels are cut at a distance smaller by a fraction of 2^-42, so the checks use this distance.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VALIDATION_H
+#ifndef GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H
+#define GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Area_validation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Crossing_validation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Curve_validation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/validation/Side_validation.h>
+#include "Area_validation.h"
+#include "Crossing_validation.h"
+#include "Curve_validation.h"
+#include "Side_validation.h"
 
 #include <algorithm>
 #include <random>
@@ -35,9 +32,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Validates offset curves of one build. `Geodesic`: a Surface_mesh_geodesic_offset on a mesh with its own points (no
-// custom point map), built with kept windows and without a distance limit below the levels. It must not be built again
-// meanwhile.
+// Validates offset curves of one build. `Geodesic`: a Surface_mesh_geodesic_offset on a mesh with its own points (no custom
+// point map), built with kept windows and without a distance limit below the levels. It must not be rebuilt during the
+// validation.
 template <class Geodesic>
 class Offset_validation
 {
@@ -54,8 +51,8 @@ public:
 
   // `levels`: increasing. `curves`: all curves of these levels on all sides, in any order.
   //
-  // For each level, linear in the mesh (edges and vertices are looked at, only), plus the pieces and the faces that the
-  // level may pass through, each times the windows of its face.
+  // Time per level: linear in the size of the mesh, plus, for each piece and each face that the level may pass through, the
+  // number of windows of the face.
   Validation_report operator()(const std::vector<FT>& levels, const std::vector<Offset_curve>& curves) const
   {
     Validation_report report(m_options.largest_number_of_texts);
@@ -99,7 +96,7 @@ private:
       report.set_context("");
       if (!report.check(ON_LEVEL, is_known, [&] {
             return "a curve at the distance " + validation_text(CGAL::to_double(curve.distance())) +
-                   ", which was not asked for";
+                   ", which was not requested";
           }))
         continue;
       Validation_level& level = all[std::size_t(found - levels.begin())];
@@ -135,4 +132,4 @@ private:
 } // namespace Geodesic_offset
 } // namespace CGAL
 
-#endif
+#endif // GEODESIC_OFFSET_TEST_VALIDATION_OFFSET_VALIDATION_H

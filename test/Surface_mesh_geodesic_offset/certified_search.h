@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds of distances against the reference of reference_distances.h: violations, and widths by kind.
+// Comparison of certified bounds with the reference of reference_distances.h: violations, and widths by kind.
 
-#ifndef GEODESIC_OFFSET_TEST_ENCLOSURE_SEARCH_H
-#define GEODESIC_OFFSET_TEST_ENCLOSURE_SEARCH_H
+#ifndef GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H
+#define GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H
 
-#include "enclosure_cases.h"
+#include "certified_cases.h"
 #include "geodesic_types.h"
 #include "reference_distances.h"
 
@@ -26,18 +26,18 @@
 
 namespace test {
 
-/// What became of the cases of one kind.
-struct Enclosure_counts
+/// Results for the cases of one kind.
+struct Certified_counts
 {
   std::size_t meshes = 0;
-  std::size_t bounds = 0;            // pairs of bounds compared
-  std::size_t violations = 0;        // pairs that exclude the distance
+  std::size_t bounds = 0; // compared pairs of bounds
+  std::size_t violations = 0; // bounds that exclude the distance
   std::size_t violated_meshes = 0;
-  std::size_t invalid = 0;           // meshes that are not triangle meshes with faces that have area
-  std::size_t refused = 0;           // builds that ended with std::runtime_error, as documented for needles
-  std::vector<double> widths;        // relative to the upper bound
+  std::size_t invalid = 0; // meshes that are not triangle meshes, or have faces without area
+  std::size_t refused = 0; // builds that threw std::runtime_error, as documented for needles
+  std::vector<double> widths; // relative to the upper bound
 
-  /// The width that a part of all widths does not exceed
+  /// Quantile of the widths.
   double width(double part)
   {
     if (widths.empty()) return 0;
@@ -46,7 +46,7 @@ struct Enclosure_counts
     return widths[i];
   }
 
-  void add(const Enclosure_counts& o)
+  void add(const Certified_counts& o)
   {
     meshes += o.meshes;
     bounds += o.bounds;
@@ -58,19 +58,19 @@ struct Enclosure_counts
   }
 };
 
-class Enclosure_search
+class Certified_search
 {
 public:
   typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh>> Enclosure;
   typedef Reference_distances::Number Number;
 
   /// Writes up to `printed` violations to `log`.
-  Enclosure_search(std::ostream& log, std::size_t printed) : log_(log), printed_(printed) {}
+  Certified_search(std::ostream& log, std::size_t printed) : log_(log), printed_(printed) {}
 
   /// Compares the bounds of all vertices and queries of a case, with and without kept windows.
-  void run(const Enclosure_case& c, const std::string& name)
+  void run(const Certified_case& c, const std::string& name)
   {
-    Enclosure_counts& counts = counts_[c.kind];
+    Certified_counts& counts = counts_[c.kind];
     ++counts.meshes;
     const std::size_t before = counts.violations;
     Soup soup;
@@ -104,7 +104,7 @@ public:
       ++counts.refused;
     }
     catch (const std::logic_error& e)
-    { // in debug mode, a statement of the error analysis that does not hold
+    { // debug mode: a statement of the error analysis does not hold
       ++counts.violations;
       if (printed_ > 0)
       {
@@ -115,21 +115,21 @@ public:
     counts.violated_meshes += counts.violations > before;
   }
 
-  std::map<std::string, Enclosure_counts>& counts() { return counts_; }
+  std::map<std::string, Certified_counts>& counts() { return counts_; }
 
-  Enclosure_counts total() const
+  Certified_counts total() const
   {
-    Enclosure_counts sum;
+    Certified_counts sum;
     for (const auto& c : counts_) sum.add(c.second);
     return sum;
   }
 
-  /// Markdown
+  /// Prints a Markdown table.
   void print_table(std::FILE* out)
   {
     std::fprintf(out, "| kind | meshes | without area | refused | bounds | violations | in meshes | median width | 99 %% | "
                       "largest |\n|---|---|---|---|---|---|---|---|---|---|\n");
-    const auto print = [&](const std::string& kind, Enclosure_counts c) {
+    const auto print = [&](const std::string& kind, Certified_counts c) {
       std::fprintf(out, "| %s | %zu | %zu | %zu | %zu | %zu | %zu | %.1e | %.1e | %.1e |\n", kind.c_str(), c.meshes, c.invalid,
                    c.refused, c.bounds, c.violations, c.violated_meshes, c.width(0.5), c.width(0.99), c.width(1));
     };
@@ -137,9 +137,9 @@ public:
     print("all", total());
   }
 
-  /// A location of the reference: the weights in the order of the face's halfedges.
-  static Enclosure::Face_location location(const Generated_mesh<Surface_mesh>& data, const Enclosure_case& c,
-                                           const Enclosure_case::Location& l)
+  /// Location of the reference; weights are in the order of the face's halfedges.
+  static Enclosure::Face_location location(const Generated_mesh<Surface_mesh>& data, const Certified_case& c,
+                                           const Certified_case::Location& l)
   {
     const auto& t = c.triangles[l.triangle];
     const auto f = data.faces[l.triangle];
@@ -150,7 +150,7 @@ public:
 
 private:
   template <class Name>
-  void compare(const std::pair<double, double>& bounds, const Number& distance, Enclosure_counts& counts, const Name& name)
+  void compare(const std::pair<double, double>& bounds, const Number& distance, Certified_counts& counts, const Name& name)
   {
     ++counts.bounds;
     const bool is_reached = distance < Reference_distances::infinity();
@@ -174,9 +174,9 @@ private:
 
   std::ostream& log_;
   std::size_t printed_;
-  std::map<std::string, Enclosure_counts> counts_;
+  std::map<std::string, Certified_counts> counts_;
 };
 
 } // namespace test
 
-#endif // GEODESIC_OFFSET_TEST_ENCLOSURE_SEARCH_H
+#endif // GEODESIC_OFFSET_TEST_CERTIFIED_SEARCH_H

@@ -1,20 +1,20 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds on small meshes against an independent reference with 113 bits. Does any pair of bounds exclude the
-// distance, and how wide are the bounds?
+// Search for certified bounds that exclude the distance, on small meshes, by an independent reference with 113 bits; also
+// the widths of the bounds.
 //
-//   enclosure_search [--seed N] [--meshes N] [--general] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE VERTEX]...
+//   certified_search [--seed N] [--meshes N] [--general] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE VERTEX]...
 //
-// Case i has the seed N + i, which determines its mesh, its sources and its queries; so `--seed N --meshes 1` repeats a case.
-// The meshes are adversarial, or general ones with --general; --kind leaves out all others. --write PREFIX writes the last
-// case as PREFIX.off. Files are meshes with a source vertex each; without --meshes only they are run.
+// Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case. The
+// meshes are adversarial, or general ones with --general; --kind selects one kind. --write PREFIX writes the last case as
+// PREFIX.off. Files are meshes with a source vertex each; without --meshes only they are run.
 //
-// Violations, then a table by kind on stdout: meshes, those with a face without area in doubles, builds that were refused as
-// documented, bounds compared, violations, meshes with violations, and the widths of the bounds relative to the distance. The
-// exit code is 1 if there is a violation.
+// Output: violations, then a table by kind: meshes, those with a face without area in doubles, builds rejected as
+// documented, compared bounds, violations, meshes with violations, and the widths of the bounds relative to the distance.
+// The exit code is 1 if there is a violation.
 
-#include "enclosure_search.h"
+#include "certified_search.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -27,13 +27,13 @@
 
 namespace {
 
-test::Enclosure_case read_off(const std::string& file, std::size_t source)
+test::Certified_case read_off(const std::string& file, std::size_t source)
 {
   std::ifstream in(file);
   std::string head;
   std::size_t points = 0, triangles = 0, edges = 0, corners = 0;
   if (!(in >> head >> points >> triangles >> edges) || head != "OFF") throw std::invalid_argument(file + ": not an OFF file");
-  test::Enclosure_case c;
+  test::Certified_case c;
   c.kind = "files";
   c.points.resize(points);
   c.triangles.resize(triangles);
@@ -50,7 +50,7 @@ test::Enclosure_case read_off(const std::string& file, std::size_t source)
   return c;
 }
 
-void write_off(const std::string& file, const test::Enclosure_case& c)
+void write_off(const std::string& file, const test::Certified_case& c)
 {
   std::ofstream out(file);
   out.precision(17);
@@ -81,7 +81,7 @@ int run(int argc, char** argv)
   std::size_t meshes = 1000, printed = 20;
   bool is_general = false, has_meshes = false;
   std::string kind, write;
-  std::vector<test::Enclosure_case> files;
+  std::vector<test::Certified_case> files;
   std::vector<std::string> names;
   for (int i = 1; i < argc; ++i)
   {
@@ -109,13 +109,13 @@ int run(int argc, char** argv)
       names.push_back(name);
     }
   }
-  test::Enclosure_search search(std::cout, printed);
+  test::Certified_search search(std::cout, printed);
   for (std::size_t i = 0; i < files.size(); ++i) search.run(files[i], names[i]);
   if (files.empty() || has_meshes)
     for (std::size_t i = 0; i < meshes; ++i)
     {
       const unsigned s = seed + static_cast<unsigned>(i);
-      const test::Enclosure_case c = is_general ? test::Enclosure_cases::general(s) : test::Enclosure_cases::adversarial(s);
+      const test::Certified_case c = is_general ? test::Certified_cases::general(s) : test::Certified_cases::adversarial(s);
       if (!kind.empty() && c.kind != kind) continue;
       if (!write.empty()) write_off(write + ".off", c);
       search.run(c, c.kind + ", seed " + std::to_string(s));
@@ -134,7 +134,7 @@ int main(int argc, char** argv)
   }
   catch (const std::exception& e)
   {
-    std::cerr << "enclosure_search: " << e.what() << '\n';
+    std::cerr << "certified_search: " << e.what() << '\n';
     return 2;
   }
 }

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_RADICAL_NUMBERS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_RADICAL_NUMBERS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/radical_numbers/Radical_number.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+
+#include <CGAL/CORE_Expr.h>
+
+// Include this header to compute with a kernel that has exact square roots, such as
+// Exact_predicates_exact_constructions_kernel_with_sqrt. Internal computations use Radical_number, whose comparisons
+// are fast also for equal numbers; results are numbers of the kernel.
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <>
+struct Computation_number<CORE::Expr>
+{
+  typedef Radical_number type;
+};
+
+template <>
+struct Number_conversion<CORE::Expr, Radical_number>
+{
+  static CORE::Expr convert(const Radical_number& x) { return x.core_expression(); }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
