@@ -253,10 +253,11 @@ public:
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
-    const Path_start start = start_at(classified(location));
+    const Located_point p = classified(location);
+    const Path_start start = start_at(p);
     const double d = CGAL::to_double(start.distance);
     if (d == 0 || !start.is_reached()) return d;
-    switch (start.root.side())
+    switch (built().is_approximate() ? start.root.side() : end_of(p, start).root.side())
     {
     case Source_side::LEFT: return -d;
     case Source_side::RIGHT: return d;
@@ -273,10 +274,12 @@ public:
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
-    Geodesic_offset::internal::Path_end<Number> end;
-    const auto& primitive = built().initial.primitives[trace(p, start, end)];
+    const auto end = end_of(p, start);
+    const auto& primitive = built().initial.primitives[end.root.primitive()];
+    const bool is_there = CGAL::is_zero(start.distance);
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          start.root.side(), Surface::exported(start.distance), surface().location(end.point)};
+                          end.root.side(), Surface::exported(start.distance),
+                          is_there ? surface().location(p) : surface().location(end.point)};
   }
 
   /// the gradient of the distance: the unit vector opposite to the direction in which the shortest path to the nearest source
@@ -288,8 +291,9 @@ public:
     const Path_start start = start_at(classified(location));
     if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
       return CGAL::NULL_VECTOR;
-    const auto way = start.from - start.to;
-    return surface().vector(start.halfedge, (Number(1) / length(way)) * way);
+    const Number size = length(start.direction);
+    if (CGAL::is_zero(size)) return CGAL::NULL_VECTOR;
+    return surface().vector(start.halfedge, (Number(-1) / size) * start.direction);
   }
 
   /// writes the distances of all vertices to a map.
@@ -483,12 +487,20 @@ protected:
     return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field);
   }
 
+  // Where the path from p ends, which starts as told.
+  Geodesic_offset::internal::Leg_end<Number> end_of(const Located_point& p, const Path_start& start) const
+  {
+    const Build& b = built();
+    Geodesic_offset::internal::No_path_output<Number> nothing;
+    return tracing(b)(p, start, b.legs, nothing);
+  }
+
   template <class P, class Function>
-  Index trace(const P& p, const Path_start& start, Function&& out) const
+  void trace(const P& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
     Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
-    return tracing(b)(p, start, b.legs, elements);
+    tracing(b)(p, start, b.legs, elements);
   }
 
   template <class Location, class Function>

@@ -98,7 +98,7 @@ public:
   /// a polyline on the surface
   typedef Geodesic_polyline<Face_location> Polyline;
   /// the result of `plane_section()`
-  typedef Geodesic_plane_section<Face_location, vertex_descriptor> Plane_section;
+  typedef Geodesic_plane_section<Face_location, vertex_descriptor, edge_descriptor> Plane_section;
 
 #ifdef DOXYGEN_RUNNING
   /// the vertex index map: `VertexIndexMap`, or the type that stands for `Default`
@@ -303,7 +303,8 @@ public:
     return out;
   }
 
-  /// adds the section of the mesh by a plane: each polyline of the section, and each vertex that the plane only touches.
+  /// adds the section of the mesh by a plane: each polyline of the section; the edges that the plane only touches, as one set of
+  /// edges, which has no sides; and each vertex that the plane only touches.
   /// \return the ids of these sources, in this order; no ids if the plane misses the mesh.
   /// \throws std::invalid_argument as `plane_section()` does.
   std::vector<std::size_t> add_source_plane_section(const Plane_3& plane)
@@ -312,6 +313,7 @@ public:
     std::vector<std::size_t> ids;
     for (const auto& polyline : section.polylines)
       ids.push_back(add_source_polyline(polyline.locations, polyline.is_closed));
+    if (!section.touched_edges.empty()) ids.push_back(add_source_edges(section.touched_edges));
     for (const vertex_descriptor v : section.touched_vertices) ids.push_back(add_source_point(v));
     return ids;
   }
