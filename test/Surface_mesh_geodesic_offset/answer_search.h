@@ -45,9 +45,9 @@ public:
 
   enum Sources { SPREAD, COINCIDING };
 
-  /// Up to `printed` faults are written to `log`.
-  Answer_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources)
-    : log_(log), printed_(printed), queries_(queries), kind_of_sources_(sources)
+  /// Up to `printed` faults are written to `log`; with `describes`, sources, query and path, too.
+  Answer_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources, bool describes = false)
+    : log_(log), printed_(printed), queries_(queries), kind_of_sources_(sources), describes_(describes)
   {}
 
   /// Runs the case that a seed determines: a mesh, its sources and its queries.
@@ -347,7 +347,37 @@ private:
       for (int k = 0; k < NUMBER_OF_ANSWER_FAULTS; ++k)
         if (faults & 1u << k) ++counts.faults[k];
       print("query " + std::to_string(i) + ": " + checker_->detail());
+      if (describes_) describe(geodesic, sources, is_vertex ? checker_->locations().at_vertex(v, 1) : query);
     }
+  }
+
+  void describe(const Geodesic& geodesic, const std::map<std::size_t, Known_source>& sources, const Face_location& query)
+  {
+    log_.precision(17);
+    const auto write = [&](const Face_location& l) {
+      log_ << "    face " << std::size_t(l.first) << " of vertices";
+      for (Vertex_index v : checker_->locations().corners(l.first)) log_ << ' ' << std::size_t(v);
+      log_ << ": " << l.second[0] << ' ' << l.second[1] << ' ' << l.second[2] << "   at " << checker_->locations().point(l) << '\n';
+    };
+    for (const auto& s : sources)
+    {
+      static const char* const names[] = {"point", "polyline", "edges"};
+      log_ << "  source " << s.first << ": " << names[s.second.kind] << (s.second.is_closed ? ", closed" : "") << '\n';
+      for (const Face_location& l : s.second.locations) write(l);
+      for (auto e : s.second.edges)
+        log_ << "    " << mesh_->point(mesh_->vertex(e, 0)) << " to " << mesh_->point(mesh_->vertex(e, 1)) << '\n';
+    }
+    log_ << "  query\n";
+    write(query);
+    if (const auto n = geodesic.nearest_source(query))
+    {
+      log_ << "  distance " << n->distance << ", source " << n->source << (n->is_segment ? ", segment " : ", point ") << n->part
+           << ", side " << int(n->side) << ", gradient " << geodesic.gradient(query) << ", path\n";
+      std::vector<Face_location> path;
+      geodesic.shortest_path_to_sources(query, std::back_inserter(path));
+      for (const Face_location& l : path) write(l);
+    }
+    log_ << std::flush;
   }
 
   void print(const std::string& what)
@@ -360,6 +390,7 @@ private:
   std::ostream& log_;
   std::size_t printed_, queries_;
   const Sources kind_of_sources_;
+  const bool describes_;
   Random random_;
   const Surface_mesh* mesh_ = nullptr;
   Answer_checker* checker_ = nullptr;

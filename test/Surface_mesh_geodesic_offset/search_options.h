@@ -20,6 +20,7 @@ struct Seed_range_options
   std::size_t meshes = 1000;  // cases
   std::size_t per_mesh = 0;   // planes, queries or paths of each case
   std::size_t printed = 50;   // faults that are printed, at most
+  bool describes = false;     // whether they are printed with all that led to them
 };
 
 /// The exit code of a search program: that of run(options), or 2 for options that are wrong and for other exceptions. `per_mesh`
@@ -40,6 +41,7 @@ int run_search(const char* program, const std::string& per_mesh, std::size_t def
       else if (name == "--meshes") options.meshes = value;
       else if (name == per_mesh) options.per_mesh = value;
       else if (name == "--printed") options.printed = value;
+      else if (name == "--describe") options.describes = value != 0;
       else throw std::invalid_argument("unknown option " + name);
     }
     return run(options);

@@ -132,14 +132,15 @@ private:
       below[v] = soup.points.size();
       soup.points.push_back(Point_3(p.x(), p.y(), -3 + integer(1)));
     }
-    // a triangle with three corners on the border would be there twice
+    // without triangles that have three corners on the border: they would be there twice
     const auto has_inner = [&](const std::array<std::size_t, 3>& t) {
       return std::any_of(t.begin(), t.end(), [&](std::size_t v) { return below[v] != v; });
     };
     for (const auto& t : grid.triangles)
     {
+      if (!has_inner(t)) continue;
       soup.add_triangle(t);
-      if (has_inner(t)) soup.add_triangle({{below[t[1]], below[t[0]], below[t[2]]}});
+      soup.add_triangle({{below[t[1]], below[t[0]], below[t[2]]}});
     }
     return soup;
   }

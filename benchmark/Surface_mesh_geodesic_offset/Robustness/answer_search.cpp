@@ -4,7 +4,7 @@
 // Do distance, nearest source, signed distance, gradient and path of a point agree? On meshes of 17 kinds, with points, joined
 // polylines, runs of collinear segments and edges as sources; or with sources that overlap and coincide.
 //
-//   answer_search spread|coinciding [--seed N] [--meshes N] [--queries N] [--printed N]
+//   answer_search spread|coinciding [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
 //
 // Case i has the seed N + i, which determines its mesh, its sources and its queries (--queries per mesh); so `--seed N --meshes 1`
 // repeats a case.
@@ -25,7 +25,7 @@ namespace {
 
 int run(const test::Seed_range_options& options, test::Answer_search::Sources sources)
 {
-  test::Answer_search search(std::cout, options.printed, options.per_mesh, sources);
+  test::Answer_search search(std::cout, options.printed, options.per_mesh, sources, options.describes);
   for (std::size_t i = 0; i < options.meshes; ++i) search.run(options.seed + static_cast<unsigned>(i));
   std::printf("| kind | meshes | queries | points | wrong |");
   for (int k = 0; k < test::NUMBER_OF_ANSWER_FAULTS; ++k) std::printf(" %s |", test::name_of(test::Answer_fault(k)));

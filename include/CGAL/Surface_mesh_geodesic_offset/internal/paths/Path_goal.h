@@ -117,6 +117,23 @@ public:
     return goal.end.is_at_source() ? FT(0) : m_field.distance[goal.vertex];
   }
 
+  // Whether a point is at a vertex, up to the rounding by which points of users are put there.
+  bool is_at(const Surface_point_& p, Index v) const
+  {
+    if (p.kind == Surface_point_::VERTEX) return p.element == v;
+    const FT part = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+    if (p.kind == Surface_point_::EDGE)
+    {
+      const FT& size = m_mesh[p.element].length;
+      return (p.x <= part * size && m_mesh.source(p.element) == v) || (size - p.x <= part * size && m_mesh.target(p.element) == v);
+    }
+    const Face_frame<FT> frame(m_mesh, p.element);
+    for (int k = 0; k < 3; ++k)
+      if (m_mesh.source(3 * p.element + Index(k)) == v)
+        return length(Point{p.x, p.y} - frame.corner(k)) <= part * frame.edge_length(k);
+    return false;
+  }
+
   // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p in the frame
   // of h.
   End end_at_goal(const Goal& goal, Index h, const Point& p, const Path_start<FT>& start) const
@@ -124,20 +141,21 @@ public:
     return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, start);
   }
 
-  // The end of a way to a corner of the face of h. The path ends there or goes on from there.
+  // The end of a way to a corner of the face of h. The path ends there or goes on from there. If it ends there, the windows that
+  // start in the face know the side.
   End end_at_vertex(Index v, Index h, const Point& p, const Path_start<FT>& start) const
   {
     if (!is_source(v)) return {Surface_point_::at_vertex(v), Root()};
     const Index face = m_mesh.face(h);
     const Face_frame<FT> frame(m_mesh, face);
-    const FT allowance = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
+    const FT nearest = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
     for (int k = 0; k < 3; ++k)
     {
-      End end;
-      if (m_mesh.source(3 * face + Index(k)) == v &&
-          find_end(frame, face, frame.from_halfedge(int(h % 3), p), frame.corner(k), start.root,
-                   Number_policy<FT>::infinity(), allowance, false, end))
-        return {Surface_point_::at_vertex(v), end.root};
+      if (m_mesh.source(3 * face + Index(k)) != v) continue;
+      End_search search{start.root, Number_policy<FT>::infinity(), nearest, false};
+      find_end(frame, face, frame.from_halfedge(int(h % 3), p), frame.corner(k), search);
+      if (search.is_of_known_source() || (search.is_found() && !is_at_vertex(start.root, v)))
+        return {Surface_point_::at_vertex(v), search.end.root};
     }
     return end_at_source_vertex(v, start);
   }
@@ -148,66 +166,93 @@ public:
     return {Surface_point_::at_vertex(v), is_at_vertex(start.root, v) ? start.root : m_field.root[v]};
   }
 
-  // The end of the path from a point of a source: the point itself, and a part of the source that contains it.
+  // The end of the path from a point of a source: the point itself, and a part of the source that contains it, up to rounding.
   End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {
     if (p.kind == Surface_point_::VERTEX) return {p, m_field.root[p.element]};
-    End end{p, start.root};
     for (const Index face : faces_of(m_mesh, p))
     {
       Point position;
       unsigned edges;
       position_in_face(m_mesh, p, face, position, edges);
       const Face_frame<FT> frame(m_mesh, face);
-      const FT allowance = Number_policy<FT>::rounding(64) * frame.longest_edge();
-      End found;
-      if (!find_end(frame, face, position, position, start.root, allowance, allowance, false, found)) continue;
-      end.root = found.root;
-      return end;
+      const FT nearest = Number_policy<FT>::rounding(64) * frame.longest_edge();
+      End_search search{start.root, nearest, nearest, false};
+      find_end(frame, face, position, position, search);
+      // sources may touch the face at its boundary only
+      for (int k = 0; k < 3 && !search.is_found(); ++k)
+      {
+        const Index h = 3 * face + Index(k), g = m_mesh.twin(h);
+        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return {p, m_field.root[m_mesh.source(h)]};
+        if (g == no_index || frame.height(k, position) > nearest) continue;
+        const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
+        const Point there = beyond.from_halfedge(int(g % 3), frame.to_twin(k, position));
+        find_end(beyond, m_mesh.face(g), there, there, search);
+      }
+      if (search.is_found()) return {p, search.end.root};
     }
-    return end;
+    return {p, start.root};
   }
 
   // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
-  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, End& end) const
+  // Where it leads is known as exactly as its direction: the next segment, in the next face, may be meant. `has_missed`: the way
+  // has found no end as near as that; then any point of the source will do that is as near to its start.
+  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
     const Face_frame<FT> frame(m_mesh, face);
     const Point p = frame.from_halfedge(int(walk.halfedge() % 3), walk.position());
     const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
-    const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
-    // as near to q as the direction is exact: the next segment, in the next face, may be meant
-    const FT nearest = FT(nearby) * length(q - p) + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
-    return find_end(frame, face, p, q, start.root, longest, nearest, true, end);
+    const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
+    const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
+    End_search search{start.root, longest, nearest, true};
+    find_end(frame, face, p, q, search);
+    end = search.end;
+    return search.is_found();
   }
 
 private:
   // The end of a straight way from p to q in a face: the source point that is nearest to q, no farther from q than `nearest` and
   // from p than `longest`. Windows of segments in one line become one, and sources may coincide, so that several parts of sources
-  // may be there: the part whose rays reach p comes first, then one of the same source, and of the same side, as the root of the
-  // way. `only_known_source`: parts of other sources do not count.
-  bool find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, Root known, const FT& longest,
-                const FT& nearest, bool only_known_source, End& end) const
+  // may be there: a part whose rays reach p comes first, then one of the same source as the root of the way, then of the same
+  // side. `only_known_source`: parts of other sources do not count.
+  struct End_search
+  {
+    const Root known;
+    const FT longest, nearest;
+    const bool only_known_source;
+    int preference = -1;
+    End end{};
+
+    bool is_found() const { return preference >= 0; }
+    bool is_of_known_source() const { return preference >= RAYS_REACH_IT + KNOWN_SOURCE; }
+  };
+  enum End_preference
+  {
+    KNOWN_PRIMITIVE = 1,
+    KNOWN_SIDE = 2,
+    KNOWN_SOURCE = 4,
+    RAYS_REACH_IT = 8
+  };
+
+  void find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, End_search& search) const
   {
     typedef typename Estimation<FT>::Bound Bound;
-    const Bound limit = Estimation<FT>::upper_bound(estimate(nearest));
+    const Bound limit = Estimation<FT>::upper_bound(estimate(search.nearest));
     const FT allowance = Number_policy<FT>::rounding(64) * frame.longest_edge();
-    Bound least = limit;
-    int best = -1;
     // Calls f(root, foot, its distance from q, whether rays of the root reach p).
     const auto for_each_candidate = [&](const auto& f) {
       const auto consider = [&](Root root, const Face_window<FT>* window) {
         const Source_place<FT>& place = m_initial.places[root.primitive()];
-        if ((only_known_source && source_of(root) != source_of(known)) || !is_in_face(place.first, face) ||
+        if ((search.only_known_source && source_of(root) != source_of(search.known)) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
         Surface_point_ point = place.first;
         bool is_left = true, is_right = true;
         const Point foot = foot_in(face, frame, p, root.primitive(), point, is_left, is_right);
         const Point way = foot - p, miss = foot - q;
-        const auto missed = estimate(dot(miss, miss));
-        if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(longest)))) return;
-        const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(missed));
+        if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
+        const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
         const bool reaches = window ? window->contains(p, allowance)
                              : root.side() == Source_side::LEFT  ? is_left
@@ -220,16 +265,17 @@ private:
       for (Index h = 3 * face; h < 3 * face + 3; ++h)
         m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root, nullptr); });
     };
+    Bound least = limit;
     for_each_candidate([&](Root, const Surface_point_&, const Bound& off, bool) { least = (std::min)(least, off); });
     const Bound tied = least + Estimation<FT>::upper_bound(estimate(allowance));
     for_each_candidate([&](Root root, const Surface_point_& point, const Bound& off, bool reaches) {
-      const int preference = 8 * int(reaches) + 4 * int(source_of(root) == source_of(known)) + 2 * int(root.side() == known.side()) +
-                             int(root.primitive() == known.primitive());
-      if (!(off <= tied) || preference <= best) return;
-      best = preference;
-      end = {point, root};
+      const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(root) == source_of(search.known) ? KNOWN_SOURCE : 0) +
+                             (root.side() == search.known.side() ? KNOWN_SIDE : 0) +
+                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0);
+      if (!(off <= tied) || preference <= search.preference) return;
+      search.preference = preference;
+      search.end = {point, root};
     });
-    return best >= 0;
   }
 
   Index source_of(Root root) const { return m_initial.source_of[root.primitive()]; }

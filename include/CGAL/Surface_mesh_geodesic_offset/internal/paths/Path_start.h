@@ -29,6 +29,7 @@ struct Path_start
   Index pseudo_source = no_index;
   Index halfedge = no_index; // none at a source and where the distance is infinite
   int exit = -1;             // the edge, counted from that halfedge, that the path leaves through, if it leaves the face
+  Index edge = no_index;     // a halfedge on which the point lies, if it lies inside an edge
   Point_in_face<FT> from, to;
   Point_in_face<FT> direction; // of the path, of any length: beside a source `to` - `from` loses its digits
 
@@ -203,6 +204,7 @@ private:
   {
     Path_start<FT> start;
     start.distance = distance;
+    if (p.kind == Surface_point<FT>::EDGE) start.edge = p.element;
     if (!start.is_reached()) return start;
     Face_field<FT> field(m_mesh, m_initial, m_field);
     Choice choice;

@@ -132,9 +132,14 @@ private:
   template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
-    Index last_vertex = no_index; // that the way has passed, if nothing was passed behind it
-    const End end = follow(start, passed, has_missed, last_vertex);
-    if (end.point.kind == Surface_point_::VERTEX && end.point.element == last_vertex && !passed.empty()) passed.pop_back();
+    Index last_vertex = no_index; // the last that was passed, if it is a vertex
+    End end = follow(start, passed, has_missed, last_vertex);
+    if (last_vertex != no_index && m_goals.is_at(end.point, last_vertex))
+    {
+      CGAL_assertion(!passed.empty());
+      end.point = Surface_point_::at_vertex(last_vertex);
+      passed.pop_back();
+    }
     return end;
   }
 
@@ -147,7 +152,8 @@ private:
     Point from = start.from, to = start.to;
     bool is_under_way = false;
     // not with exact numbers, of which strips make long expressions
-    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, m_mesh.face(h)))
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_one_edge(exit_of(start), start.edge) &&
+        !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
       Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
@@ -189,7 +195,7 @@ private:
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, end)) return end;
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, has_missed, end)) return end;
         if (crossing.goal.y < -beside) break;
       }
       const Index beyond = walk.beyond(exit);
@@ -209,12 +215,17 @@ private:
       const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
-      if (v == no_index)
-        passed.push_back(
-          passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
-      else if (v != last_vertex)
-        passed.push_back(passed.item({no_index, v, v, FT(0)}));
-      last_vertex = v;
+      if (is_one_edge(beyond, start.edge) && is_first)
+        last_vertex = no_index; // rounding crosses the edge that the path starts from
+      else
+      {
+        if (v == no_index)
+          passed.push_back(
+            passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
+        else if (v != last_vertex)
+          passed.push_back(passed.item({no_index, v, v, FT(0)}));
+        last_vertex = v;
+      }
       walk.cross_over(exit, crossing);
       extent = (std::max)(extent, walk.extent());
     }
@@ -234,6 +245,13 @@ private:
       return m_goals.end_at_source_vertex(goal.vertex, start);
     return goal.end;
   }
+
+  Index exit_of(const Path_start<FT>& start) const
+  {
+    return m_mesh.face(start.halfedge) * 3 + (start.halfedge % 3 + Index(start.exit)) % 3;
+  }
+
+  bool is_one_edge(Index g, Index h) const { return h != no_index && (g == h || m_mesh.twin(h) == g); }
 
   // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on; if
   // numbers are exact, whether it meets the corner. Of the same source and side, unless the walk has missed its goal.
