@@ -345,8 +345,8 @@ private:
   {
     const auto& l = source.locations;
     bool first = true, last = true;
-    for (std::size_t i = 0; i <= part; ++i) first = first && rounded(l[i]) == rounded(l[part]);
-    for (std::size_t i = part; i < l.size(); ++i) last = last && rounded(l[i]) == rounded(l[part]);
+    for (std::size_t i = 0; i <= part; ++i) first = first && distance(point(l[i]), point(l[part])) == 0;
+    for (std::size_t i = part; i < l.size(); ++i) last = last && distance(point(l[i]), point(l[part])) == 0;
     return first || last;
   }
 

@@ -166,10 +166,11 @@ public:
     return {Surface_point_::at_vertex(v), is_at_vertex(start.root, v) ? start.root : m_field.root[v]};
   }
 
-  // The end of the path from a point of a source: the point itself, and a part of the source that contains it, up to rounding.
-  End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
+  // The part of a source that contains a point at distance zero, up to rounding; not valid if none is found in the faces of the
+  // point and those beside it.
+  Root root_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {
-    if (p.kind == Surface_point_::VERTEX) return {p, m_field.root[p.element]};
+    if (p.kind == Surface_point_::VERTEX) return m_field.root[p.element];
     for (const Index face : faces_of(m_mesh, p))
     {
       Point position;
@@ -183,15 +184,15 @@ public:
       for (int k = 0; k < 3 && !search.is_found(); ++k)
       {
         const Index h = 3 * face + Index(k), g = m_mesh.twin(h);
-        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return {p, m_field.root[m_mesh.source(h)]};
+        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return m_field.root[m_mesh.source(h)];
         if (g == no_index || frame.height(k, position) > nearest) continue;
         const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
         const Point there = beyond.from_halfedge(int(g % 3), frame.to_twin(k, position));
         find_end(beyond, m_mesh.face(g), there, there, search);
       }
-      if (search.is_found()) return {p, search.end.root};
+      if (search.is_found()) return search.end.root;
     }
-    return {p, start.root};
+    return Root();
   }
 
   // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.

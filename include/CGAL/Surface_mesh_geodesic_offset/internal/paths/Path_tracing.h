@@ -42,7 +42,7 @@ public:
   {
     if (!first.is_reached()) return End();
     out.start(p);
-    if (!CGAL::is_positive(first.distance) || first.halfedge == no_index) return m_goals.end_at_source(p, first);
+    if (!CGAL::is_positive(first.distance) || first.halfedge == no_index) return end_at_source(p, first);
     const Index limit = Index(m_mesh.number_of_vertices());
     Path_start<FT> further;
     auto& passed = out.passed();
@@ -106,6 +106,21 @@ private:
     const FT limit = m_field.distance[v] * (FT(1) + Number_policy<FT>::rounding(1024));
     return m_field.distance[next.origin] + m_mesh[h].length > limit &&
            m_field.distance[previous.origin] + previous.length > limit;
+  }
+
+  // The end of the path from a point of a source is the point itself.
+  End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
+  {
+    Root root = m_goals.root_at_source(p, start);
+    if (!root.is_valid() && start.halfedge != no_index)
+    { // the source is as near as rounding, and in faces that have a vertex in common with those of the point
+      Path_start<FT> way = start;
+      const Index h = start.halfedge;
+      way.to = way.from + (Number_policy<FT>::rounding(16) * m_mesh[h].length / length(way.direction)) * way.direction;
+      Passed_crossings<FT> passed;
+      root = follow(way, passed).root;
+    }
+    return {p, root.is_valid() ? root : start.root};
   }
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
