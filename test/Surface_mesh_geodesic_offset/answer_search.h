@@ -94,7 +94,8 @@ private:
       kind = name;
       return soup;
     };
-    const std::size_t n = 1 + uniform_index(random_, 6), m = 1 + uniform_index(random_, 5);
+    const std::size_t size = uniform(random_) < 0.02 ? 6 : 1; // a few larger meshes
+    const std::size_t n = size * (1 + uniform_index(random_, 6)), m = size * (1 + uniform_index(random_, 5));
     switch (uniform_index(random_, 17))
     {
     case 0: return flat("grids", planar_grid(n, m, uniform(random_) < 0.5 ? Diagonals::forward : Diagonals::random, 1, 0, seed));

@@ -70,12 +70,13 @@ public:
     return goal;
   }
 
-  // Whether a path with the given root may go by a vertex: if the vertex's own path has the same source and side. Where several
-  // sources tie at the vertex, the path goes on to its own.
-  bool is_of_one_root(Index v, Root root) const
+  // Whether a path with the given root may go by a vertex, or end there: if the vertex's own path has the same source and side, or
+  // the vertex is a point of the source. Where several sources tie at the vertex, the path goes on to its own.
+  bool may_lead_by(Index v, Root root) const
   {
+    if (is_source(v) && is_at_vertex(root, v)) return true;
     const Root other = m_field.root[v];
-    return other.is_valid() && other.side() == root.side() && source_of(other) == source_of(root);
+    return other.is_valid() && source_of(other) == source_of(root) && (is_source(v) || other.side() == root.side());
   }
 
   bool is_source(Index v) const { return CGAL::is_zero(m_field.distance[v]); }

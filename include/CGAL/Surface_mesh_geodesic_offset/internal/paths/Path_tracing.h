@@ -278,7 +278,8 @@ private:
     const Index v = walk.vertex(k);
     if constexpr (!Number_policy<FT>::is_inexact)
       return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
-             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal) && may_lead_by(v, start, goal, has_missed);
+             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal) &&
+             (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
     if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
@@ -287,13 +288,7 @@ private:
     const FT straight_on = length(to_goal);
     const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
     return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance &&
-           may_lead_by(v, start, goal, has_missed);
-  }
-
-  // Whether a path goes on with the path of a vertex that it meets: other sources tie there.
-  bool may_lead_by(Index v, const Path_start<FT>& start, const typename Path_goals<FT>::Goal& goal, bool has_missed) const
-  {
-    return v == goal.vertex || has_missed || (!m_goals.is_source(v) && m_goals.is_of_one_root(v, start.root));
+           (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
   }
 
   void look_for_detour(const Straight_walk<FT>& walk, bool is_first, const Path_start<FT>& start, const FT& reach,
