@@ -161,10 +161,15 @@ public:
     return end_at_source_vertex(v, start);
   }
 
-  // The same if no face is known through which the way arrives.
+  // The same if no face is known through which the way arrives, or none of its windows starts there. Corners of polylines are on both
+  // sides of them.
   End end_at_source_vertex(Index v, const Path_start<FT>& start) const
   {
-    return {Surface_point_::at_vertex(v), is_at_vertex(start.root, v) ? start.root : m_field.root[v]};
+    End end{Surface_point_::at_vertex(v), m_field.root[v]};
+    if (is_at_vertex(start.root, v)) end.root = start.root;
+    else if (end.root.is_lateral() && start.root.is_lateral() && source_of(end.root) == source_of(start.root))
+      end.root = Root(end.root.primitive(), start.root.side());
+    return end;
   }
 
   // The part of a source that contains a point at distance zero, up to rounding; not valid if none is found in the faces of the
