@@ -409,9 +409,10 @@ public:
     Polyline polyline;
     std::optional<Located_point> last;
     std::size_t i = 0;
-    const auto add = [&](const Face_location& l) {
+    const auto add = [&](const Face_location& given) {
       auto& path = polyline.locations;
-      const Located_point p = classified(l);
+      const Located_point p = classified(given);
+      const Face_location l = snapped(given, p);
       if (last && surface().point(path.back()) == surface().point(l)) return;
       if (last && !join(*last, p, path))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
@@ -479,6 +480,14 @@ protected:
   Source_set m_sources;
 
 private:
+  // The location of a classified point, exactly on the edge or at the vertex; the given one if it is there already.
+  Face_location snapped(const Face_location& given, const Located_point& p) const
+  {
+    const auto zeros = std::count(given.second.begin(), given.second.end(), FT(0));
+    const int needed = p.kind == Surface_point::VERTEX ? 2 : p.kind == Surface_point::EDGE ? 1 : 0;
+    return zeros == needed ? given : surface().location(p);
+  }
+
   // Those that have a face on the other side of the border.
   std::vector<edge_descriptor> edges_of_cycle(halfedge_descriptor border) const
   {
