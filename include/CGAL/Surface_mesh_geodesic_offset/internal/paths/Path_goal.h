@@ -261,7 +261,7 @@ private:
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
         const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
-        const bool reaches = window ? window->contains(p, allowance)
+        const bool reaches = window ? may_reach(*window, p, allowance)
                              : root.side() == Source_side::LEFT  ? is_left
                              : root.side() == Source_side::RIGHT ? is_right
                                                                  : true;
@@ -283,6 +283,15 @@ private:
       search.preference = preference;
       search.end = {point, root};
     });
+  }
+
+  // Whether rays of a window reach p, up to a distance; if numbers are exact, by estimates.
+  static bool may_reach(const Face_window<FT>& w, const Point& p, const FT& allowance)
+  {
+    if constexpr (Estimation<FT>::leaves_open)
+      return CGAL::possibly(estimate(w.left_side(p)) <= 0) && CGAL::possibly(estimate(w.right_side(p)) >= 0) &&
+             (!w.is_parallel() || CGAL::possibly(estimate(w.distance_at(p)) >= 0));
+    else return w.contains(p, allowance);
   }
 
   Index source_of(Root root) const { return m_initial.source_of[root.primitive()]; }

@@ -58,7 +58,7 @@ public:
       }
       if (guard != 0) further = m_start.at_vertex(v);
       const Path_start<FT>& start = guard == 0 ? first : further;
-      CGAL_assertion(start.halfedge != no_index && CGAL::is_positive(start.distance));
+      if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
       if constexpr (Legs::keeps)
         if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
       passed.clear();
@@ -70,7 +70,6 @@ public:
       if (end.is_at_source()) return end;
       v = end.point.element;
     }
-    CGAL_assertion(false); // distances decrease from vertex to vertex
     return {Surface_point_::at_vertex(v), m_field.root[v]};
   }
 
@@ -112,7 +111,7 @@ private:
   End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {
     Root root = m_goals.root_at_source(p, start);
-    if (!root.is_valid() && start.halfedge != no_index)
+    if (Number_policy<FT>::is_inexact && !root.is_valid() && start.halfedge != no_index)
     { // the source is as near as rounding, and in faces that have a vertex in common with those of the point
       Path_start<FT> way = start;
       const Index h = start.halfedge;
