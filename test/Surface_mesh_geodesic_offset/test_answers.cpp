@@ -138,7 +138,7 @@ GEODESIC_OFFSET_TEST(test_answers)
   const std::pair<const char*, void (*)()> tests[] = {
     {"known cases", test_answers::known_cases},
     {"located polylines", test_answers::located_polylines},
-    {"spread sources", [] { test_answers::run(Answer_search::SPREAD, 1, 2000); }},
-    {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 2000); }}};
+    {"spread sources", [] { test_answers::run(Answer_search::SPREAD, 1, 1500); }},
+    {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 1500); }}};
   return test::run_tests("test_answers", tests);
 }
