@@ -480,6 +480,7 @@ private:
                              section.polylines.end());
     sources.vertices.insert(sources.vertices.end(), section.touched_vertices.begin(),
                             section.touched_vertices.end());
+    sources.edges.insert(sources.edges.end(), section.touched_edges.begin(), section.touched_edges.end());
   }
 
   const Surface_mesh& mesh_;

@@ -8,6 +8,7 @@
 #include "generated_meshes.h"
 #include "geodesic_types.h"
 #include "locations.h"
+#include "section_search.h"
 #include "test_check.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -197,14 +198,15 @@ void data_meshes()
 template <class TriangleMesh>
 void special_positions()
 {
-  const auto expect = [](const TriangleMesh& mesh, const Plane_3& plane, double length, std::size_t number,
-                         std::size_t closed, std::size_t touched, std::size_t faces)
+  const auto expect = [](const TriangleMesh& mesh, const Plane_3& plane, double length, std::size_t number, std::size_t closed,
+                         std::size_t touched, std::size_t faces, std::size_t touched_edges = 0)
   {
     for (const Plane_3& p : {plane, plane.opposite()})
     {
       Measure m;
       const auto section = Section_checker<TriangleMesh>(mesh)(p, m);
       CHECK_DETAIL(std::abs(m.length - length) <= 1e-13 * length, values(m.length, length));
+      CHECK(section.touched_edges.size() == touched_edges);
       CHECK_DETAIL(m.number == number && m.closed == closed, values(double(m.number), double(number)));
       CHECK(section.touched_vertices.size() == touched && section.number_of_faces_in_plane == faces);
     }
@@ -216,7 +218,7 @@ void special_positions()
   expect(cube.mesh, Plane_3(0, 0, 1, -1), 4, 1, 1, 0, 32);      // a side
   expect(cube.mesh, Plane_3(0, 0, 1, 0), 4, 1, 1, 0, 32);
   expect(cube.mesh, Plane_3(1, 1, 1, 0), 0, 0, 0, 1, 0);        // a corner
-  expect(cube.mesh, Plane_3(1, 1, 0, 0), 1, 1, 0, 0, 0);        // an edge of the cube
+  expect(cube.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 0, 0, 4);     // an edge of the cube
   expect(cube.mesh, Plane_3(1, 1, 1, -1), 3 * std::sqrt(2.), 1, 1, 0, 0); // through three corners
   expect(cube.mesh, Plane_3(1, -1, 0, 0), 2 + 2 * std::sqrt(2.), 1, 1, 0, 0); // through four
   expect(cube.mesh, Plane_3(0, 0, 1, -1.25), 0, 0, 0, 0, 0);    // misses it
@@ -228,7 +230,7 @@ void special_positions()
   expect(grid.mesh, Plane_3(1, -1, 0, 0), 4 * std::sqrt(2.), 1, 0, 0, 0); // along the diagonals
   expect(grid.mesh, Plane_3(1, 1, 0, -4), 4 * std::sqrt(2.), 1, 0, 0, 0); // across them, through vertices
   expect(grid.mesh, Plane_3(1, 1, 0, 0), 0, 0, 0, 1, 0);    // a corner
-  expect(grid.mesh, Plane_3(0, 0, 1, 0), 20, 1, 1, 0, 48); // all faces: the border
+  expect(grid.mesh, Plane_3(0, 0, 1, 0), 0, 0, 0, 0, 48, 20); // all of it: its border
 
   // polylines end where two lines of the section cross
   Soup saddle;
@@ -242,6 +244,57 @@ void special_positions()
   Report::instance().set_context("saddle");
   const Generated_mesh<TriangleMesh> crossing(saddle);
   expect(crossing.mesh, Plane_3(0, 0, 1, 0), 4, 4, 0, 0, 0);
+}
+
+// An edge that the plane touches is a source without sides, beside a polyline from which it goes on.
+void touched_edges()
+{
+  Soup soup; // a ridge at height 0 that goes over into a slope
+  for (const auto& p : {Point_3(0, 0, 0), Point_3(0, 1, 0), Point_3(0, 2, 0), Point_3(-1, 0, -1), Point_3(-1, 1, -1), Point_3(-1, 2, -1),
+                        Point_3(1, 0, -1), Point_3(1, 1, 1), Point_3(1, 2, 1)})
+    soup.points.push_back(p);
+  for (const auto& t : std::vector<std::array<std::size_t, 3>>{{3, 0, 4}, {0, 1, 4}, {4, 1, 5}, {1, 2, 5}, {0, 6, 1}, {6, 7, 1}, {1, 7, 2}, {7, 8, 2}})
+    soup.add_triangle(t);
+  const Generated_mesh<test::Surface_mesh> data(soup);
+  const auto edge_between = [&](std::size_t a, std::size_t b) {
+    return data.mesh.edge(data.mesh.halfedge(data.vertices[a], data.vertices[b]));
+  };
+  for (const double up : {1., -1.})
+  {
+    Geodesic geodesic(data.mesh);
+    const Plane_3 plane(0, 0, up, 0);
+    const auto section = geodesic.plane_section(plane);
+    CHECK(section.touched_edges == std::vector<Surface_mesh::Edge_index>{edge_between(0, 1)});
+    CHECK(section.touched_vertices.empty());
+    // from the border along the ridge, and across the slope; they meet at vertex 1
+    CHECK(section.polylines.size() == 1);
+    CHECK(geodesic.add_source_plane_section(plane) == (std::vector<std::size_t>{0, 1}));
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const auto middle = [&](std::size_t triangle) { return Geodesic::Face_location(data.faces[triangle], {1. / 3, 1. / 3, 1. / 3}); };
+    const auto side_of = [&](std::size_t triangle) { return geodesic.nearest_source(middle(triangle))->side; };
+    CHECK(side_of(1) == CGAL::Source_side::NONE && side_of(4) == CGAL::Source_side::NONE);
+    CHECK(side_of(3) == (up > 0 ? CGAL::Source_side::RIGHT : CGAL::Source_side::LEFT));
+    CHECK(side_of(6) == (up > 0 ? CGAL::Source_side::LEFT : CGAL::Source_side::RIGHT));
+    CHECK(std::isnan(geodesic.signed_distance_to_sources(middle(1))));
+    CHECK(up * geodesic.signed_distance_to_sources(middle(3)) > 0 && up * geodesic.signed_distance_to_sources(middle(6)) < 0);
+  }
+}
+
+// A bounded run of the search (benchmark/Surface_mesh_geodesic_offset/Robustness/section_search.cpp runs it at length).
+void search()
+{
+  Section_search search(std::cout, 20, 10);
+  for (unsigned seed = 1; seed <= 150; ++seed) search.run(seed);
+  CHECK(search.counts().size() == 8);
+  std::size_t touched_edges = 0, faces = 0, signs = 0;
+  for (const auto& c : search.counts())
+  {
+    CHECK_DETAIL(c.second.wrong == 0, c.first + ": " + std::to_string(c.second.wrong) + " wrong planes");
+    touched_edges += c.second.touched_edges;
+    faces += c.second.faces_in_plane;
+    signs += c.second.signs;
+  }
+  CHECK(touched_edges > 100 && faces > 100 && signs > 1000);
 }
 
 // A section through a flat mesh: distances are those from a line.
@@ -340,6 +393,8 @@ GEODESIC_OFFSET_TEST(test_plane_section)
     {"generated, Polyhedron_3", generated<CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>},
     {data_case, data_meshes},
     {"special positions", special_positions<test::Surface_mesh>},
+    {"touched edges", touched_edges},
+    {"search", search},
     {"distances to a line", distances_to_a_line},
     {"cartesian doubles", [] { other_kernel<CGAL::Simple_cartesian<double>>(0); }},
     {"cartesian floats", [] { other_kernel<CGAL::Simple_cartesian<float>>(1e-5); }},

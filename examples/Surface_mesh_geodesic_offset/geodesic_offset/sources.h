@@ -294,7 +294,7 @@ private:
     auto section = m_geodesic.plane_section(Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]));
     const std::string name = "--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
                              short_number(plane[2]) + ',' + short_number(plane[3]);
-    if(section.polylines.empty() && section.touched_vertices.empty())
+    if(section.polylines.empty() && section.touched_edges.empty() && section.touched_vertices.empty())
       throw Input_error(name + (section.number_of_faces_in_plane == 0 ? " misses " + quoted(mesh_file)
                                                 : " contains all of " + quoted(mesh_file)));
     if(section.number_of_faces_in_plane != 0)
@@ -302,6 +302,8 @@ private:
                           " in the plane of a section: the border of this part of the surface is the source");
     for(Surface_polyline& polyline : section.polylines)
       add(std::move(polyline), name + " on " + quoted(mesh_file));
+    if(!section.touched_edges.empty())
+      m_edges.push_back(std::move(section.touched_edges));
     m_vertices.insert(m_vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
   }
 

@@ -15,8 +15,9 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief describes the nearest source of a point of the surface, and the nearest point of that source. If there are several,
-one of them.
+\brief describes the nearest source of a point of the surface, and the nearest point of that source: the end of the path that
+`shortest_path_to_sources()` writes. If several sources are equally near up to rounding, one of them; all queries at the point choose
+the same one, see \ref SurfaceMeshGeodesicOffsetUseQueries.
 
 \tparam FT_ a number type
 \tparam FaceLocation the type of locations
@@ -27,10 +28,12 @@ struct Geodesic_nearest_source
   std::size_t source;    ///< id of the source, as returned when it was added
   std::size_t part;      ///< index of the point, or of the segment, within the source; for a set of edges: index of the edge
                          ///< in the range, or index of the vertex
-  bool is_segment;       ///< whether the nearest point lies inside a segment (or an edge), and not at one of its ends
-  Source_side side;      ///< side of the source from which the shortest path starts
+  bool is_segment;       ///< whether the path meets a segment (or an edge), at a right angle; the nearest point may be an end of it.
+                         ///< Otherwise the nearest point is a point, or an end or a corner that the path reaches at another angle
+  Source_side side;      ///< side of the source from which the shortest path starts: `NONE` for points and sets of edges, `CAP` for
+                         ///< ends of open polylines, `LEFT` or `RIGHT` for their segments and corners. Without meaning at distance 0
   FT_ distance;          ///< length of the shortest path
-  FaceLocation location; ///< the nearest point of the source
+  FaceLocation location; ///< the nearest point of the source, on the part
 };
 
 } // namespace CGAL

@@ -28,19 +28,29 @@ struct Geodesic_polyline
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief represents the section of a mesh by a plane.
+\brief represents the section of a mesh by a plane: curves with sides, and edges and vertices that the plane only touches.
+
+Planes with opposite normals have the same section, with polylines in opposite directions.
 
 \tparam FaceLocation the type of locations
 \tparam VertexDescriptor the type of vertices
+\tparam EdgeDescriptor the type of edges
 */
-template <class FaceLocation, class VertexDescriptor>
+template <class FaceLocation, class VertexDescriptor, class EdgeDescriptor>
 struct Geodesic_plane_section
 {
-  /// the curves of the section. The positive side of the plane is on their left where the surface passes through the plane.
-  /// A polyline ends at the boundary of the surface, or where several of them meet.
+  /// the curves of the section, with the positive side of the plane on their left and the negative side on their right. One of
+  /// the two may be missing: along faces within the plane, and along the boundary of the surface. A polyline ends at the
+  /// boundary, where several polylines meet, and where faces within the plane have the positive side of it and the negative
+  /// side in turn.
   std::vector<Geodesic_polyline<FaceLocation>> polylines;
-  std::vector<VertexDescriptor> touched_vertices; ///< vertices where the plane only touches the surface
-  std::size_t number_of_faces_in_plane = 0;       ///< faces within the plane; the section has the border of their union instead
+
+  /// edges that the plane touches: both faces of the edge are on the same side of the plane; or one face is within the plane
+  /// and there is no other. They have no sides.
+  std::vector<EdgeDescriptor> touched_edges;
+
+  std::vector<VertexDescriptor> touched_vertices; ///< vertices where the plane touches the surface, and no edge there
+  std::size_t number_of_faces_in_plane = 0; ///< faces within the plane; the section has the border of their union instead
 };
 
 } // namespace CGAL

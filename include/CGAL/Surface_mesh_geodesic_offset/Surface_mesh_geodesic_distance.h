@@ -249,14 +249,16 @@ public:
   /// the distance, rounded to `double`, with a sign: negative on the left of polylines, which is the inside of
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
   /// `covered_distance()`. Not a number if the nearest source is a point or a set of edges, which have no sides, or if the
-  /// nearest point is an end of an open polyline.
+  /// nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build had
+  /// a tolerance.
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
-    const Path_start start = start_at(classified(location));
+    const Located_point p = classified(location);
+    const Path_start start = start_at(p);
     const double d = CGAL::to_double(start.distance);
     if (d == 0 || !start.is_reached()) return d;
-    switch (start.root.side())
+    switch (built().is_approximate() ? start.root.side() : end_of(p, start).root.side())
     {
     case Source_side::LEFT: return -d;
     case Source_side::RIGHT: return d;
@@ -273,23 +275,27 @@ public:
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
-    Geodesic_offset::internal::Path_end<Number> end;
-    const auto& primitive = built().initial.primitives[trace(p, start, end)];
+    const auto end = end_of(p, start);
+    const auto& primitive = built().initial.primitives[end.root.primitive()];
+    const bool is_there = CGAL::is_zero(start.distance);
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          start.root.side(), Surface::exported(start.distance), surface().location(end.point)};
+                          end.root.side(), Surface::exported(start.distance),
+                          is_there ? surface().location(p) : surface().location(end.point)};
   }
 
   /// the gradient of the distance: the unit vector opposite to the direction in which the shortest path to the nearest source
   /// starts, in the plane of the face in which the path starts. The null vector at sources and at points that have no
-  /// distance. If there are several shortest paths, the gradient is that of one of them.
+  /// distance, and where the distance is so small that rounding leaves no direction. If there are several shortest paths, the
+  /// gradient is that of the path which `shortest_path_to_sources()` writes.
   template <class Location>
   Vector_3 gradient(const Location& location) const
   {
     const Path_start start = start_at(classified(location));
     if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
       return CGAL::NULL_VECTOR;
-    const auto way = start.from - start.to;
-    return surface().vector(start.halfedge, (Number(1) / length(way)) * way);
+    const Number size = length(start.direction);
+    if (CGAL::is_zero(size)) return CGAL::NULL_VECTOR;
+    return surface().vector(start.halfedge, (Number(-1) / size) * start.direction);
   }
 
   /// writes the distances of all vertices to a map.
@@ -365,8 +371,8 @@ public:
   /// \name Shortest Paths
   /// A path from a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source consists of the point
   /// itself, a point on each edge that it crosses, the vertices through which it passes, and the source point. It is empty if
-  /// the point has no distance, and only the point if the point lies on a source. Two consecutive points have a face in
-  /// common. The time is linear in the number of points, and the exceptions are those of the queries. The straight parts from
+  /// the point has no distance, and only the point if the point lies on a source. Two consecutive points are different and have a
+  /// face in common. The path ends at the nearest point of `nearest_source()`. The time is linear in the number of points, and the exceptions are those of the queries. The straight parts from
   /// vertex to vertex, which many paths have in common, are cached: in up to 264 bytes per vertex of the mesh for paths as
   /// points, and as many for the other forms.
   /// @{
@@ -483,12 +489,20 @@ protected:
     return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field);
   }
 
+  // Where the path from p ends, which starts as told.
+  Geodesic_offset::internal::Leg_end<Number> end_of(const Located_point& p, const Path_start& start) const
+  {
+    const Build& b = built();
+    Geodesic_offset::internal::No_path_output<Number> nothing;
+    return tracing(b)(p, start, b.legs, nothing);
+  }
+
   template <class P, class Function>
-  Index trace(const P& p, const Path_start& start, Function&& out) const
+  void trace(const P& p, const Path_start& start, Function&& out) const
   {
     const Build& b = built();
     Geodesic_offset::internal::Path_elements<Number, Function> elements(out);
-    return tracing(b)(p, start, b.legs, elements);
+    tracing(b)(p, start, b.legs, elements);
   }
 
   template <class Location, class Function>

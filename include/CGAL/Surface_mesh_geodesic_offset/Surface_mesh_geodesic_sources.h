@@ -98,7 +98,7 @@ public:
   /// a polyline on the surface
   typedef Geodesic_polyline<Face_location> Polyline;
   /// the result of `plane_section()`
-  typedef Geodesic_plane_section<Face_location, vertex_descriptor> Plane_section;
+  typedef Geodesic_plane_section<Face_location, vertex_descriptor, edge_descriptor> Plane_section;
 
 #ifdef DOXYGEN_RUNNING
   /// the vertex index map: `VertexIndexMap`, or the type that stands for `Default`
@@ -303,7 +303,8 @@ public:
     return out;
   }
 
-  /// adds the section of the mesh by a plane: each polyline of the section, and each vertex that the plane only touches.
+  /// adds the section of the mesh by a plane: each polyline of the section; the edges that the plane only touches, as one set of
+  /// edges, which has no sides; and each vertex that the plane only touches.
   /// \return the ids of these sources, in this order; no ids if the plane misses the mesh.
   /// \throws std::invalid_argument as `plane_section()` does.
   std::vector<std::size_t> add_source_plane_section(const Plane_3& plane)
@@ -312,6 +313,7 @@ public:
     std::vector<std::size_t> ids;
     for (const auto& polyline : section.polylines)
       ids.push_back(add_source_polyline(polyline.locations, polyline.is_closed));
+    if (!section.touched_edges.empty()) ids.push_back(add_source_edges(section.touched_edges));
     for (const vertex_descriptor v : section.touched_vertices) ids.push_back(add_source_point(v));
     return ids;
   }
@@ -407,9 +409,10 @@ public:
     Polyline polyline;
     std::optional<Located_point> last;
     std::size_t i = 0;
-    const auto add = [&](const Face_location& l) {
+    const auto add = [&](const Face_location& given) {
       auto& path = polyline.locations;
-      const Located_point p = classified(l);
+      const Located_point p = classified(given);
+      const Face_location l = snapped(given, p);
       if (last && surface().point(path.back()) == surface().point(l)) return;
       if (last && !join(*last, p, path))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no path on the surface to point " +
@@ -477,6 +480,14 @@ protected:
   Source_set m_sources;
 
 private:
+  // The location of a classified point, exactly on the edge or at the vertex; the given one if it is there already.
+  Face_location snapped(const Face_location& given, const Located_point& p) const
+  {
+    const auto zeros = std::count(given.second.begin(), given.second.end(), FT(0));
+    const int needed = p.kind == Surface_point::VERTEX ? 2 : p.kind == Surface_point::EDGE ? 1 : 0;
+    return zeros == needed ? given : surface().location(p);
+  }
+
   // Those that have a face on the other side of the border.
   std::vector<edge_descriptor> edges_of_cycle(halfedge_descriptor border) const
   {

@@ -94,10 +94,12 @@ public:
     return list;
   }
 
-  // The root of a path that leads to v, in place of one with the root `known` that is as long.
+  // The root of a path that leads to v, in place of one with the root `known` that is as long: corners of polylines are on both
+  // sides of them.
   Root root_by_way_of(Index v, Root known) const
   {
-    return CGAL::is_zero(distance[v]) ? Root::to_vertex(root[v], known) : root[v];
+    const bool is_corner = CGAL::is_zero(distance[v]) && root[v].is_lateral();
+    return is_corner && known.is_valid() && known.is_lateral() ? Root(root[v].primitive(), known.side()) : root[v];
   }
 
   // Calls f(window) for each window that is final on a halfedge, in order.

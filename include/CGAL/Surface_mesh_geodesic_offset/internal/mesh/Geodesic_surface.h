@@ -42,6 +42,7 @@ struct Geodesic_surface
   typedef boost::graph_traits<Triangle_mesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef std::array<FT, 3> Barycentric_coordinates;
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;

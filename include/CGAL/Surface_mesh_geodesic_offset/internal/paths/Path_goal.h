@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a straight way leads that a shortest path begins with, and whether it has got there.
+// Where a straight way leads that a shortest path begins with, whether it has got there, and on which part of the source it ends.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOAL_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOAL_H
@@ -30,7 +30,8 @@ public:
 
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
-  // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment.
+  // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment. `end` has the
+  // point, and the root if that is known already.
   struct Goal
   {
     Index vertex = no_index, face = no_index, other_face = no_index;
@@ -52,7 +53,7 @@ public:
     const Surface_point_& place = m_initial.places[primitive].first;
     if (goal.vertex == no_index)
     {
-      goal.end = {place, primitive};
+      goal.end = {place, start.root};
       if (m_initial.primitives[primitive].is_segment) return goal;
       if (place.kind == Surface_point_::VERTEX)
         goal.vertex = place.element;
@@ -65,9 +66,20 @@ public:
       }
     }
     else
-      goal.end = at_vertex(goal.vertex);
+      goal.end = {Surface_point_::at_vertex(goal.vertex), Root()};
     return goal;
   }
+
+  // Whether a path with the given root may go by a vertex, or end there: if the vertex's own path has the same source and side, or
+  // the vertex is a point of the source. Where several sources tie at the vertex, the path goes on to its own.
+  bool may_lead_by(Index v, Root root) const
+  {
+    if (is_source(v) && is_at_vertex(root, v)) return true;
+    const Root other = m_field.root[v];
+    return other.is_valid() && source_of(other) == source_of(root) && (is_source(v) || other.side() == root.side());
+  }
+
+  bool is_source(Index v) const { return CGAL::is_zero(m_field.distance[v]); }
 
   // Whether the goal is a point of the face.
   bool is_in_face(const Goal& goal, Index face) const
@@ -103,58 +115,195 @@ public:
 
   FT distance_of(const Goal& goal) const
   {
-    return goal.end.primitive == no_index ? m_field.distance[goal.vertex] : FT(0);
+    return goal.end.is_at_source() ? FT(0) : m_field.distance[goal.vertex];
   }
 
-  End at_vertex(Index v) const
+  // Whether a point is at a vertex, up to the rounding by which points of users are put there.
+  bool is_at(const Surface_point_& p, Index v) const
   {
-    return {Surface_point_::at_vertex(v), CGAL::is_zero(m_field.distance[v]) ? m_field.root[v].primitive() : no_index};
+    if (p.kind == Surface_point_::VERTEX) return p.element == v;
+    const FT part = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+    if (p.kind == Surface_point_::EDGE)
+    {
+      const FT& size = m_mesh[p.element].length;
+      return (p.x <= part * size && m_mesh.source(p.element) == v) || (size - p.x <= part * size && m_mesh.target(p.element) == v);
+    }
+    const Face_frame<FT> frame(m_mesh, p.element);
+    for (int k = 0; k < 3; ++k)
+      if (m_mesh.source(3 * p.element + Index(k)) == v)
+        return length(Point{p.x, p.y} - frame.corner(k)) <= part * frame.edge_length(k);
+    return false;
   }
 
-  // A path to one segment may end at another one of the source: windows of segments in one line have become one.
-  // `extent`: of the largest face that was passed.
-  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, End& end) const
+  // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p in the frame
+  // of h.
+  End end_at_goal(const Goal& goal, Index h, const Point& p, const Path_start<FT>& start) const
+  {
+    return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, start);
+  }
+
+  // The end of a way to a corner of the face of h. The path ends there or goes on from there. If it ends there, the windows that
+  // start in the face know the side.
+  End end_at_vertex(Index v, Index h, const Point& p, const Path_start<FT>& start) const
+  {
+    if (!is_source(v)) return {Surface_point_::at_vertex(v), Root()};
+    const Index face = m_mesh.face(h);
+    const Face_frame<FT> frame(m_mesh, face);
+    const FT nearest = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
+    for (int k = 0; k < 3; ++k)
+    {
+      if (m_mesh.source(3 * face + Index(k)) != v) continue;
+      End_search search{start.root, Number_policy<FT>::infinity(), nearest, false};
+      find_end(frame, face, frame.from_halfedge(int(h % 3), p), frame.corner(k), search);
+      if (search.is_of_known_source() || (search.is_found() && !is_at_vertex(start.root, v)))
+        return {Surface_point_::at_vertex(v), search.end.root};
+    }
+    return end_at_source_vertex(v, start);
+  }
+
+  // The same if no face is known through which the way arrives, or none of its windows starts there. Corners of polylines are on both
+  // sides of them.
+  End end_at_source_vertex(Index v, const Path_start<FT>& start) const
+  {
+    End end{Surface_point_::at_vertex(v), m_field.root[v]};
+    if (is_at_vertex(start.root, v)) end.root = start.root;
+    else if (end.root.is_lateral() && start.root.is_lateral() && source_of(end.root) == source_of(start.root))
+      end.root = Root(end.root.primitive(), start.root.side());
+    return end;
+  }
+
+  // The part of a source that contains a point at distance zero, up to rounding; not valid if none is found in the faces of the
+  // point and those beside it.
+  Root root_at_source(const Surface_point_& p, const Path_start<FT>& start) const
+  {
+    if (p.kind == Surface_point_::VERTEX) return m_field.root[p.element];
+    for (const Index face : faces_of(m_mesh, p))
+    {
+      Point position;
+      unsigned edges;
+      position_in_face(m_mesh, p, face, position, edges);
+      const Face_frame<FT> frame(m_mesh, face);
+      const FT nearest = Number_policy<FT>::rounding(64) * frame.longest_edge();
+      End_search search{start.root, nearest, nearest, false};
+      find_end(frame, face, position, position, search);
+      // sources may touch the face at its boundary only
+      for (int k = 0; k < 3 && !search.is_found(); ++k)
+      {
+        const Index h = 3 * face + Index(k), g = m_mesh.twin(h);
+        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return m_field.root[m_mesh.source(h)];
+        if (g == no_index || frame.height(k, position) > nearest) continue;
+        const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
+        const Point there = beyond.from_halfedge(int(g % 3), frame.to_twin(k, position));
+        find_end(beyond, m_mesh.face(g), there, there, search);
+      }
+      if (search.is_found()) return search.end.root;
+    }
+    return Root();
+  }
+
+  // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
+  // Where it leads is known as exactly as its direction: the next segment, in the next face, may be meant. `has_missed`: the way
+  // has found no end as near as that; then any point of the source will do that is as near to its start.
+  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
     const Face_frame<FT> frame(m_mesh, face);
     const Point p = frame.from_halfedge(int(walk.halfedge() % 3), walk.position());
     const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
-    const FT longest = length(q - p) + Number_policy<FT>::rounding(256) * (start.distance + extent);
-    // as near to q as the direction is exact: the next segment, in the next face, may be meant
-    FT nearest = FT(nearby) * length(q - p) + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
-    const auto consider = [&](Index primitive) {
-      const Source_place<FT>& place = m_initial.places[primitive];
-      if (m_initial.source_of[primitive] != m_initial.source_of[start.root.primitive()] ||
-          !is_in_face(place.first, face) || !is_in_face(place.second, face))
-        return;
-      Surface_point_ point = place.first;
-      const Point foot = foot_in(face, frame, p, primitive, point);
-      if constexpr (Estimation<FT>::leaves_open)
-      {
-        const auto way = foot - p, straight = q - p, miss = foot - q;
-        const auto missed = estimate(dot(miss, miss));
-        if (CGAL::certainly(estimate(dot(way, way)) > estimate(dot(straight, straight))) ||
-            !CGAL::possibly(missed < CGAL::square(estimate(nearest))))
-          return;
-        nearest = Estimation<FT>::upper_cut(CGAL::sqrt(missed));
-      }
-      else
-      {
-        const FT miss = length(foot - q);
-        if (length(foot - p) > longest || !(miss < nearest)) return;
-        nearest = miss;
-      }
-      end = {point, primitive};
-    };
-    consider(start.root.primitive());
-    const auto local = local_windows(m_initial, face);
-    for (auto i = local.first; i != local.second; ++i) consider(i->window.root.primitive());
-    for (Index h = 3 * face; h < 3 * face + 3; ++h)
-      m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root.primitive()); });
-    return end.primitive != no_index;
+    const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
+    const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
+    End_search search{start.root, longest, nearest, true};
+    find_end(frame, face, p, q, search);
+    end = search.end;
+    return search.is_found();
   }
 
 private:
+  // The end of a straight way from p to q in a face: the source point that is nearest to q, no farther from q than `nearest` and
+  // from p than `longest`. Windows of segments in one line become one, and sources may coincide, so that several parts of sources
+  // may be there: a part whose rays reach p comes first, then one of the same source as the root of the way, then of the same
+  // side. `only_known_source`: parts of other sources do not count.
+  struct End_search
+  {
+    const Root known;
+    const FT longest, nearest;
+    const bool only_known_source;
+    int preference = -1;
+    End end{};
+
+    bool is_found() const { return preference >= 0; }
+    bool is_of_known_source() const { return preference >= RAYS_REACH_IT + KNOWN_SOURCE; }
+  };
+  enum End_preference
+  {
+    KNOWN_PRIMITIVE = 1,
+    KNOWN_SIDE = 2,
+    KNOWN_SOURCE = 4,
+    RAYS_REACH_IT = 8
+  };
+
+  void find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, End_search& search) const
+  {
+    typedef typename Estimation<FT>::Bound Bound;
+    const Bound limit = Estimation<FT>::upper_bound(estimate(search.nearest));
+    const FT allowance = Number_policy<FT>::rounding(64) * frame.longest_edge();
+    // Calls f(root, foot, its distance from q, whether rays of the root reach p).
+    const auto for_each_candidate = [&](const auto& f) {
+      const auto consider = [&](Root root, const Face_window<FT>* window) {
+        const Source_place<FT>& place = m_initial.places[root.primitive()];
+        if ((search.only_known_source && source_of(root) != source_of(search.known)) || !is_in_face(place.first, face) ||
+            !is_in_face(place.second, face))
+          return;
+        Surface_point_ point = place.first;
+        bool is_left = true, is_right = true;
+        const Point foot = foot_in(face, frame, p, root.primitive(), point, is_left, is_right);
+        const Point way = foot - p, miss = foot - q;
+        if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
+        const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
+        if (!(off <= limit)) return;
+        const bool reaches = window ? may_reach(*window, p, allowance)
+                             : root.side() == Source_side::LEFT  ? is_left
+                             : root.side() == Source_side::RIGHT ? is_right
+                                                                 : true;
+        f(root, point, off, reaches);
+      };
+      const auto local = local_windows(m_initial, face);
+      for (auto i = local.first; i != local.second; ++i) consider(i->window.root, &i->window);
+      for (Index h = 3 * face; h < 3 * face + 3; ++h)
+        m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root, nullptr); });
+    };
+    Bound least = limit;
+    for_each_candidate([&](Root, const Surface_point_&, const Bound& off, bool) { least = (std::min)(least, off); });
+    const Bound tied = least + Estimation<FT>::upper_bound(estimate(allowance));
+    for_each_candidate([&](Root root, const Surface_point_& point, const Bound& off, bool reaches) {
+      const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(root) == source_of(search.known) ? KNOWN_SOURCE : 0) +
+                             (root.side() == search.known.side() ? KNOWN_SIDE : 0) +
+                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0);
+      if (!(off <= tied) || preference <= search.preference) return;
+      search.preference = preference;
+      search.end = {point, root};
+    });
+  }
+
+  // Whether rays of a window reach p, up to a distance; if numbers are exact, by estimates.
+  static bool may_reach(const Face_window<FT>& w, const Point& p, const FT& allowance)
+  {
+    if constexpr (Estimation<FT>::leaves_open)
+      return CGAL::possibly(estimate(w.left_side(p)) <= 0) && CGAL::possibly(estimate(w.right_side(p)) >= 0) &&
+             (!w.is_parallel() || CGAL::possibly(estimate(w.distance_at(p)) >= 0));
+    else return w.contains(p, allowance);
+  }
+
+  Index source_of(Root root) const { return m_initial.source_of[root.primitive()]; }
+
+  // Whether a root is a point at a vertex, or a segment with an end there.
+  bool is_at_vertex(Root root, Index v) const
+  {
+    const Source_place<FT>& place = m_initial.places[root.primitive()];
+    const auto is_there = [v](const Surface_point_& p) { return p.kind == Surface_point_::VERTEX && p.element == v; };
+    return is_there(place.first) || is_there(place.second);
+  }
+
   bool is_in_face(const Surface_point_& p, Index face) const
   {
     if (p.kind == Surface_point_::FACE) return p.element == face;
@@ -170,8 +319,10 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // The nearest point of a point or segment that lies in the face; p lies there, too.
-  Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest) const
+  // The nearest point of a point or segment that lies in the face, to a point p of the face; and whether p may be on the left and
+  // on the right of the segment.
+  Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest, bool& is_left,
+                bool& is_right) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
     Point a, b;
@@ -181,6 +332,9 @@ private:
     if (!m_initial.primitives[primitive].is_segment) return a;
     position_in_face(m_mesh, place.second, face, b, edges_of_b);
     const Point u = b - a;
+    const auto side = estimate(cross(u, p - a));
+    is_left = CGAL::possibly(side >= 0);
+    is_right = CGAL::possibly(side <= 0);
     const FT t = dot(p - a, u) / dot(u, u);
     if (!CGAL::is_positive(t)) return a;
     nearest = place.second;

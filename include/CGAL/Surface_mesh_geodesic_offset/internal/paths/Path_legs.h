@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <CGAL/assertions.h>
 
@@ -25,12 +26,14 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Where a straight way leads.
+// Where a straight way leads: to a vertex on the way, or to a source.
 template <class FT>
 struct Leg_end
 {
   Surface_point<FT> point;
-  Index primitive = no_index; // of the source that is reached; none at a vertex on the way
+  Root root; // the part of the source that is reached, and the side on which it is; not valid at a vertex on the way
+
+  bool is_at_source() const { return root.is_valid(); }
 };
 
 // What a way meets up to its end, as items that a path is made of. In one block with the array.

@@ -75,13 +75,23 @@ private:
   Passed_crossings<FT> m_passed;
 };
 
-// Keeps the point where a path ends.
+// Ignores the path: for its end alone.
 template <class FT>
-struct Path_end
+class No_path_output
 {
-  Surface_point<FT> point;
-  void operator()(const Surface_point<FT>& p) { point = p; }
-  void operator()(const Path_crossing<FT>&) {}
+public:
+  typedef Path_crossing<FT> Item;
+
+  template <class P>
+  void start(const P&)
+  {
+  }
+  Passed_crossings<FT>& passed() { return m_passed; }
+  void end_leg(const Leg_end<FT>&) {}
+  void append(const Item*, const Item*, const Leg_end<FT>&) {}
+
+private:
+  Passed_crossings<FT> m_passed;
 };
 
 // Tells a visitor, as that of Surface_mesh_shortest_path, what a path meets.

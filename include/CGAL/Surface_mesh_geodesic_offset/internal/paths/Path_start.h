@@ -18,17 +18,20 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A shortest path goes from `from` straight to `to`, in the frame of a halfedge of the face where it starts: up to the
-// pseudo-source, or to the source if there is none.
+// The decision from which all answers at a point are derived: by which window, or vertex, the shortest path starts. The path goes
+// from `from` straight to `to`, in the frame of a halfedge of the face where it starts: up to the pseudo-source, or to the source
+// if there is none. Path_tracing follows it to its end.
 template <class FT>
 struct Path_start
 {
   FT distance = Number_policy<FT>::infinity();
-  Root root;
+  Root root; // of the window: the source and the side; the end of the path tells the part of the source
   Index pseudo_source = no_index;
   Index halfedge = no_index; // none at a source and where the distance is infinite
   int exit = -1;             // the edge, counted from that halfedge, that the path leaves through, if it leaves the face
+  Index edge = no_index;     // a halfedge on which the point lies, if it lies inside an edge
   Point_in_face<FT> from, to;
+  Point_in_face<FT> direction; // of the path, of any length: beside a source `to` - `from` loses its digits
 
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
 };
@@ -67,6 +70,7 @@ public:
     start.exit = 1;
     const Point u{back.x, back.y};
     start.from = {FT(0), FT(0)};
+    start.direction = u;
     if constexpr (!Number_policy<FT>::is_inexact)
       if (dot(u, u) != FT(1))
       {
@@ -158,6 +162,7 @@ private:
   {
     if (!Number_policy<FT>::is_finite(n.distance)) return true;
     if (n.is_near_source) return false;
+    start.distance = n.distance;
     if (n.window != no_index && n.distance == n.straight)
     {
       const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.root);
@@ -167,8 +172,7 @@ private:
       start.halfedge = 3 * p.element + Index(n.halfedge);
       start.exit = 0;
       start.from = n.q[n.halfedge];
-      start.to = {w.x, w.y};
-      if (w.is_parallel()) start.to = start.from + n.distance * start.to;
+      set_goal(start, {w.x, w.y}, w.is_parallel());
     }
     else
     {
@@ -179,7 +183,6 @@ private:
         return false;
       lead_by_vertex(h, n.q[n.corner], start);
     }
-    start.distance = n.distance;
     return true;
   }
 
@@ -201,6 +204,7 @@ private:
   {
     Path_start<FT> start;
     start.distance = distance;
+    if (p.kind == Surface_point<FT>::EDGE) start.edge = p.element;
     if (!start.is_reached()) return start;
     Face_field<FT> field(m_mesh, m_initial, m_field);
     Choice choice;
@@ -221,10 +225,12 @@ private:
       const Index h = walk.edge(start.exit), beyond = m_mesh.twin(h);
       if (beyond != no_index && (h == p.element || beyond == p.element))
       {
+        const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
         walk.cross_over(start.exit, walk.crossing(start.exit));
         start.halfedge = beyond;
         start.from = walk.position();
         start.to = walk.goal();
+        start.direction = FT(-1) * frame.vector_to_halfedge(int(h % 3), start.direction);
         start.exit = walk.exit();
       }
     }
@@ -288,7 +294,14 @@ private:
     start.halfedge = h;
     start.exit = -1;
     start.from = from;
-    start.to = {FT(0), FT(0)};
+    set_goal(start, {FT(0), FT(0)}, false);
+  }
+
+  // The image of the window, from `from` and at the distance that are known.
+  static void set_goal(Path_start<FT>& start, const Point& image, bool is_parallel)
+  {
+    start.direction = is_parallel ? image : image - start.from;
+    start.to = is_parallel ? start.from + start.distance * image : image;
   }
 
   static void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w)
@@ -298,7 +311,7 @@ private:
     start.halfedge = 3 * face;
     start.exit = w.origin <= ENTERS_HALFEDGE_2 ? int(w.edge) : -1;
     start.from = p;
-    start.to = w.is_parallel() ? p + w.distance_at(p) * w.image() : w.image();
+    set_goal(start, w.image(), w.is_parallel());
   }
 
   const Unfolded_mesh<FT>& m_mesh;

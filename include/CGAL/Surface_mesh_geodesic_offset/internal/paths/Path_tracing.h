@@ -33,13 +33,16 @@ public:
   {
   }
 
+  typedef Leg_end<FT> End;
+
   // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
-  // Returns the primitive where it ends. Nothing if p is not reached.
+  // Returns where it ends: the point is that of p for a point of a source. Nothing if p is not reached.
   template <class Point_, class Legs, class Output>
-  Index operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out) const
+  End operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out) const
   {
-    if (!first.is_reached()) return no_index;
+    if (!first.is_reached()) return End();
     out.start(p);
+    if (!CGAL::is_positive(first.distance) || first.halfedge == no_index) return end_at_source(p, first);
     const Index limit = Index(m_mesh.number_of_vertices());
     Path_start<FT> further;
     auto& passed = out.passed();
@@ -49,7 +52,7 @@ public:
       if (const typename Legs::Leg* const leg = known_leg(legs, v))
       {
         out.append(leg->first_item(), leg->last_item(), leg->end());
-        if (leg->end().primitive != no_index) return leg->end().primitive;
+        if (leg->end().is_at_source()) return leg->end();
         v = leg->end().point.element;
         continue;
       }
@@ -64,10 +67,10 @@ public:
       if constexpr (Legs::keeps)
         if (v != no_index) legs.keep(v, passed, end, guard == 0);
       out.append(passed.data(), passed.data() + passed.size(), end);
-      if (end.primitive != no_index) return end.primitive;
+      if (end.is_at_source()) return end;
       v = end.point.element;
     }
-    return v == no_index ? first.root.primitive() : m_field.root[v].primitive();
+    return {Surface_point_::at_vertex(v), m_field.root[v]};
   }
 
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
@@ -88,13 +91,11 @@ public:
       if (walk.vertex(k) == next)
       {
         back = Way_back<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
-        if (root.primitive() != m_field.root[next].primitive()) root = m_field.root_by_way_of(next, root);
+        root = end.is_at_source() ? end.root : m_field.root[next];
       }
   }
 
 private:
-  typedef Leg_end<FT> End;
-
   // Whether a path from v that starts in the face of h is known not to lead to another corner of it, as most do not: at one
   // glance, and therefore with more allowance than where that is decided.
   bool starts_within_face(Index v, Index h) const
@@ -106,12 +107,29 @@ private:
            m_field.distance[previous.origin] + previous.length > limit;
   }
 
+  // The end of the path from a point of a source is the point itself.
+  End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
+  {
+    Root root = m_goals.root_at_source(p, start);
+    if (Number_policy<FT>::is_inexact && !root.is_valid() && start.halfedge != no_index)
+    { // the source is as near as rounding, and in faces that have a vertex in common with those of the point
+      Path_start<FT> way = start;
+      const Index h = start.halfedge;
+      way.to = way.from + (Number_policy<FT>::rounding(16) * m_mesh[h].length / length(way.direction)) * way.direction;
+      Passed_crossings<FT> passed;
+      root = follow(way, passed).root;
+    }
+    return {p, root.is_valid() ? root : start.root};
+  }
+
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
   struct Detour
   {
     FT length = Number_policy<FT>::infinity();
     Index vertex = no_index;
     std::size_t passed = 0;
+    Index halfedge = no_index; // of the face that has the vertex, and where the way is there, in the frame of the halfedge
+    Point position{FT(0), FT(0)};
   };
 
   static constexpr double nearby = Path_goals<FT>::nearby;
@@ -123,10 +141,24 @@ private:
     else return (void)legs, (void)v, nullptr;
   }
 
-  // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding: from there its own
-  // shortest path is as short as any. If the way misses where it should lead, it goes by the best vertex that it passes.
+  // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding and whose own shortest path
+  // has the same source and side. If the way misses where it should lead, it goes by the best vertex that it passes, of any source.
   template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
+  {
+    Index last_vertex = no_index; // the last that was passed, if it is a vertex
+    End end = follow(start, passed, has_missed, last_vertex);
+    if (last_vertex != no_index && m_goals.is_at(end.point, last_vertex))
+    {
+      CGAL_assertion(!passed.empty());
+      end.point = Surface_point_::at_vertex(last_vertex);
+      passed.pop_back();
+    }
+    return end;
+  }
+
+  template <class Passed>
+  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Index& last_vertex) const
   {
     const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
@@ -134,7 +166,8 @@ private:
     Point from = start.from, to = start.to;
     bool is_under_way = false;
     // not with exact numbers, of which strips make long expressions
-    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !m_goals.is_in_face(goal, m_mesh.face(h)))
+    if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_one_edge(exit_of(start), start.edge) &&
+        !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
       Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
@@ -144,7 +177,7 @@ private:
       {
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
             strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
-          return goal.end;
+          return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), start);
         h = strip.halfedge();
         from = strip.position();
         to = strip.goal();
@@ -153,7 +186,8 @@ private:
     Straight_walk<FT> walk(m_mesh, h, from, to);
     int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
-    Index last_vertex = no_index;
+    const auto end_at_goal = [&] { return m_goals.end_at_goal(goal, walk.halfedge(), walk.position(), start); };
+    const auto end_at_corner = [&](int k) { return m_goals.end_at_vertex(walk.vertex(k), walk.halfedge(), walk.position(), start); };
     FT extent = walk.extent(); // of the largest face that was passed, whose rounding the way has
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
@@ -163,11 +197,11 @@ private:
       FT last;
       if (m_goals.is_in_sight(goal, walk, is_first, last))
       {
-        if constexpr (!Number_policy<FT>::is_inexact) return goal.end;
+        if constexpr (!Number_policy<FT>::is_inexact) return end_at_goal();
         const FT left = length(walk.goal() - walk.position());
         const FT rounding = Number_policy<FT>::rounding(256) * start.distance + Number_policy<FT>::rounding(16) * extent;
         if (last <= left + rounding || (has_missed && reach - left + last + m_goals.distance_of(goal) <= detour.length))
-          return goal.end;
+          return end_at_goal();
         break;
       }
       if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
@@ -175,7 +209,7 @@ private:
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, end)) return end;
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, has_missed, end)) return end;
         if (crossing.goal.y < -beside) break;
       }
       const Index beyond = walk.beyond(exit);
@@ -185,56 +219,75 @@ private:
         const int source = exit, target = (exit + 1) % 3;
         const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(target) - walk.corner(source)));
         for (int k : {ahead ? target : source, ahead ? source : target})
-          if (passes(walk, k, crossing, start)) return m_goals.at_vertex(walk.vertex(k));
+          if (passes(walk, k, crossing, start, goal, has_missed)) return end_at_corner(k);
       }
-      else if (passes(walk, 2, crossing, start))
-        return m_goals.at_vertex(walk.vertex(2));
+      else if (passes(walk, 2, crossing, start, goal, has_missed))
+        return end_at_corner(2);
       if (beyond == no_index) break;
       // vertices in the way that the path passes by, but not as closely as to start from there anew
       const FT rounding = (Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0)) * crossing.length;
       const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
-      if (v == no_index)
-        passed.push_back(
-          passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
-      else if (v != last_vertex)
-        passed.push_back(passed.item({no_index, v, v, FT(0)}));
-      last_vertex = v;
+      if (is_one_edge(beyond, start.edge) && is_first)
+        last_vertex = no_index; // rounding crosses the edge that the path starts from
+      else
+      {
+        if (v == no_index)
+          passed.push_back(
+            passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
+        else if (v != last_vertex)
+          passed.push_back(passed.item({no_index, v, v, FT(0)}));
+        last_vertex = v;
+      }
       walk.cross_over(exit, crossing);
       extent = (std::max)(extent, walk.extent());
     }
     if (!has_missed)
     {
       passed.clear();
-      return follow(start, passed, true);
+      last_vertex = no_index;
+      return follow(start, passed, true, last_vertex);
     }
     if (detour.vertex != no_index)
     {
       passed.resize(detour.passed);
-      return m_goals.at_vertex(detour.vertex);
+      last_vertex = no_index;
+      return m_goals.end_at_vertex(detour.vertex, detour.halfedge, detour.position, start);
     }
+    if (goal.vertex != no_index && !goal.end.is_at_source() && m_goals.is_source(goal.vertex))
+      return m_goals.end_at_source_vertex(goal.vertex, start);
     return goal.end;
   }
 
+  Index exit_of(const Path_start<FT>& start) const
+  {
+    return m_mesh.face(start.halfedge) * 3 + (start.halfedge % 3 + Index(start.exit)) % 3;
+  }
+
+  bool is_one_edge(Index g, Index h) const { return h != no_index && (g == h || m_mesh.twin(h) == g); }
+
   // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on; if
-  // numbers are exact, whether it meets the corner.
+  // numbers are exact, whether it meets the corner. Of the same source and side, unless the walk has missed its goal.
   bool passes(const Straight_walk<FT>& walk, int k, const typename Straight_walk<FT>::Crossing& crossing,
-              const Path_start<FT>& start) const
+              const Path_start<FT>& start, const typename Path_goals<FT>::Goal& goal, bool has_missed) const
   {
     const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
     const FT off = walk.side(k);
+    const Index v = walk.vertex(k);
     if constexpr (!Number_policy<FT>::is_inexact)
       return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
-             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal);
+             dot(to_vertex, to_vertex) <= dot(to_goal, to_goal) &&
+             (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
     if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
       return false;
-    const FT& d = m_field.distance[walk.vertex(k)];
+    const FT& d = m_field.distance[v];
     const FT straight_on = length(to_goal);
     const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
-    return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance;
+    return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance &&
+           (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
   }
 
   void look_for_detour(const Straight_walk<FT>& walk, bool is_first, const Path_start<FT>& start, const FT& reach,
@@ -246,7 +299,7 @@ private:
       const FT to_vertex = length(walk.corner(k) - walk.position());
       const FT& d = m_field.distance[walk.vertex(k)];
       const FT way = so_far + to_vertex + d;
-      if (way < detour.length && d < start.distance) detour = {way, walk.vertex(k), passed};
+      if (way < detour.length && d < start.distance) detour = {way, walk.vertex(k), passed, walk.halfedge(), walk.position()};
     }
   }
 

@@ -1,8 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The section of the mesh by a plane. On which side of it a vertex lies is asked for once, and of the kernel. So the section
+// The section of the mesh by a plane. The kernel decides once for each vertex on which side of the plane it lies. So the section
 // runs from face to face without gaps wherever the plane is; only the places of its points on the edges are rounded.
+//
+// A segment of the section has a direction if the surface is higher on one of its sides than on the other, by the order
+// negative, in the plane, positive; where the surface ends, it counts as in the plane. The higher side is on the left. Polylines
+// consist of such segments, from head to tail. Edges with both sides alike are touched edges, without a direction.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
@@ -18,7 +22,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -37,11 +40,12 @@ class Plane_cutting
   typedef typename Surface::Face_location Face_location;
 
 public:
-  typedef Geodesic_plane_section<Face_location, typename Surface::vertex_descriptor> Section;
+  typedef Geodesic_plane_section<Face_location, typename Surface::vertex_descriptor, typename Surface::edge_descriptor>
+    Section;
 
   Plane_cutting(const Surface& surface, const Plane_3& plane)
     : m_surface(surface), m_mesh(surface.unfolded), m_plane(plane), m_side(m_mesh.number_of_vertices(), 0),
-      m_is_inside(m_mesh.number_of_vertices(), 0)
+      m_has_more(m_mesh.number_of_vertices(), 0)
   {
   }
 
@@ -54,9 +58,9 @@ public:
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
       if (m_mesh.source(3 * f) != no_index) section.number_of_faces_in_plane += cut(f);
     for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      if (m_mesh.source(h) != no_index && h == edge(h)) take_edge_in_plane(h);
+      if (m_mesh.source(h) != no_index && h == first_of_edge(h)) add_edge_in_plane(h, section.touched_edges);
     for (Index v = 0; v < m_side.size(); ++v)
-      if (m_mesh.corner(v) != no_index && m_side[v] == 0 && !m_is_inside[v] && m_node_of_vertex.count(v) == 0)
+      if (m_mesh.corner(v) != no_index && m_side[v] == 0 && !m_has_more[v])
         section.touched_vertices.push_back(m_surface.vertex_of[v]);
     chain(section.polylines);
     return section;
@@ -67,11 +71,18 @@ private:
   struct Node
   {
     Face_location location;
-    std::vector<std::size_t> segments;
+    std::vector<std::size_t> in, out; // segments that end here, and that start here
+
+    bool is_passed() const { return in.size() == 1 && out.size() == 1; }
   };
 
-  // One halfedge of each edge.
-  Index edge(Index h) const { return (std::min)(h, m_mesh.twin(h)); }
+  struct Segment
+  {
+    std::size_t from, to; // nodes
+  };
+
+  // One halfedge per edge.
+  Index first_of_edge(Index h) const { return (std::min)(h, m_mesh.twin(h)); }
 
   int side_of_source(Index h) const { return m_side[m_mesh.source(h)]; }
   int side_of_target(Index h) const { return m_side[m_mesh.target(h)]; }
@@ -88,11 +99,11 @@ private:
       zeros += s == 0;
       if (s * t >= 0) continue;
       if (ends.empty()) is_down = s > 0;
-      ends.push_back(node_on_edge(edge(h)));
+      ends.push_back(node_on_edge(first_of_edge(h)));
     }
     if (zeros == 3)
     {
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_is_inside[m_mesh.source(h)] = 1;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) m_has_more[m_mesh.source(h)] = 1;
       return 1;
     }
     if (ends.size() == 1)
@@ -104,27 +115,31 @@ private:
   }
 
   // An edge in the plane belongs to the section unless it lies inside a part of the surface that is in the plane.
-  void take_edge_in_plane(Index h)
+  template <class Edges>
+  void add_edge_in_plane(Index h, Edges& touched)
   {
     if (side_of_source(h) != 0 || side_of_target(h) != 0) return;
-    const Index g = m_mesh.twin(h);
+    const Index g = m_mesh.twin(h), from = m_mesh.source(h), to = m_mesh.target(h);
     const int left = m_side[m_mesh.apex(h)], right = g == no_index ? 0 : m_side[m_mesh.apex(g)];
-    if (left == 0 && right == 0 && g != no_index) return;
-    const Index from = m_mesh.source(h), to = m_mesh.target(h);
-    add_segment(node_at_vertex(left >= right ? from : to), node_at_vertex(left >= right ? to : from));
+    if (left > right) return add_segment(node_at_vertex(from), node_at_vertex(to));
+    if (left < right) return add_segment(node_at_vertex(to), node_at_vertex(from));
+    if (left == 0 && g != no_index) return;
+    m_has_more[from] = m_has_more[to] = 1;
+    touched.push_back(edge(m_surface.halfedge_of(h), m_surface.tm));
   }
 
   std::size_t node_at_vertex(Index v)
   {
     const auto [it, is_new] = m_node_of_vertex.emplace(v, m_nodes.size());
-    if (is_new) m_nodes.push_back({m_surface.location(Surface_point<Number>::at_vertex(v)), {}});
+    if (is_new) m_nodes.push_back({m_surface.location(Surface_point<Number>::at_vertex(v)), {}, {}});
+    m_has_more[v] = 1;
     return it->second;
   }
 
   std::size_t node_on_edge(Index h)
   {
     const auto [it, is_new] = m_node_of_edge.emplace(h, m_nodes.size());
-    if (is_new) m_nodes.push_back({m_surface.location_on(h, part_of(h)), {}});
+    if (is_new) m_nodes.push_back({m_surface.location_on(h, part_of(h)), {}, {}});
     return it->second;
   }
 
@@ -157,53 +172,53 @@ private:
            Exact(m_plane.d());
   }
 
-  void add_segment(std::size_t a, std::size_t b)
+  void add_segment(std::size_t from, std::size_t to)
   {
-    CGAL_precondition(a != b);
-    m_nodes[a].segments.push_back(m_segments.size());
-    m_nodes[b].segments.push_back(m_segments.size());
-    m_segments.push_back({a, b});
+    CGAL_precondition(from != to);
+    m_nodes[from].out.push_back(m_segments.size());
+    m_nodes[to].in.push_back(m_segments.size());
+    m_segments.push_back({from, to});
   }
 
-  // Polylines from ends, or where several meet, to others; then the closed ones that remain.
+  // Polylines between nodes where one ends, or where several meet; then the closed ones that remain.
   void chain(std::vector<Geodesic_polyline<Face_location>>& polylines) const
   {
     std::vector<char> is_used(m_segments.size(), 0);
-    for (std::size_t n = 0; n < m_nodes.size(); ++n)
-      if (m_nodes[n].segments.size() != 2)
-        for (std::size_t s : m_nodes[n].segments)
-          if (!is_used[s]) polylines.push_back(walk(n, s, is_used));
+    for (const Node& n : m_nodes)
+      if (!n.is_passed())
+        for (std::size_t s : n.out) polylines.push_back(walk(s, is_used));
     for (std::size_t s = 0; s < m_segments.size(); ++s)
-      if (!is_used[s]) polylines.push_back(walk(m_segments[s][0], s, is_used));
+      if (!is_used[s]) polylines.push_back(walk(s, is_used));
   }
 
-  Geodesic_polyline<Face_location> walk(std::size_t first, std::size_t segment, std::vector<char>& is_used) const
+  Geodesic_polyline<Face_location> walk(std::size_t segment, std::vector<char>& is_used) const
   {
     Geodesic_polyline<Face_location> polyline;
-    const bool is_backward = m_segments[segment][0] != first;
-    std::size_t node = first;
-    while (true)
+    const std::size_t first = m_segments[segment].from;
+    for (;;)
     {
-      polyline.locations.push_back(m_nodes[node].location);
+      CGAL_assertion(!is_used[segment]);
       is_used[segment] = 1;
-      node = m_segments[segment][m_segments[segment][0] == node ? 1 : 0];
-      const std::vector<std::size_t>& there = m_nodes[node].segments;
-      if (node == first || there.size() != 2) break;
-      segment = there[there[0] == segment ? 1 : 0];
+      polyline.locations.push_back(m_nodes[m_segments[segment].from].location);
+      const std::size_t n = m_segments[segment].to;
+      polyline.is_closed = n == first;
+      if (polyline.is_closed) return polyline;
+      if (!m_nodes[n].is_passed())
+      {
+        polyline.locations.push_back(m_nodes[n].location);
+        return polyline;
+      }
+      segment = m_nodes[n].out.front();
     }
-    polyline.is_closed = node == first;
-    if (!polyline.is_closed) polyline.locations.push_back(m_nodes[node].location);
-    if (is_backward) std::reverse(polyline.locations.begin(), polyline.locations.end());
-    return polyline;
   }
 
   const Surface& m_surface;
   const Unfolded_mesh<Number>& m_mesh;
   const Plane_3& m_plane;
   std::vector<signed char> m_side; // of the vertices
-  std::vector<char> m_is_inside;   // whether a face of the vertex is in the plane
+  std::vector<char> m_has_more;    // of the vertices: whether an edge or a face there belongs to the section, too
   std::vector<Node> m_nodes;
-  std::vector<std::array<std::size_t, 2>> m_segments; // between nodes
+  std::vector<Segment> m_segments;
   std::unordered_map<Index, std::size_t> m_node_of_edge, m_node_of_vertex;
 };
 

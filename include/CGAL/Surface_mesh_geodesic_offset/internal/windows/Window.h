@@ -41,14 +41,6 @@ struct Root
   bool is_valid() const { return value != no_index; }
   bool is_lateral() const { return side() == Source_side::LEFT || side() == Source_side::RIGHT; }
 
-  // That of a path which leads to a vertex of the source with the root `at_vertex`, instead of the path with the root
-  // `known` that is as long: vertices of polylines are on both sides of them.
-  static Root to_vertex(Root at_vertex, Root known)
-  {
-    const bool has_sides = at_vertex.side() != Source_side::NONE;
-    return has_sides && known.is_valid() && known.is_lateral() ? Root(at_vertex.primitive(), known.side()) : at_vertex;
-  }
-
   friend bool operator==(Root a, Root b) { return a.value == b.value; }
 };
 

@@ -1,0 +1,404 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A search for points whose answers do not agree: random meshes of many kinds with points, joined polylines, runs of collinear
+// segments and edges as sources, or with sources that overlap and coincide. See answer_checker.h for what is checked.
+
+#ifndef GEODESIC_OFFSET_TEST_ANSWER_SEARCH_H
+#define GEODESIC_OFFSET_TEST_ANSWER_SEARCH_H
+
+#include "answer_checker.h"
+#include "generated_curved_meshes.h"
+#include "generated_flat_meshes.h"
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// Results for the meshes of one kind.
+struct Answer_counts
+{
+  std::size_t meshes = 0, queries = 0, points = 0, wrong = 0, exceptions = 0, wrong_polylines = 0;
+  std::size_t faults[NUMBER_OF_ANSWER_FAULTS] = {};
+  double worst_length = 0, worst_relative_length = 0, worst_distance = 0;
+
+  std::size_t total_wrong() const { return wrong + exceptions + wrong_polylines; }
+};
+
+class Answer_search
+{
+public:
+  typedef Geodesic::Face_location Face_location;
+  typedef Surface_mesh::Vertex_index Vertex_index;
+  typedef Surface_mesh::Halfedge_index Halfedge_index;
+  typedef Surface_mesh::Face_index Face_index;
+
+  enum Sources { SPREAD, COINCIDING };
+
+  /// Up to `printed` faults are written to `log`; with `describes`, sources, query and path, too.
+  Answer_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources, bool describes = false)
+    : log_(log), printed_(printed), queries_(queries), kind_of_sources_(sources), describes_(describes)
+  {}
+
+  /// Runs the case that a seed determines: a mesh, its sources and its queries.
+  void run(unsigned seed)
+  {
+    random_.seed(seed);
+    for (int i = 0; i < 8; ++i) random_();
+    std::string kind;
+    bool is_flat = false;
+    const Soup soup = make_mesh(seed, kind, is_flat);
+    Answer_counts& counts = counts_[kind];
+    ++counts.meshes;
+    context_ = kind + ", seed " + std::to_string(seed);
+    const Generated_mesh<Surface_mesh> data(soup);
+    mesh_ = &data.mesh;
+    Answer_checker checker(data.mesh, is_flat);
+    checker_ = &checker;
+    try
+    {
+      run(counts);
+    }
+    catch (const std::exception& e)
+    {
+      ++counts.exceptions;
+      print(e.what());
+    }
+    counts.points += checker.number_of_points;
+    counts.worst_length = (std::max)(counts.worst_length, checker.worst_length);
+    counts.worst_relative_length = (std::max)(counts.worst_relative_length, checker.worst_relative_length);
+    counts.worst_distance = (std::max)(counts.worst_distance, checker.worst_distance);
+  }
+
+  const std::map<std::string, Answer_counts>& counts() const { return counts_; }
+
+private:
+  Soup make_mesh(unsigned seed, std::string& kind, bool& is_flat)
+  {
+    const auto flat = [&](const char* name, const Soup& soup) {
+      kind = name;
+      is_flat = true;
+      return soup;
+    };
+    const auto other = [&](const char* name, const Soup& soup) {
+      kind = name;
+      return soup;
+    };
+    const std::size_t size = uniform(random_) < 0.02 ? 6 : 1; // a few larger meshes
+    const std::size_t n = size * (1 + uniform_index(random_, 6)), m = size * (1 + uniform_index(random_, 5));
+    switch (uniform_index(random_, 17))
+    {
+    case 0: return flat("grids", planar_grid(n, m, uniform(random_) < 0.5 ? Diagonals::forward : Diagonals::random, 1, 0, seed));
+    case 1: return flat("union flags", planar_grid(n, m, Diagonals::alternating));
+    case 2: return flat("jittered grids", jittered_grid(n, m, seed));
+    case 3: return flat("rectangles", random_rectangle(uniform(random_, 0.5, 2), 1, uniform_index(random_, 25), n, seed));
+    case 4: return flat("needles", random_rectangle(1, std::pow(10, uniform(random_, -5, -1)), uniform_index(random_, 20), n, seed));
+    case 5: return other("cones", Cone(3 + n, uniform(random_, 2, 6), 1).triangulated(n, m - 1, seed));
+    case 6: return other("saddles", Cone(2 * (2 + n), uniform(random_, 6.5, 12), 1).triangulated(n, m - 1, seed));
+    case 7: return other("open cones", Cone(3 + n, uniform(random_, 3, 9), 1, true).triangulated(m, m - 1, seed));
+    case 8: return other("L shapes", l_shape(uniform_index(random_, 15), uniform_index(random_, 4), seed));
+    case 9: return other("boxes", box_sides(1, uniform(random_, 0.1, 1), uniform(random_, 0.1, 1)).triangulated(n, m - 1, seed));
+    case 10: return other("cubes", cube_grid(1 + uniform_index(random_, 3)));
+    case 11: return other("tetrahedra", tetrahedron_sides().triangulated(n, m - 1, seed));
+    case 12: return other("spheres", icosphere(uniform_index(random_, 2)));
+    case 13: return other("tori", rotated(torus(3 + n, 3 + m), seed));
+    case 14: return other("graded discs", graded_disc(6 + 4 * n, uniform(random_, 1, 5), uniform(random_, 0, 0.3), seed));
+    case 15: return other("prisms", Prism(3 + n, 1, uniform(random_, 0.5, 3)).triangulated(m, m - 1, seed));
+    default: return other("bent discs", bent(jittered_grid(n, m, seed)));
+    }
+  }
+
+  Soup bent(Soup soup)
+  {
+    for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), uniform(random_, -0.5, 0.5));
+    return soup;
+  }
+
+  std::array<double, 3> turned(double a, double b, double c)
+  {
+    std::array<double, 3> w = {a, b, c};
+    std::rotate(w.begin(), w.begin() + std::ptrdiff_t(uniform_index(random_, 3)), w.end());
+    return w;
+  }
+
+  Face_index face() { return Face_index(std::uint32_t(uniform_index(random_, num_faces(*mesh_)))); }
+
+  /// With coordinates that are multiples of 1/4: ties are frequent.
+  Face_location on_lattice()
+  {
+    const double a = double(uniform_index(random_, 5)), b = double(uniform_index(random_, std::size_t(5 - a)));
+    return Face_location(face(), turned(a / 4, b / 4, (4 - a - b) / 4));
+  }
+
+  /// Anywhere, but not nearer to an edge or a vertex than a thousandth of the face.
+  Face_location anywhere()
+  {
+    const double choice = uniform(random_);
+    if (choice < 0.2) return Face_location(face(), turned(1, 0, 0));
+    if (choice < 0.4)
+    {
+      const double t = uniform(random_, 1e-3, 1 - 1e-3);
+      return Face_location(face(), turned(t, 1 - t, 0));
+    }
+    const double a = uniform(random_, 1e-3, 1), b = uniform(random_, 1e-3, 1), c = uniform(random_, 1e-3, 1);
+    return Face_location(face(), turned(a / (a + b + c), b / (a + b + c), c / (a + b + c)));
+  }
+
+  Face_location any_location(double lattice) { return uniform(random_) < lattice ? on_lattice() : anywhere(); }
+
+  /// Beside a vertex or an edge by 1e-16 to 1e-6.
+  Face_location beside_boundary()
+  {
+    const double size = std::pow(10, uniform(random_, -16, -6));
+    if (uniform(random_) < 0.3)
+    {
+      const double t = uniform(random_, 0.05, 0.95);
+      return Face_location(face(), turned(size, t, 1 - t - size));
+    }
+    const double b = uniform(random_) < 0.2 ? 0 : size * uniform(random_);
+    return Face_location(face(), turned(size, b, 1 - size - b));
+  }
+
+  /// The part t of the way from one point of a segment to the other.
+  bool between(const Face_location& a, const Face_location& b, double t, Face_location& result) const
+  {
+    const Face_index f = checker_->locations().common_face(a, b);
+    Geodesic::Barycentric_coordinates u, v;
+    if (f == Surface_mesh::null_face() || !checker_->locations().express(a, f, u) || !checker_->locations().express(b, f, v)) return false;
+    result = Face_location(f, {0, 0, 0});
+    for (std::size_t k = 0; k < 3; ++k) result.second[k] = (1 - t) * u[k] + t * v[k];
+    return true;
+  }
+
+  Known_source point_source(const Face_location& l) const { return {Known_source::POINT, {l}, false, {}}; }
+
+  /// A polyline through the given locations, by shortest paths; `shortest`: segments are divided down to this part of them.
+  Known_source joined(Geodesic& geodesic, const std::vector<Face_location>& through, bool is_closed, double shortest,
+                      Answer_counts& counts)
+  {
+    const Geodesic::Polyline polyline = geodesic.join_polyline(through, is_closed);
+    if (checker_->repeats_points(polyline.locations, polyline.is_closed) || !checker_->is_connected(polyline.locations))
+    {
+      ++counts.wrong_polylines;
+      print("join_polyline repeats a point, or is not connected");
+    }
+    Known_source result{Known_source::POLYLINE, {}, polyline.is_closed, {}};
+    const auto& l = polyline.locations;
+    for (std::size_t i = 0; i < l.size(); ++i)
+    {
+      result.locations.push_back(l[i]);
+      Face_location inside;
+      if (shortest < 1 && i + 1 < l.size() && uniform(random_) < 0.5 &&
+          between(l[i], l[i + 1], uniform(random_) < 0.5 ? shortest : 1 - shortest, inside))
+        result.locations.push_back(inside);
+    }
+    return result;
+  }
+
+  std::vector<Surface_mesh::Edge_index> some_edges(std::size_t number)
+  {
+    std::vector<Surface_mesh::Edge_index> result;
+    for (std::size_t i = 0; i < number; ++i)
+      result.push_back(Surface_mesh::Edge_index(std::uint32_t(uniform_index(random_, num_edges(*mesh_)))));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  std::vector<Known_source> spread_sources(Geodesic& geodesic, Answer_counts& counts)
+  {
+    std::vector<Known_source> result;
+    const double lattice = uniform(random_) < 0.5 ? 0.8 : 0;
+    for (std::size_t i = 0, n = 1 + uniform_index(random_, 3); i < n; ++i)
+    {
+      const double choice = uniform(random_);
+      if (choice < 0.35) result.push_back(point_source(any_location(lattice)));
+      else if (choice < 0.45) result.push_back({Known_source::EDGES, {}, false, some_edges(1 + uniform_index(random_, 4))});
+      else
+      {
+        std::vector<Face_location> through;
+        for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k) through.push_back(any_location(lattice));
+        const double shortest = choice < 0.7 ? 1 : std::pow(10, uniform(random_, -10, -0.5));
+        result.push_back(joined(geodesic, through, uniform(random_) < 0.3, shortest, counts));
+      }
+    }
+    return result;
+  }
+
+  /// A polyline, and sources that have parts in common with it.
+  std::vector<Known_source> coinciding_sources(Geodesic& geodesic, Answer_counts& counts)
+  {
+    std::vector<Face_location> through;
+    const double lattice = uniform(random_) < 0.7 ? 1 : 0;
+    for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k) through.push_back(any_location(lattice));
+    std::vector<Known_source> result;
+    result.push_back(joined(geodesic, through, uniform(random_) < 0.3, 1, counts));
+    for (std::size_t i = 0, n = 1 + uniform_index(random_, 4); i < n; ++i)
+    {
+      const Known_source known = result[uniform_index(random_, result.size())];
+      const auto& l = known.locations;
+      if (known.kind == Known_source::EDGES) continue;
+      const std::size_t first = uniform_index(random_, l.size()), number = 1 + uniform_index(random_, l.size() - first);
+      Known_source other{Known_source::POLYLINE, {}, false, {}};
+      switch (uniform_index(random_, 8))
+      {
+      case 0: // again
+        other = known;
+        break;
+      case 1: // backwards
+        other = known;
+        std::reverse(other.locations.begin(), other.locations.end());
+        break;
+      case 2: // a part
+        other.locations.assign(l.begin() + std::ptrdiff_t(first), l.begin() + std::ptrdiff_t(first + number));
+        break;
+      case 3: // there and back
+        other.locations = l;
+        other.locations.insert(other.locations.end(), l.rbegin(), l.rend());
+        break;
+      case 4: // one of its points
+        other = point_source(l[first]);
+        break;
+      case 5: // another way from one of its points on
+        through = {l[first], any_location(lattice)};
+        other = joined(geodesic, through, false, 1, counts);
+        break;
+      case 6: // edges, some with both ends on it
+        other = {Known_source::EDGES, {}, false, edges_at(known)};
+        if (other.edges.empty()) other.edges = some_edges(2);
+        break;
+      default: // a part from inside a segment to inside a segment
+        other.locations.assign(l.begin() + std::ptrdiff_t(first), l.begin() + std::ptrdiff_t(first + number));
+        Face_location inside;
+        if (number > 1 && between(other.locations[0], other.locations[1], uniform(random_, 0.1, 0.9), inside)) other.locations[0] = inside;
+        break;
+      }
+      result.push_back(other);
+    }
+    std::shuffle(result.begin(), result.end(), random_);
+    return result;
+  }
+
+  std::vector<Surface_mesh::Edge_index> edges_at(const Known_source& source) const
+  {
+    std::vector<Surface_mesh::Edge_index> result;
+    for (std::size_t i = 0; i + 1 < source.locations.size(); ++i)
+    {
+      const auto a = checker_->locations().support(source.locations[i]), b = checker_->locations().support(source.locations[i + 1]);
+      if (a.size() != 1 || b.size() != 1) continue;
+      const Halfedge_index h = mesh_->halfedge(a[0].first, b[0].first);
+      if (h != Surface_mesh::null_halfedge()) result.push_back(mesh_->edge(h));
+    }
+    return result;
+  }
+
+  /// A point of a source, or beside it.
+  Face_location at_source(const std::map<std::size_t, Known_source>& sources)
+  {
+    const Known_source& s = std::next(sources.begin(), std::ptrdiff_t(uniform_index(random_, sources.size())))->second;
+    if (s.locations.empty()) return on_lattice();
+    const std::size_t i = uniform_index(random_, s.locations.size());
+    Face_location result = s.locations[i];
+    if (i + 1 < s.locations.size() && uniform(random_) < 0.5)
+      between(s.locations[i], s.locations[i + 1], double(uniform_index(random_, 5)) / 4, result);
+    if (uniform(random_) < 0.5) return result;
+    const std::size_t k = uniform_index(random_, 3);
+    const double step = std::pow(10, uniform(random_, -16, -4)) * uniform(random_);
+    if (result.second[k] <= step) return result;
+    result.second[k] -= step;
+    result.second[(k + 1) % 3] += step;
+    return result;
+  }
+
+  void run(Answer_counts& counts)
+  {
+    Geodesic geodesic(*mesh_);
+    const std::vector<Known_source> list =
+      kind_of_sources_ == SPREAD ? spread_sources(geodesic, counts) : coinciding_sources(geodesic, counts);
+    std::map<std::size_t, Known_source> sources;
+    for (const Known_source& s : list) sources[s.add_to(geodesic)] = s;
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    std::map<Vertex_index, std::size_t> labels;
+    geodesic.source_labels(boost::make_assoc_property_map(labels));
+    for (std::size_t i = 0; i < queries_; ++i)
+    {
+      const double choice = uniform(random_);
+      const bool is_vertex = choice < 0.15;
+      const Vertex_index v(std::uint32_t(uniform_index(random_, num_vertices(*mesh_))));
+      const Face_location query = choice < 0.35                                          ? on_lattice()
+                                  : choice < (kind_of_sources_ == SPREAD ? 0.45 : 0.65) ? at_source(sources)
+                                  : choice < 0.75                                        ? beside_boundary()
+                                                                                         : anywhere();
+      if (is_vertex && mesh_->is_isolated(v)) continue;
+      const unsigned faults = is_vertex ? checker_->check_vertex(geodesic, sources, v, labels[v])
+                                        : checker_->check(geodesic, sources, query);
+      ++counts.queries;
+      if (faults == 0) continue;
+      ++counts.wrong;
+      for (int k = 0; k < NUMBER_OF_ANSWER_FAULTS; ++k)
+        if (faults & 1u << k) ++counts.faults[k];
+      print("query " + std::to_string(i) + ": " + checker_->detail());
+      if (describes_) describe(geodesic, sources, is_vertex ? checker_->locations().at_vertex(v, 1) : query);
+    }
+  }
+
+  void describe(const Geodesic& geodesic, const std::map<std::size_t, Known_source>& sources, const Face_location& query)
+  {
+    log_.precision(17);
+    const auto write = [&](const Face_location& l) {
+      log_ << "    face " << std::size_t(l.first) << " of vertices";
+      for (Vertex_index v : checker_->locations().corners(l.first)) log_ << ' ' << std::size_t(v);
+      log_ << ": " << l.second[0] << ' ' << l.second[1] << ' ' << l.second[2] << "   at " << checker_->locations().point(l) << '\n';
+    };
+    for (const auto& s : sources)
+    {
+      static const char* const names[] = {"point", "polyline", "edges"};
+      log_ << "  source " << s.first << ": " << names[s.second.kind] << (s.second.is_closed ? ", closed" : "") << '\n';
+      for (const Face_location& l : s.second.locations) write(l);
+      for (auto e : s.second.edges)
+        log_ << "    " << mesh_->point(mesh_->vertex(e, 0)) << " to " << mesh_->point(mesh_->vertex(e, 1)) << '\n';
+    }
+    log_ << "  query\n";
+    write(query);
+    if (const auto n = geodesic.nearest_source(query))
+    {
+      log_ << "  distance " << n->distance << ", source " << n->source << (n->is_segment ? ", segment " : ", point ") << n->part
+           << ", side " << int(n->side) << ", gradient " << geodesic.gradient(query) << ", path\n";
+      std::vector<Face_location> path;
+      geodesic.shortest_path_to_sources(query, std::back_inserter(path));
+      for (const Face_location& l : path) write(l);
+    }
+    log_ << std::flush;
+  }
+
+  void print(const std::string& what)
+  {
+    if (printed_ == 0) return;
+    --printed_;
+    log_ << context_ << ": " << what << std::endl;
+  }
+
+  std::ostream& log_;
+  std::size_t printed_, queries_;
+  const Sources kind_of_sources_;
+  const bool describes_;
+  Random random_;
+  const Surface_mesh* mesh_ = nullptr;
+  Answer_checker* checker_ = nullptr;
+  std::string context_;
+  std::map<std::string, Answer_counts> counts_;
+};
+
+} // namespace test
+
+#endif // GEODESIC_OFFSET_TEST_ANSWER_SEARCH_H

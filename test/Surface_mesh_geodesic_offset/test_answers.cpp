@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Distance, nearest source, signed distance, gradient and path of a point agree: cases in which they did not once, and bounded runs
+// of the search (benchmark/Surface_mesh_geodesic_offset/Robustness/answer_search.cpp runs it at length).
+
+#include "answer_search.h"
+#include "path_tools.h"
+#include "test_check.h"
+
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_answers {
+
+using namespace test;
+
+void check(const Answer_search& search)
+{
+  std::size_t queries = 0;
+  for (const auto& c : search.counts())
+  {
+    const Answer_counts& n = c.second;
+    queries += n.queries;
+    CHECK_DETAIL(n.total_wrong() == 0, c.first + ": " + std::to_string(n.wrong) + " points with a fault, " +
+                                         std::to_string(n.exceptions) + " exceptions, " + std::to_string(n.wrong_polylines) +
+                                         " wrong polylines");
+  }
+  CHECK(queries > 0);
+}
+
+void run(Answer_search::Sources sources, const std::vector<unsigned>& seeds)
+{
+  Answer_search search(std::cout, 20, 33, sources);
+  for (const unsigned seed : seeds) search.run(seed);
+  check(search);
+}
+
+void run(Answer_search::Sources sources, unsigned first, unsigned last)
+{
+  Answer_search search(std::cout, 20, 33, sources);
+  for (unsigned seed = first; seed <= last; ++seed) search.run(seed);
+  CHECK(search.counts().size() == 17);
+  check(search);
+}
+
+// A polyline through a grid, joined from its ends and its middle: the last segment before the corner is short, and in one line with
+// those before it.
+void joined_polyline_on_grid()
+{
+  test::Surface_mesh mesh;
+  std::vector<Vertex_index> v;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 7; ++j) v.push_back(mesh.add_vertex(Point_3(i, j, 0)));
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+    {
+      const std::size_t a = 7 * i + j;
+      mesh.add_face(v[a], v[a + 7], v[a + 8]);
+      mesh.add_face(v[a], v[a + 8], v[a + 1]);
+    }
+  const auto at = [](std::uint32_t f, double a, double b, double c) { return Face_location(Face_index(f), {a, b, c}); };
+  const Path_locations polyline = {at(59, 0.72347564279420951, 0.27652435720579049, 0), at(45, 0.12431645794370877, 0, 0.87568354205629118),
+                                   at(44, 0.84988975952498269, 0.15011024047501734, 0), at(43, 0.29614872234942313, 0, 0.70385127765057687),
+                                   at(42, 0.64240490226667712, 0.35759509773332288, 0), at(41, 0.46798098675513766, 0, 0.53201901324486234),
+                                   at(40, 0.43492004500837167, 0.56507995499162833, 0), at(39, 0.63981325116085208, 0, 0.36018674883914792),
+                                   at(38, 0.2274351877500661, 0.7725648122499339, 0),   at(37, 0.81164551556656661, 0, 0.18835448443343339),
+                                   at(36, 0.019950330491760426, 0.98004966950823957, 0), at(36, 0, 0.98347777997227992, 0.01652222002772008),
+                                   at(37, 0, 0.97943218147115585, 0.020567818528844203), at(38, 0, 0.78678222397782371, 0.21321777602217623),
+                                   at(39, 0, 0.73457413610336664, 0.26542586389663342),  at(40, 0, 0.59008666798336762, 0.40991333201663238),
+                                   at(41, 0, 0.4897160907355772, 0.5102839092644228),    at(42, 0, 0.3933911119889113, 0.6066088880110887),
+                                   at(43, 0, 0.24485804536778777, 0.75514195463221223),  at(44, 0, 0.19669555599445498, 0.80330444400554502),
+                                   at(45, 0, 0, 1)};
+  const Face_location query = at(23, 0, 0.5, 0.5);
+  Answer_checker checker(mesh, true);
+  Geodesic geodesic(mesh);
+  std::map<std::size_t, Known_source> sources;
+  const Known_source known{Known_source::POLYLINE, polyline, false, {}};
+  sources[known.add_to(geodesic)] = known;
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  CHECK_DETAIL(checker.check(geodesic, sources, query) == 0, checker.detail());
+  const auto nearest = geodesic.nearest_source(query);
+  CHECK(nearest && nearest->part == 0 && nearest->is_segment);
+  Path_locations path;
+  geodesic.shortest_path_to_sources(query, std::back_inserter(path));
+  const double length = double(checker.length(path));
+  CHECK_DETAIL(std::abs(length - 2.4260441347937) <= 1e-13, values(length, 2.4260441347937));
+}
+
+void known_cases()
+{
+  joined_polyline_on_grid();
+  // short segments in line with others, repeated points, ties, sources without sides that touch others, parts in faces that have a
+  // vertex in common with the face of the point
+  run(Answer_search::SPREAD, {865, 11269, 11733, 12002, 13989, 14227, 15630, 15869, 19456, 24666, 29372});
+  // gradients beside sources, labels, corners, open ends
+  run(Answer_search::COINCIDING, {688, 1769, 5025, 6088, 7272, 8239, 9309, 13329, 17951, 22098});
+}
+
+// Points in space, near the vertices of a mesh: no point of the polyline is there twice.
+void located_polylines()
+{
+  for (const auto& [name, soup] : std::vector<std::pair<std::string, Soup>>{
+         {"grid", planar_grid(6, 5)}, {"sphere", icosphere(2)}, {"box", cube_grid(3)}, {"needles", random_rectangle(1, 1e-3, 30, 5, 1)}})
+  {
+    Report::instance().set_context(name);
+    const Generated_mesh<test::Surface_mesh> data(soup);
+    const Geodesic geodesic(data.mesh);
+    const Answer_checker checker(data.mesh, false);
+    Random random(1);
+    for (int i = 0; i < 300; ++i)
+    {
+      std::vector<Point_3> points;
+      for (std::size_t k = 0, n = 2 + uniform_index(random, 4); k < n; ++k)
+      {
+        const Point_3 p = data.mesh.point(data.vertices[uniform_index(random, data.vertices.size())]);
+        const double off = std::pow(10, uniform(random, -17, -2));
+        points.push_back(p + Vector_3(uniform(random, -off, off), uniform(random, -off, off), uniform(random, -off, off)));
+        if (uniform(random) < 0.2) points.push_back(points.back());
+      }
+      for (const bool is_closed : {false, true})
+      {
+        const auto polyline = geodesic.locate_polyline(points, is_closed);
+        CHECK(!checker.repeats_points(polyline.locations, polyline.is_closed));
+        CHECK(checker.is_connected(polyline.locations));
+      }
+    }
+  }
+}
+
+} // namespace test_answers
+
+GEODESIC_OFFSET_TEST(test_answers)
+{
+  using test::Answer_search;
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"known cases", test_answers::known_cases},
+    {"located polylines", test_answers::located_polylines},
+    {"spread sources", [] { test_answers::run(Answer_search::SPREAD, 1, 1500); }},
+    {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 1500); }}};
+  return test::run_tests("test_answers", tests);
+}
