@@ -392,11 +392,12 @@ void removed_elements()
 }
 
 // On needles no window may be certainly nearer than another one, and their number doubles in every face: then there are
-// bounds that contain the distances of 200 bits, or an exception, but not a build without an end.
+// bounds that contain the distances of 200 bits, or an exception, but not a build without an end. A build takes up to ten
+// seconds until it is refused; the program enclosure_search of the benchmarks has many.
 void needles_without_an_end()
 {
   std::size_t refused = 0, bounded = 0;
-  for (unsigned seed = 1; seed <= 8; ++seed)
+  for (const unsigned seed : {1, 3, 5, 6, 7})
   {
     Random random(seed);
     Soup soup = planar_grid(4, 4);
