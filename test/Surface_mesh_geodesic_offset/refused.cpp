@@ -8,8 +8,9 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
 
 typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;

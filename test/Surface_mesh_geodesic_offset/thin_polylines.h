@@ -10,11 +10,9 @@
 #include "test_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,54 +35,30 @@ inline double polyline_length(const Polyline_3& polyline)
   return sum;
 }
 
-/// Tests whether points are within a distance of a polyline. The cells of a grid, at least four times as wide as the
-/// distance, contain the segments; a segment is in the cells of its points half a cell apart.
+/// Tests whether points are within a distance of a polyline. The search starts at the segment that was near the last point,
+/// so points that follow the polyline take constant time.
 class Near_polyline
 {
 public:
-  Near_polyline(const Polyline_3& polyline, double distance) : polyline_(polyline), distance_(distance)
-  {
-    cell_ = (std::max)(4 * distance, polyline_length(polyline) / static_cast<double>(polyline.size()));
-    for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
-    {
-      const double length = std::sqrt(CGAL::squared_distance(polyline[i], polyline[i + 1]));
-      const int parts = 1 + static_cast<int>(std::ceil(2 * length / cell_));
-      for (int k = 0; k <= parts; ++k)
-      {
-        std::vector<std::size_t>& segments =
-          segments_[cell_of(polyline[i] + (static_cast<double>(k) / parts) * (polyline[i + 1] - polyline[i]))];
-        if (segments.empty() || segments.back() != i) segments.push_back(i);
-      }
-    }
-  }
+  Near_polyline(const Polyline_3& polyline, double distance) : polyline_(polyline), distance_(distance) {}
 
-  bool operator()(const Point_3& p) const
+  bool operator()(const Point_3& p)
   {
-    const Cell c = cell_of(p);
-    for (long x = c[0] - 1; x <= c[0] + 1; ++x)
-      for (long y = c[1] - 1; y <= c[1] + 1; ++y)
-        for (long z = c[2] - 1; z <= c[2] + 1; ++z)
+    const std::size_t n = polyline_.size() - 1;
+    for (std::size_t step = 0; step <= n / 2; ++step)
+      for (const std::size_t i : {(last_ + step) % n, (last_ + n - step) % n})
+        if (distance_to_segment(p, polyline_[i], polyline_[i + 1]) <= distance_)
         {
-          const auto found = segments_.find(Cell{x, y, z});
-          if (found == segments_.end()) continue;
-          for (std::size_t i : found->second)
-            if (distance_to_segment(p, polyline_[i], polyline_[i + 1]) <= distance_) return true;
+          last_ = i;
+          return true;
         }
     return false;
   }
 
 private:
-  typedef std::array<long, 3> Cell;
-
-  Cell cell_of(const Point_3& p) const
-  {
-    return {std::lround(std::floor(p.x() / cell_)), std::lround(std::floor(p.y() / cell_)),
-            std::lround(std::floor(p.z() / cell_))};
-  }
-
-  const Polyline_3& polyline_;
-  double distance_, cell_;
-  std::map<Cell, std::vector<std::size_t>> segments_;
+  const Polyline_3& polyline_; // of two points at least
+  double distance_;
+  std::size_t last_ = 0;
 };
 
 /// Decides whether the Frechet distance of two polylines is at most a given distance, by the free space diagram of Alt and
@@ -246,12 +220,12 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
   // height of the curve over the chords of `samples`, relative to the tolerance
   const double part = tolerance > 1e-5 * size ? 1. / 1024 : 1. / 64;
   const Polyline_3 samples = piecewise_points(curve, part * tolerance);
-  const Near_polyline is_near_polyline(points, tolerance * (1 + 1e-9) + rounding);
+  Near_polyline is_near_polyline(points, tolerance * (1 + 1e-9) + rounding);
   std::size_t off_polyline = 0, off_curve = 0, off_points = 0;
   for (const Point_3& p : samples) off_polyline += is_near_polyline(p) ? 0 : 1;
   CHECK_DETAIL(off_polyline == 0, std::to_string(off_polyline) + " of " + std::to_string(samples.size()) +
                                     " points of the curve are off its polyline, tolerance " + std::to_string(tolerance));
-  const Near_polyline is_near_curve(samples, tolerance * (1 + part) + rounding),
+  Near_polyline is_near_curve(samples, tolerance * (1 + part) + rounding),
     is_on_curve(samples, part * tolerance + rounding);
   for (std::size_t i = 0; i < points.size(); ++i)
   {

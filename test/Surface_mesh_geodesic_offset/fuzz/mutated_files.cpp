@@ -51,6 +51,6 @@ int main(int argc, char* argv[])
   const auto result = test::run_mutations(count, seed, argc > 3 ? argv[3] : "");
   for (const auto& entry : result.first)
     std::cout << entry.first << ": " << entry.second.accepted << " accepted, " << entry.second.rejected << " rejected, slowest "
-              << entry.second.slowest << " s\n";
+              << entry.second.slowest << " s (seed " << entry.second.slowest_seed << ")\n";
   return result.second == 0 ? 0 : 1;
 }
