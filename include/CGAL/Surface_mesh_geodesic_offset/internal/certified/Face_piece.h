@@ -43,23 +43,23 @@ struct Face_piece
 
   int size;
   Double_double_2 hull[3];
-  bool is_arc = false;
+  bool is_arc;
   Double_double_2 center;
-  double radius = 0;
-  double clamped = 0; // how far a point of the hull was moved to bring it above the x axis
+  double radius;
+  double clamped; // how far a point of the hull was moved to bring it above the x axis
 
-  static Face_piece point(const Double_double_2& p) { return {1, {p, p, p}}; }
-  static Face_piece segment(const Double_double_2& p, const Double_double_2& q) { return {2, {p, q, q}}; }
+  static Face_piece point(const Double_double_2& p) { return {1, {p, p, p}, false, {}, 0., 0.}; }
+  static Face_piece segment(const Double_double_2& p, const Double_double_2& q) { return {2, {p, q, q}, false, {}, 0., 0.}; }
   static Face_piece triangle(const Double_double_2& p, const Double_double_2& q, const Double_double_2& r)
   {
-    return {3, {p, q, r}};
+    return {3, {p, q, r}, false, {}, 0., 0.};
   }
   // Arcs that turn backwards, by rounding, are segments.
   static Face_piece arc(const Double_double_2& p, const Double_double_2& q, const Double_double_2& center, double radius)
   {
     const Point a = difference(p, center), b = difference(q, center);
     if (!(cross(a, b) > 0)) return segment(p, q);
-    Face_piece result{3, {p, q, q}, true, center, radius};
+    Face_piece result{3, {p, q, q}, true, center, radius, 0.};
     const Point u = result.bisector();
     result.hull[2] = result.on_ray(u, radius / (std::max)(dot(u, a) / length(a), 0x1p-20));
     return result;
