@@ -14,9 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
 
-#include <limits>
 #include <ostream>
-#include <sstream>
 #include <string>
 
 namespace geodesic_offset {
@@ -58,14 +56,6 @@ private:
   void line(const std::string& label, const std::string& value, const std::string& meaning) const
   {
     m_out << label << ": " << value << " (" << meaning << ")\n";
-  }
-
-  static std::string full_number(double value)
-  {
-    std::ostringstream stream;
-    stream.precision(std::numeric_limits<double>::max_digits10);
-    stream << value;
-    return stream.str();
   }
 
   std::string place(const Certificate& c) const
