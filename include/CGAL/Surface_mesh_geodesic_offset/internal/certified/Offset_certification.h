@@ -115,7 +115,10 @@ public:
     for (const Curve_piece& p : m_pieces)
     {
       m_bounds.set_face(p.face);
-      bound_point(p.geometry.hull[0], p, true);
+      const std::size_t end = m_bounds.end_of_candidates();
+      allow_for(m_bounds(Face_piece::point(p.geometry.hull[0]), p.moved, 0, end, false).at_inner_point, p.geometry.hull[0],
+                p.face, p.curve);
+      m_bounds.drop_candidates(end);
     }
     for (const Curve_piece& p : m_pieces)
     {
@@ -292,21 +295,12 @@ private:
 
   static double chord(const Curve_piece& p) { return length(difference(p.end, p.start)); }
 
-  // A point of the region, or of a curve: the tolerance must allow for it.
-  Piece_range bound_point(const Double_double_2& place, const Curve_piece& p, bool is_on_curve)
+  // The tolerance must allow for a point of the region, or of a curve.
+  void allow_for(const Bounds& bounds, const Double_double_2& place, Index face, std::size_t curve)
   {
-    return bound_point(place, p, is_on_curve, 0, m_bounds.end_of_candidates());
-  }
-  Piece_range bound_point(const Double_double_2& place, const Curve_piece& p, bool is_on_curve, std::size_t begin,
-                          std::size_t end)
-  {
-    const Piece_range r = m_bounds(Face_piece::point(place), p.moved, begin, end, false);
-    m_bounds.drop_candidates(end);
-    raise(r.upper - m_distance, is_on_curve ? Limit::CURVE_TOO_FAR : Limit::REGION_TOO_FAR, p.face, place,
-          {r.lower, r.upper}, p.curve);
-    if (is_on_curve)
-      raise(m_distance - r.lower, Limit::CURVE_TOO_NEAR, p.face, place, {r.lower, r.upper}, p.curve);
-    return r;
+    raise(bounds.second - m_distance, curve == no_curve ? Limit::REGION_TOO_FAR : Limit::CURVE_TOO_FAR, face, place, bounds,
+          curve);
+    if (curve != no_curve) raise(m_distance - bounds.first, Limit::CURVE_TOO_NEAR, face, place, bounds, curve);
   }
 
   // A part of a curve.
@@ -320,14 +314,15 @@ private:
       if (is_far || is_near)
       {
         const Double_double_2 place = part.inner_point();
-        const Piece_range at = bound_point(place, p, true, end, next);
+        const Bounds& at = r.at_inner_point;
+        allow_for(at, place, p.face, p.curve);
         const double step = depth == most_halvings ? Number_policy<double>::infinity() : smallest_step(p.face);
-        if (is_far && r.upper - at.upper <= step)
+        if (is_far && r.upper - at.second <= step)
         {
           raise(r.upper - m_distance, Limit::CURVE_TOO_FAR, p.face, place, {r.lower, r.upper}, p.curve);
           is_far = false;
         }
-        if (is_near && at.lower - r.lower <= step)
+        if (is_near && at.first - r.lower <= step)
         {
           raise(m_distance - r.lower, Limit::CURVE_TOO_NEAR, p.face, place, {r.lower, r.upper}, p.curve);
           is_near = false;
@@ -364,33 +359,29 @@ private:
       {
         const std::size_t part = m_region.part(h, i);
         if (m_region.is_carried(part) || !m_region.is_inside(part)) continue;
-        Curve_piece p{};
-        p.face = h / 3;
-        p.curve = no_curve;
-        p.start = m_side.begin_of_part(h, i);
-        p.end = m_side.begin_of_part(h, i + 1);
-        m_bounds.set_face(p.face);
-        bound_part(Face_piece::segment(p.start, p.end), p, 0, m_bounds.end_of_candidates(), 0);
+        m_bounds.set_face(h / 3);
+        bound_part(Face_piece::segment(m_side.begin_of_part(h, i), m_side.begin_of_part(h, i + 1)), h / 3, 0,
+                   m_bounds.end_of_candidates(), 0);
       }
     }
   }
 
   // A part of an edge in the region.
-  void bound_part(const Face_piece& part, const Curve_piece& p, std::size_t begin, std::size_t end, int depth)
+  void bound_part(const Face_piece& part, Index face, std::size_t begin, std::size_t end, int depth)
   {
     const Piece_range r = m_bounds(part, 0., begin, end, false);
     const std::size_t next = m_bounds.end_of_candidates();
     if (r.upper - m_distance > m_result.excess)
     {
       const Double_double_2 place = part.inner_point();
-      const Piece_range at = bound_point(place, p, false, end, next);
-      if (depth == most_halvings || r.upper - at.upper <= smallest_step(p.face))
-        raise(r.upper - m_distance, Limit::REGION_TOO_FAR, p.face, place, {r.lower, r.upper}, no_curve);
+      allow_for(r.at_inner_point, place, face, no_curve);
+      if (depth == most_halvings || r.upper - r.at_inner_point.second <= smallest_step(face))
+        raise(r.upper - m_distance, Limit::REGION_TOO_FAR, face, place, {r.lower, r.upper}, no_curve);
       else if (r.upper - m_distance > m_result.excess)
       {
         const auto halves = part.halves();
-        bound_part(halves.first, p, end, next, depth + 1);
-        bound_part(halves.second, p, end, next, depth + 1);
+        bound_part(halves.first, face, end, next, depth + 1);
+        bound_part(halves.second, face, end, next, depth + 1);
       }
     }
     m_bounds.drop_candidates(end);
@@ -435,14 +426,8 @@ private:
       is_inside = !side.is_known || m_region.is_inside(side.part) != side.differs;
       if (!is_inside) return;
     }
-    double least = r.lower;
-    if (is_inside)
-    {
-      Curve_piece p{};
-      p.face = face;
-      p.curve = no_curve;
-      least = bound_point(place, p, false, begin, end).upper;
-    }
+    if (is_inside) allow_for(r.at_inner_point, place, face, no_curve);
+    const double least = is_inside ? r.at_inner_point.second : r.lower;
     if (r.upper - least <= smallest_step(face) || ++m_triangles > most_triangles)
       raise(r.upper - m_distance, Limit::REGION_TOO_FAR, face, place, {r.lower, r.upper}, no_curve);
     else if (r.upper - m_distance > m_result.excess)

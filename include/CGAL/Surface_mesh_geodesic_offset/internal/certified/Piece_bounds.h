@@ -29,9 +29,13 @@ namespace internal {
 // range's least value for the lower bound, unless all rays of the window certainly miss the piece's convex hull; for the upper
 // bound it counts only if its rays reach the whole hull, which is so if they reach the corners of the hull, as the rays of a
 // window cover a convex part of the face.
+//
+// Where neighbouring windows meet, the rays of none of them reach all of a piece. There the distance of an inner point bounds the
+// others, as distances differ by no more than the points are apart.
 struct Piece_range
 {
   double lower, upper;
+  Bounds at_inner_point;
   bool has_no_maximum;
 };
 
@@ -65,6 +69,14 @@ public:
   // `begin` to `end`, those that may matter for its parts are appended.
   Piece_range operator()(const Face_piece& piece, double moved, std::size_t begin, std::size_t end, bool wants_maxima)
   {
+    Bounds inner(0., Number_policy<double>::infinity());
+    if (piece.size > 1)
+    {
+      const Piece_range r = (*this)(Face_piece::point(piece.inner_point()), moved + piece.rounding(), begin, end, false);
+      inner = {r.lower, r.upper};
+      drop_candidates(end);
+    }
+    const double reach = piece.size > 1 ? piece.diameter() + piece.rounding() : Number_policy<double>::infinity();
     m_lower = m_upper = Number_policy<double>::infinity();
     m_directions.clear();
     const double everywhere = moved + 4 * length_error * m_perimeter + piece.rounding() + piece.off_circle();
@@ -79,7 +91,7 @@ public:
       const Candidate c = m_candidates[i];
       add_window(c, frame[c.frame], everywhere + 2 * frame[c.frame].clamped);
     }
-    const double upper = m_upper;
+    const double upper = m_upper = (std::min)(m_upper, inner.second + reach);
     const auto is_farther = [&](const Candidate& c) { return c.lower > upper; };
     m_candidates.erase(
       std::remove_if(m_candidates.begin() + std::ptrdiff_t(end), m_candidates.end(), is_farther), m_candidates.end());
@@ -93,7 +105,8 @@ public:
       has_no_maximum = are_in_half_plane();
     }
     // what passes a vertex within the error of an image may be shorter by as much: see the error analysis
-    return {(std::max)(m_lower * (1 - 2 * unit_roundoff), 0.), upper, has_no_maximum};
+    const double lower = (std::max)({m_lower * (1 - 2 * unit_roundoff), inner.first - reach, 0.});
+    return {lower, upper, piece.size > 1 ? inner : Bounds(lower, upper), has_no_maximum};
   }
 
 private:
