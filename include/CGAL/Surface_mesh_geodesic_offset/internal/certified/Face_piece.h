@@ -201,6 +201,14 @@ struct Face_piece
     return t <= 0 ? length(u) : t >= 1 ? length(v) : length(u + t * w);
   }
 
+  // Whether an arc may contain the point in the direction of a unit vector from its center.
+  bool has_direction(const Point& u) const
+  {
+    const Point a = difference(hull[0], center), b = difference(hull[1], center);
+    const double slack = 0x1p-46 * radius; // rounding of the products
+    return cross(a, u) >= -slack && cross(u, b) >= -slack && dot(a + b, u) >= 0;
+  }
+
 private:
   static double infinite() { return Number_policy<double>::infinity(); }
 
@@ -217,13 +225,6 @@ private:
     return {center.x + Double_double(t * u.x), center.y + Double_double(t * u.y)};
   }
 
-  // Whether an arc may contain the point in the direction of a unit vector from its center.
-  bool has_direction(const Point& u) const
-  {
-    const Point a = difference(hull[0], center), b = difference(hull[1], center);
-    const double slack = 0x1p-46 * radius; // rounding of the products
-    return cross(a, u) >= -slack && cross(u, b) >= -slack && dot(a + b, u) >= 0;
-  }
 };
 
 } // namespace internal

@@ -162,7 +162,7 @@ private:
 
   static Bounds distances_from_segment(const Face_piece& piece, const Certified_source& s)
   {
-    const Point along = difference(s.second, s.first), n = (1 / length(along)) * quarter_turn(along);
+    const Point way = difference(s.second, s.first), along = (1 / length(way)) * way, n = quarter_turn(along);
     Bounds result(Number_policy<double>::infinity(), 0.);
     const auto nearer = [&](double d) { result.first = (std::min)(result.first, d); };
     // the distance to a segment is convex: at most that of a corner of the hull
@@ -173,13 +173,19 @@ private:
       if (i < 2 || !piece.is_arc) nearer(d);
     }
     // The least distance is that of an end of the source, or of an end of the piece, or of the point of an arc whose tangent is
-    // parallel to the source; or piece and source may cross.
+    // parallel to the source and whose foot is in it; or piece and source may cross.
     nearer(piece.distances_from(s.first).first);
     nearer(piece.distances_from(s.second).first);
-    const double level = n.x * s.first.x.high + n.y * s.first.y.high;
-    const Bounds height = piece.products_with(n);
-    const double least = height.first > level ? height.first - level : level > height.second ? level - height.second : 0.;
-    if (piece.is_arc || least <= 0) nearer(least);
+    const auto product = [](const Point& u, const Double_double_2& p) { return u.x * p.x.high + u.y * p.y.high; };
+    const double level = product(n, s.first), slack = 4 * s.moved;
+    const double first = product(along, s.first) - slack, second = product(along, s.second) + slack;
+    const Bounds height = piece.products_with(n), place = piece.products_with(along);
+    if (height.first <= level && level <= height.second && place.first <= second && place.second >= first) nearer(0.);
+    if (!piece.is_arc) return result;
+    const double foot = product(along, piece.center), center = product(n, piece.center);
+    if (foot < first || foot > second) return result;
+    if (piece.has_direction(n)) nearer(std::abs(center + piece.radius - level));
+    if (piece.has_direction(-1. * n)) nearer(std::abs(center - piece.radius - level));
     return result;
   }
 
