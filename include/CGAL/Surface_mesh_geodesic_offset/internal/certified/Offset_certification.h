@@ -427,8 +427,8 @@ private:
       if (!is_inside) return;
     }
     if (is_inside) allow_for(r.at_inner_point, place, face, no_curve);
-    const double least = is_inside ? r.at_inner_point.second : r.lower;
-    if (r.upper - least <= smallest_step(face) || ++m_triangles > most_triangles)
+    // also if a curve may meet the triangle: d + eps is between its bounds then
+    if (r.upper - r.at_inner_point.second <= smallest_step(face) || ++m_triangles > most_triangles)
       raise(r.upper - m_distance, Limit::REGION_TOO_FAR, face, place, {r.lower, r.upper}, no_curve);
     else if (r.upper - m_distance > m_result.excess)
     {
