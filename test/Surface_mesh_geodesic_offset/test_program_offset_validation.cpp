@@ -30,8 +30,8 @@ public:
   Offset_file(const std::string& validate, const std::string& geodesic_offset)
     : program_(validate), mesh_((scratch_ / "mesh.off").string()), curves_((scratch_ / "curves.polylines.txt").string())
   {
-    write_off(mesh_, marching_genus_5(9));
-    const Program_result r = run_program(geodesic_offset, {mesh_, "--source-vertex", "0", "--distance", "1.1", "--tolerance",
+    write_off(mesh_, torus(16, 12));
+    const Program_result r = run_program(geodesic_offset, {mesh_, "--source-vertex", "0", "--distance", "1.6", "--tolerance",
                                                            "1e-4", "--output", curves_, "--quiet"});
     CHECK_DETAIL(r.exit_code == 0, r.errors);
     std::istringstream in(read_file(curves_));
@@ -49,7 +49,7 @@ public:
     CHECK(own.find("curves: " + std::to_string(lines_.size()) + " curves") != std::string::npos);
     run(lines_, certified, {"--tolerance", "2e-4"});
     run(lines_, not_certified, {"--tolerance", "1e-7"});
-    const std::string other = run(lines_, certified, {"--distance", "1.2"}, false);
+    const std::string other = run(lines_, certified, {"--distance", "1.7"}, false);
     CHECK_DETAIL(number(other, "tolerance") > 0.0999 && number(other, "tolerance") < 0.1002, other);
     CHECK(other.find("nearer to the sources") != std::string::npos);
 
@@ -86,10 +86,10 @@ public:
     Report::instance().set_context("bad input");
     write_file(scratch_ / "empty.polylines.txt", "");
     const std::string empty = (scratch_ / "empty.polylines.txt").string(), none = (scratch_ / "none").string();
-    const Arguments good = {mesh_, "--source-vertex", "0", "--distance", "1.1", "--curves", curves_};
-    refuse(2, {mesh_, "--source-vertex", "0", "--distance", "1.1"}, "no --curves given");
+    const Arguments good = {mesh_, "--source-vertex", "0", "--distance", "1.6", "--curves", curves_};
+    refuse(2, {mesh_, "--source-vertex", "0", "--distance", "1.6"}, "no --curves given");
     refuse(2, {mesh_, "--source-vertex", "0", "--curves", curves_}, "no --distance given");
-    refuse(2, {mesh_, "--distance", "1.1", "--curves", curves_}, "no source given");
+    refuse(2, {mesh_, "--distance", "1.6", "--curves", curves_}, "no source given");
     refuse(2, {mesh_, "--source-vertex", "0", "--distance", "-1", "--curves", curves_}, "--distance must be");
     for (const char* option : {"--tolerance", "--surface-tolerance"})
     {
@@ -97,9 +97,9 @@ public:
       bad.insert(bad.end(), {option, "0"});
       refuse(2, bad, std::string(option) + " must be a positive finite number, not '0'");
     }
-    refuse(1, {mesh_, "--source-vertex", "0", "--distance", "1.1", "--curves", none}, "No such file");
-    refuse(1, {mesh_, "--source-vertex", "0", "--distance", "1.1", "--curves", empty}, "has no polylines");
-    refuse(1, {none, "--source-vertex", "0", "--distance", "1.1", "--curves", curves_}, "none");
+    refuse(1, {mesh_, "--source-vertex", "0", "--distance", "1.6", "--curves", none}, "No such file");
+    refuse(1, {mesh_, "--source-vertex", "0", "--distance", "1.6", "--curves", empty}, "is empty");
+    refuse(1, {none, "--source-vertex", "0", "--distance", "1.6", "--curves", curves_}, "none");
     CHECK(run_program(program_, {"--help"}).output.find("--curves") != std::string::npos);
     CHECK(run_program(program_, {"--version"}).output.find("validate_geodesic_offsets ") == 0);
   }
@@ -112,7 +112,7 @@ private:
     const std::string file = (scratch_ / "tested.polylines.txt").string();
     write_file(file, text);
     Arguments arguments = {mesh_, "--source-vertex", "0", "--curves", file};
-    if (has_distance) arguments.insert(arguments.end(), {"--distance", "1.1"});
+    if (has_distance) arguments.insert(arguments.end(), {"--distance", "1.6"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Program_result r = run_program(program_, arguments);
     CHECK_DETAIL(r.exit_code == exit_code && r.errors.empty(), std::to_string(r.exit_code) + ": " + r.output + r.errors);

@@ -399,26 +399,46 @@ private:
       if (bound * (1 + 0x1p-50) - m_distance <= m_result.excess) continue;
       const bool is_crossed = m_region.is_crossed(f);
       if (!is_crossed && !m_region.is_inside(m_region.part(3 * f, 0))) continue;
-      m_bounds.set_face(f);
-      m_triangles = 0;
-      bound_triangle(Face_piece::triangle(m_sources.corner(f, 0), m_sources.corner(f, 1), m_sources.corner(f, 2)), f,
-                     !is_crossed, 0, m_bounds.end_of_candidates());
+      bound_face(f, !is_crossed);
     }
   }
 
   // A triangle in a face of which parts may be in the region.
-  void bound_triangle(const Face_piece& triangle, Index face, bool is_inside, std::size_t begin, std::size_t end)
+  struct Triangle
   {
-    const Piece_range r = m_bounds(triangle, 0., begin, end, true);
-    const std::size_t next = m_bounds.end_of_candidates();
-    if (r.upper - m_distance > m_result.excess && !r.has_no_maximum)
-      divide_triangle(triangle, r, face, is_inside, end, next);
-    m_bounds.drop_candidates(end);
+    Face_piece piece;
+    Piece_range range;
+    bool is_inside;
+
+    bool operator<(const Triangle& o) const { return range.upper < o.range.upper; }
+  };
+
+  // The triangles with the largest bounds first, as they raise the tolerance most.
+  void bound_face(Index face, bool is_inside)
+  {
+    m_bounds.set_face(face);
+    m_queue.clear();
+    m_triangles = 0;
+    add_triangle(Face_piece::triangle(m_sources.corner(face, 0), m_sources.corner(face, 1), m_sources.corner(face, 2)), face,
+                 is_inside);
+    while (!m_queue.empty())
+    {
+      std::pop_heap(m_queue.begin(), m_queue.end());
+      const Triangle t = m_queue.back();
+      m_queue.pop_back();
+      if (t.range.upper - m_distance <= m_result.excess) return;
+      const auto halves = t.piece.halves();
+      add_triangle(halves.first, face, t.is_inside);
+      add_triangle(halves.second, face, t.is_inside);
+    }
   }
 
-  void divide_triangle(const Face_piece& triangle, const Piece_range& r, Index face, bool is_inside, std::size_t begin,
-                       std::size_t end)
+  void add_triangle(const Face_piece& triangle, Index face, bool is_inside)
   {
+    const std::size_t end = m_bounds.end_of_candidates();
+    const Piece_range r = m_bounds(triangle, 0., 0, end, true);
+    m_bounds.drop_candidates(end);
+    if (r.upper - m_distance <= m_result.excess || r.has_no_maximum) return;
     const Double_double_2 place = triangle.inner_point();
     if (!is_inside && r.lower - m_distance > m_result.excess)
     { // no curve meets it
@@ -432,9 +452,8 @@ private:
       raise(r.upper - m_distance, Limit::REGION_TOO_FAR, face, place, {r.lower, r.upper}, no_curve);
     else if (r.upper - m_distance > m_result.excess)
     {
-      const auto halves = triangle.halves();
-      bound_triangle(halves.first, face, is_inside, begin, end);
-      bound_triangle(halves.second, face, is_inside, begin, end);
+      m_queue.push_back({triangle, r, is_inside});
+      std::push_heap(m_queue.begin(), m_queue.end());
     }
   }
 
@@ -446,6 +465,7 @@ private:
   std::vector<Curve_piece> m_pieces;
   std::vector<std::pair<Place, std::size_t>> m_ends; // of open curves, with the curve
   std::size_t m_curves = 0, m_triangles = 0;
+  std::vector<Triangle> m_queue; // a heap
   Curve_region m_region;
   Face_side m_side;
   Result m_result;
