@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Curve_region.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Face_piece.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -22,10 +21,11 @@ namespace Geodesic_offset {
 namespace internal {
 
 // A point is on the side of a part of the face's border, or on the other side if the segment to the middle of the part crosses
-// an odd number of pieces. Arcs count as polylines within `chord_tolerance`, and all coordinates are rounded. Deforming a
-// closed curve in the face by less than its distance from both ends of the segment does not change the number modulo 2, nor does
-// it for a curve that ends on the border, if the segment is not near its end there. So if both ends of the segment, and those
-// ends of pieces, are clear of all that, the number is right; if the middle of no part is so, the side is not known.
+// an odd number of pieces. Parts of arcs count as their chords if their hulls contain no end of the segment, and all coordinates
+// are rounded. Deforming a closed curve in the face without passing an end of the segment does not change the number modulo 2,
+// nor does it for a curve that ends on the border, if the segment is not near its end there. So if both ends of the segment are
+// away from all hulls by more than rounding, and the segment from those ends of pieces, the number is right; if the middle of no
+// part is so, the side is not known.
 class Face_side
 {
 public:
@@ -45,9 +45,7 @@ public:
   {
     if (!m_region.is_crossed(face)) return {m_region.part(3 * face, 0), false, true};
     const Point p = {place.x.high, place.y.high};
-    for (const double tolerance : {0x1p-12, 0x1p-20, 0x1p-28})
-      if (const Side side = search(face, p, tolerance); side.is_known) return side;
-    return {0, false, false};
+    return search(face, p);
   }
 
   // Where a part of a halfedge begins, in the frame of its face.
@@ -73,22 +71,15 @@ public:
 private:
   typedef Point_in_face<double> Point;
 
-  // `chord_tolerance`: as a part of the face's size.
-  Side search(Index face, const Point& p, double chord_tolerance)
+  Side search(Index face, const Point& p)
   {
-    const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
-    find_chords(face, chord_tolerance * size);
-    const double clearance = 2 * chord_tolerance * size + m_moved + rounding * size;
-    if (!is_clear(p, clearance)) return {0, false, false};
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
       for (std::size_t i = 0; i < m_region.number_of_parts(h); ++i)
       {
         const Double_double_2 m = middle_of(begin_of_part(h, i), begin_of_part(h, i + 1));
         const Point q = {m.x.high, m.y.high};
-        if (!is_clear(q, clearance)) continue;
-        bool fits = true, differs = false;
-        for (const Point& end : m_ends) fits = fits && Face_piece::near_segment(p - end, q - end) > clearance;
-        if (!fits) continue;
+        if (!find_chords(face, p, q)) continue;
+        bool differs = false;
         for (const auto& [a, b] : m_chords) differs ^= cross_each_other(p, q, a, b);
         return {m_region.part(h, i), differs, true};
       }
@@ -104,56 +95,56 @@ private:
     return (cross(b - a, p - a) >= 0) != (cross(b - a, q - a) >= 0);
   }
 
-  bool is_clear(const Point& p, double clearance) const
-  {
-    for (const auto& [a, b] : m_chords)
-      if (!(Face_piece::near_segment(a - p, b - p) > clearance)) return false;
-    return true;
-  }
-
-  void find_chords(Index face, double tolerance)
+  // The pieces of a face as chords, for a segment from p to q. False if p or q is too near to a piece, or an end of a piece to
+  // the segment.
+  bool find_chords(Index face, const Point& p, const Point& q)
   {
     m_chords.clear();
-    m_ends.clear();
-    m_moved = 0;
+    const double size = m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2);
     const auto range = m_region.pieces_of_face(face);
     for (auto i = range.first; i != range.second; ++i)
     {
       const Curve_piece& piece = m_pieces[i->second];
-      m_moved = (std::max)(m_moved, piece.moved);
-      m_last = rounded(piece.start);
-      add_chords(piece.geometry, tolerance, 0);
-      m_chords.push_back({m_last, rounded(piece.end)});
-      if (piece.from.kind != Surface_point<double>::FACE) m_ends.push_back(rounded(piece.start));
-      if (piece.to.kind != Surface_point<double>::FACE) m_ends.push_back(rounded(piece.end));
+      const double clearance = piece.moved + rounding * size + piece.geometry.rounding();
+      const Point start = rounded(piece.start), end = rounded(piece.end);
+      const auto is_near = [&](const Point& x) { return !(Face_piece::near_segment(p - x, q - x) > clearance); };
+      if (piece.from.kind != Surface_point<double>::FACE && is_near(start)) return false;
+      if (piece.to.kind != Surface_point<double>::FACE && is_near(end)) return false;
+      m_last = start;
+      if (!add_chords(piece.geometry, p, q, clearance, 0)) return false;
+      m_chords.push_back({m_last, end});
     }
+    return true;
   }
 
   // The points inside a piece.
-  void add_chords(const Face_piece& part, double tolerance, int depth)
+  bool add_chords(const Face_piece& part, const Point& p, const Point& q, double clearance, int depth)
   {
-    if (!part.is_arc || depth == most_halvings) return;
-    const Double_double_2 m = part.inner_point();
-    if (part.is_short() && length(difference(m, middle_of(part.hull[0], part.hull[1]))) <= tolerance) return;
+    Face_piece hull = part;
+    hull.is_arc = false;
+    const auto is_clear = [&](const Point& x) {
+      return hull.distances_from({Double_double(x.x), Double_double(x.y)}).first > clearance;
+    };
+    if (part.is_short() && is_clear(p) && is_clear(q)) return true;
+    if (!part.is_arc || depth == most_halvings) return false;
     const auto halves = part.halves();
-    add_chords(halves.first, tolerance, depth + 1);
-    m_chords.push_back({m_last, rounded(m)});
-    m_last = rounded(m);
-    add_chords(halves.second, tolerance, depth + 1);
+    const Point m = rounded(part.inner_point());
+    if (!add_chords(halves.first, p, q, clearance, depth + 1)) return false;
+    m_chords.push_back({m_last, m});
+    m_last = m;
+    return add_chords(halves.second, p, q, clearance, depth + 1);
   }
 
   static Point rounded(const Double_double_2& p) { return {p.x.high, p.y.high}; }
 
-  static constexpr int most_halvings = 20;     // more than an arc needs for the smallest tolerance
-  static constexpr double rounding = 0x1p-40;  // of coordinates and products, as a part of the face's size
+  static constexpr int most_halvings = 40;    // hulls become narrower than rounding before
+  static constexpr double rounding = 0x1p-46; // of coordinates and products, as a part of the face's size
 
   const Certified_mesh& m_mesh;
   const Certified_sources& m_sources;
   const Curve_region& m_region;
   const std::vector<Curve_piece>& m_pieces;
   std::vector<std::pair<Point, Point>> m_chords;
-  std::vector<Point> m_ends; // of pieces, on the border of the face
-  double m_moved = 0;
   Point m_last{0, 0};
 };
 
