@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -78,6 +79,15 @@ inline std::string short_number(double value)
 {
   std::ostringstream stream;
   stream.precision(6);
+  stream << value;
+  return stream.str();
+}
+
+// With as many digits as a reader needs to get the same double
+inline std::string full_number(double value)
+{
+  std::ostringstream stream;
+  stream.precision(std::numeric_limits<double>::max_digits10);
   stream << value;
   return stream.str();
 }

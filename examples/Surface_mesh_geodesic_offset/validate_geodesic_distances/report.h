@@ -13,20 +13,10 @@
 #include <cstddef>
 #include <limits>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace geodesic_offset {
-
-// With as many digits as a reader needs to restore the double.
-inline std::string full_number(double value)
-{
-  std::ostringstream stream;
-  stream.precision(std::numeric_limits<double>::max_digits10);
-  stream << value;
-  return stream.str();
-}
 
 class Report_writer
 {

@@ -6,16 +6,20 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Arithmetic_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -72,6 +76,7 @@ public:
 #else
   typedef typename Base::vertex_descriptor vertex_descriptor;
   typedef typename Base::Face_location Face_location;
+  typedef typename Base::Triangle_mesh Triangle_mesh;
 
   using Base::Base;
 #endif
@@ -133,8 +138,49 @@ public:
   }
   /// @}
 
+  /// \name Offsets
+  /// @{
+
+  /// checks whether curves are an offset: finds the smallest tolerance for which it is proven that they bound a region of the
+  /// surface that contains all points that are nearer than `distance` minus the tolerance, and no point that is farther than
+  /// `distance` plus the tolerance. If they bound no region, the result says why and where. The curves may come from any program
+  /// (see `locate_polyline()`). \ref SurfaceMeshGeodesicOffsetErrorOffsets has the proof.
+  ///
+  /// All curves together bound the region: each point is inside, or outside, if an even, or odd, number of curves separates it
+  /// from the sources. So curves that are given twice do not count. An open curve must end at the border, or exactly where
+  /// another open curve ends: points of an edge must be given in the same face.
+  ///
+  /// Points of polylines are classified as sources are, and joined by straight segments in their faces. Offset curves are taken
+  /// as arcs; where pieces are a rounding apart, the tolerance includes it.
+  ///
+  /// Takes time linear in the size of the mesh, plus, for each piece of a curve, time linear in the number of windows of its
+  /// face, and more near the ends of pieces and where a local maximum of the distance is close to the offset.
+  ///
+  /// \tparam CurveRange a model of `ConstRange` with `Polyline` as value type, or `Surface_mesh_geodesic_offset::Offset_curve`
+  ///         of an object with the same mesh
+  /// \param distance the requested distance
+  /// \param curves the curves
+  /// \throws std::logic_error if `!is_built()`, if the windows were not kept, or if the rounding mode is not to nearest
+  /// \throws std::invalid_argument if the distance is negative or not finite, or if a location is not valid
+  template <class CurveRange>
+  Geodesic_offset_certificate<Face_location> certify_offset(double distance, const CurveRange& curves) const
+  {
+    Geodesic_offset::internal::check_rounding_mode();
+    const Build& b = built();
+    if (!b.field.has_windows())
+      throw std::logic_error("Surface_mesh_geodesic_enclosure: certify_offset() needs build(parameters::keep_windows(true))");
+    if (!(distance >= 0) || !Geodesic_offset::internal::Number_policy<double>::is_finite(distance))
+      throw std::invalid_argument("Surface_mesh_geodesic_enclosure: the distance of an offset is negative or not finite");
+    Certification certification(*m_mesh, b.sources, b.field, m_mesh->to_unit(distance));
+    for (const auto& curve : curves)
+      if (!add_curve(certification, curve, 0)) break;
+    return exported(certification());
+  }
+  /// @}
+
 private:
   typedef typename Base::Surface_point Surface_point;
+  typedef Geodesic_offset::internal::Offset_certification Certification;
   typedef Geodesic_offset::internal::Certified_mesh Mesh;
 
   struct Build
@@ -148,6 +194,44 @@ private:
     Geodesic_offset::internal::Certified_sources sources;
     Geodesic_offset::internal::Certified_field field;
   };
+
+  template <class Offset_curve>
+  auto add_curve(Certification& certification, const Offset_curve& curve, int) const -> decltype(curve.pieces(), true)
+  {
+    const auto unit = [&](const auto& p) {
+      return Geodesic_offset::internal::Point_in_face<double>{m_mesh->to_unit(p.x()), m_mesh->to_unit(p.y())};
+    };
+    std::vector<Certification::Arc> arcs;
+    for (const auto& piece : curve.pieces())
+      arcs.push_back({this->surface().index_of(piece.face()), this->classified(piece.start()), this->classified(piece.end()),
+                      unit(piece.start_2()), unit(piece.end_2()), unit(piece.is_arc() ? piece.center() : piece.start_2()),
+                      piece.is_arc() ? m_mesh->to_unit(piece.radius()) : 0.});
+    return certification.add_arcs(arcs, curve.is_closed());
+  }
+
+  template <class Curve>
+  bool add_curve(Certification& certification, const Curve& polyline, long) const
+  {
+    std::vector<Surface_point> points;
+    for (const auto& l : polyline.locations) points.push_back(this->classified(l));
+    return certification.add_polyline(points, polyline.is_closed);
+  }
+
+  Geodesic_offset_certificate<Face_location> exported(const Certification::Result& r) const
+  {
+    Geodesic_offset_certificate<Face_location> c;
+    c.bounds_region = r.bounds_region;
+    c.tolerance = m_mesh->from_unit(r.excess);
+    c.limit = r.limit;
+    c.location.first = boost::graph_traits<Triangle_mesh>::null_face();
+    if (r.face != Geodesic_offset::internal::no_index)
+      c.location = this->surface().location(r.face, {m_mesh->from_unit(r.place.x), m_mesh->from_unit(r.place.y)});
+    c.distance_bounds = {m_mesh->from_unit(r.bounds.first), m_mesh->from_unit(r.bounds.second)};
+    c.curve = r.curve;
+    c.number_of_reversed_curves = r.reversed.size();
+    if (!r.reversed.empty()) c.first_reversed_curve = r.reversed.front();
+    return c;
+  }
 
   const Build& built() const
   {

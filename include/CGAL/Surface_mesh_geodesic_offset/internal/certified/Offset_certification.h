@@ -1,0 +1,478 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The smallest eps for which curves are proven to be an offset: they bound a region R with {D < d - eps} inside R, and R inside
+// {D <= d + eps}.
+//
+// Let C be the union of the curves, and R be C and the points that are separated from the sources by an even number of curves.
+//
+// {D < d - eps} is inside R: the shortest path to a point outside of R starts at a source, in R, and so meets C. D grows along
+// the path, so D is at least the minimum of D on C there. Thus it is enough that D >= d - eps on C, and that all sources are in
+// R; otherwise eps = d.
+//
+// R is inside {D <= d + eps}: D has a largest value on R, which is compact. The point where it is taken is on C, or on a part of
+// an edge in R, or it is in the interior of a face and of R, and so a local maximum of D. It is enough to bound D on C, on these
+// parts of edges, and at local maxima. The last leg of each shortest path to a point p inside a face is straight. If a direction
+// u has a positive scalar product with the last legs of all shortest paths to p, then p is no local maximum: otherwise, for p_i
+// = p + t_i u with t_i > 0 converging to 0, the last legs of shortest paths to p_i converge to one to p. Let x_i be the points
+// where these legs start. Then D(p_i) - D(p) >= |p_i - x_i| - |p - x_i|, which is positive for small t_i. (x_i stays away from
+// p, as p is inside the face and, as u exists, not a source.) So a triangle in a face can be left out if all rays that may be
+// shortest in it are within less than half a turn. Others are bisected, until their upper bound is small enough, or they are
+// outside of R: those whose lower bound exceeds d + eps do not meet C, and so are on one side, like any of their points.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_OFFSET_CERTIFICATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_OFFSET_CERTIFICATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Curve_region.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Face_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Piece_bounds.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Lengths are in units of the certified mesh.
+struct Offset_certification_result
+{
+  bool bounds_region = false;
+  double excess = 0;
+  Offset_certificate_limit limit = Offset_certificate_limit::NONE;
+  Index face = no_index;
+  Point_in_face<double> place{0, 0};
+  Bounds bounds{0, 0};
+  std::size_t curve = no_curve;
+  std::vector<std::size_t> reversed; // curves, increasing
+};
+
+class Offset_certification
+{
+public:
+  typedef Surface_point<double> Place;
+  typedef Offset_certificate_limit Limit;
+  typedef Offset_certification_result Result;
+
+  Offset_certification(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field,
+                       double distance)
+    : m_mesh(mesh), m_sources(sources), m_field(field), m_distance(distance), m_bounds(mesh, sources, field),
+      m_region(mesh.unfolded()), m_side(mesh, sources, m_region, m_pieces)
+  {
+  }
+
+  // A polyline on the surface. False if two consecutive points have no face in common; the result tells which.
+  bool add_polyline(const std::vector<Place>& points, bool is_closed)
+  {
+    const std::size_t curve = m_curves++, n = points.size();
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
+      if (!add_segment(points[i], points[(i + 1) % n], curve)) return fail(Limit::NOT_JOINED, points[i], curve);
+    if (!is_closed && n > 0) add_ends(points.front(), points.back(), curve);
+    return true;
+  }
+
+  // An offset curve. `places`: the ends of its pieces on the surface, as (start, end). Its pieces must be joined by less than
+  // `joint_tolerance`; where they are a rounding apart, the end of the first piece is the joint of both, and the difference
+  // counts as an uncertainty of their points.
+  struct Arc
+  {
+    Index face;
+    Place from, to;
+    Point_in_face<double> start, end, center; // in units of the mesh
+    double radius;                            // 0: a segment
+  };
+  bool add_arcs(const std::vector<Arc>& arcs, bool is_closed)
+  {
+    const std::size_t curve = m_curves++, n = arcs.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Place& from = i > 0 ? arcs[i - 1].to : is_closed ? arcs[n - 1].to : arcs[0].from;
+      if (!add_arc(arcs[i], from, curve)) return fail(Limit::NOT_JOINED, arcs[i].from, curve);
+    }
+    if (!is_closed && n > 0) add_ends(arcs.front().from, arcs.back().to, curve);
+    return true;
+  }
+
+  // To be called once, after all curves were added.
+  const Result& operator()()
+  {
+    if (m_result.limit != Limit::NONE || !check_ends()) return m_result;
+    if (!m_region.set_pieces(m_pieces))
+    {
+      set_limit(Limit::NO_REGION, m_region.conflict_face(), m_sources.corner(m_region.conflict_face(), 0), {0., 0.}, no_curve);
+      m_result.excess = Number_policy<double>::infinity();
+      return m_result;
+    }
+    m_result.bounds_region = true;
+    find_sides();
+    find_reversed();
+    // points first: they show how much is needed at least
+    for (const Curve_piece& p : m_pieces)
+    {
+      m_bounds.set_face(p.face);
+      const std::size_t end = m_bounds.end_of_candidates();
+      allow_for(m_bounds(Face_piece::point(p.geometry.hull[0]), p.moved, 0, end, false).at_inner_point, p.geometry.hull[0],
+                p.face, p.curve);
+      m_bounds.drop_candidates(end);
+    }
+    for (const Curve_piece& p : m_pieces)
+    {
+      m_bounds.set_face(p.face);
+      bound_curve(p.geometry, p, 0, m_bounds.end_of_candidates(), 0);
+    }
+    bound_edges();
+    bound_faces();
+    return m_result;
+  }
+
+  // The longest edge is between 1 and 2. Coordinates of joints in their faces have errors of some 2^-50 of the size of the face
+  // and of the distance; pieces that are farther apart were not joined.
+  static constexpr double joint_tolerance = 0x1p-30;
+
+private:
+  // The tolerance is the smallest one up to this part of the distance and the size of a face, twice the errors of the bounds of
+  // a point.
+  static constexpr double resolution = 0x1p-45;
+  // The parts of a piece are never smaller than its 2^-60, and the triangles of a face are no more than 2^16.
+  static constexpr int most_halvings = 60;
+  static constexpr std::size_t most_triangles = 1u << 16;
+
+  double smallest_step(Index face) const { return resolution * (m_distance + m_mesh.length(3 * face) + m_mesh.length(3 * face + 1)); }
+
+  bool place_in(Index face, const Place& p, Double_double_2& place, unsigned& edges) const
+  {
+    return m_sources.place_in_face(p, face, place, edges);
+  }
+
+  bool add_segment(const Place& from, const Place& to, std::size_t curve)
+  {
+    if (m_region.key(from) == m_region.key(to)) return true;
+    for (Index face : faces_of(m_mesh.unfolded(), from))
+    {
+      Double_double_2 p, q;
+      unsigned p_edges, q_edges;
+      if (!place_in(face, from, p, p_edges) || !place_in(face, to, q, q_edges)) continue;
+      const int edge = (p_edges & q_edges) ? edge_of_bit(p_edges & q_edges) : -1;
+      m_pieces.push_back({face, from, to, Face_piece::segment(p, q), p, q, 0., curve, edge});
+      return true;
+    }
+    return false;
+  }
+
+  bool add_arc(const Arc& arc, const Place& from, std::size_t curve)
+  {
+    Double_double_2 p, q;
+    unsigned edges;
+    if (!place_in(arc.face, from, p, edges) || !place_in(arc.face, arc.to, q, edges)) return false;
+    const auto point = [](const Point_in_face<double>& x) { return Double_double_2{Double_double(x.x), Double_double(x.y)}; };
+    const Double_double_2 start = point(arc.start), end = point(arc.end);
+    const Face_piece piece = arc.radius > 0 ? Face_piece::arc(start, end, point(arc.center), arc.radius)
+                                            : Face_piece::segment(start, end);
+    double moved = (std::max)(length(difference(p, start)), length(difference(q, end)));
+    moved = (std::max)({moved, piece.off_circle(), outside(piece, arc.face)});
+    if (!(moved <= joint_tolerance)) return false;
+    m_pieces.push_back({arc.face, from, arc.to, piece, p, q, moved, curve, -1});
+    return true;
+  }
+
+  // How far a piece is outside of its face.
+  double outside(const Face_piece& piece, Index face) const
+  {
+    double result = 0;
+    Face_piece f = piece;
+    for (Index k = 0; k < 3; ++k)
+    {
+      result = (std::max)(result, -f.products_with({0., 1.}).first);
+      f = f.in_next_frame(m_mesh, 3 * face + k);
+    }
+    return result;
+  }
+
+  void add_ends(const Place& first, const Place& last, std::size_t curve)
+  {
+    m_ends.push_back({first, curve});
+    m_ends.push_back({last, curve});
+  }
+
+  // Open curves go on as others, or end at the border.
+  bool check_ends()
+  {
+    const auto less = [&](const auto& a, const auto& b) { return m_region.key(a.first) < m_region.key(b.first); };
+    std::stable_sort(m_ends.begin(), m_ends.end(), less);
+    for (std::size_t i = 0, next; i < m_ends.size(); i = next)
+    {
+      for (next = i + 1; next < m_ends.size() && !less(m_ends[i], m_ends[next]); ++next) {}
+      if ((next - i) % 2 == 1 && !m_region.is_on_border(m_ends[i].first))
+        return fail(Limit::OPEN_END, m_ends[i].first, m_ends[i].second);
+    }
+    return true;
+  }
+
+  bool fail(Limit limit, const Place& p, std::size_t curve)
+  {
+    if (m_result.limit != Limit::NONE) return false;
+    const std::vector<Index> faces = faces_of(m_mesh.unfolded(), p);
+    Double_double_2 place{};
+    unsigned edges;
+    if (!faces.empty()) place_in(faces.front(), p, place, edges);
+    set_limit(limit, faces.empty() ? no_index : faces.front(), place, {0., 0.}, curve);
+    m_result.excess = Number_policy<double>::infinity();
+    return false;
+  }
+
+  void set_limit(Limit limit, Index face, const Double_double_2& place, const Bounds& bounds, std::size_t curve)
+  {
+    m_result.limit = limit;
+    m_result.face = face;
+    m_result.place = {place.x.high, place.y.high};
+    m_result.bounds = bounds;
+    m_result.curve = curve;
+  }
+
+  void raise(double excess, Limit limit, Index face, const Double_double_2& place, const Bounds& bounds, std::size_t curve)
+  {
+    if (!(excess > m_result.excess)) return;
+    m_result.excess = excess;
+    set_limit(limit, face, place, bounds, curve);
+  }
+
+  // The first source of a component is inside; so must the others be.
+  void find_sides()
+  {
+    for (Index v : m_sources.vertices)
+      if (!m_region.is_on_curve(v) && m_mesh.unfolded().corner(v) != no_index)
+        put_source({m_region.part(m_mesh.unfolded().corner(v), 0), false, true}, m_mesh.unfolded().corner(v) / 3,
+                   m_sources.corner(m_mesh.unfolded().corner(v) / 3, int(m_mesh.unfolded().corner(v) % 3)));
+    for (const Certified_source& s : m_sources.in_faces) put_source(m_side(s.face, s.first), s.face, s.first);
+    for (std::size_t i = 0; i < m_region.number_of_parts(); ++i)
+      if (!m_region.has_side(i)) m_region.set_side(i, false);
+  }
+
+  void put_source(const Face_side::Side& side, Index face, const Double_double_2& place)
+  {
+    if (side.is_known && !m_region.has_side(side.part)) m_region.set_side(side.part, !side.differs);
+    if (!side.is_known || m_region.is_inside(side.part) == side.differs)
+      raise(m_distance, Limit::SOURCE_OUTSIDE, face, place, {0., 0.}, no_curve);
+  }
+
+  // Curves have the region on their left.
+  void find_reversed()
+  {
+    std::vector<char> has_ends(m_curves, 0);
+    std::vector<const Curve_piece*> longest(m_curves, nullptr);
+    for (const Curve_piece& p : m_pieces)
+    {
+      std::size_t before, behind;
+      bool is_right = true;
+      if (p.edge >= 0)
+      {
+        bool is_forward;
+        if (!m_region.part_along(p, before, is_forward)) continue;
+        is_right = m_region.is_inside(before) == is_forward;
+        has_ends[p.curve] = 1;
+      }
+      else
+        for (const bool at_start : {true, false})
+          if (m_region.parts_at_end(p, at_start, before, behind))
+          {
+            is_right = is_right && m_region.is_inside(at_start ? before : behind);
+            has_ends[p.curve] = 1;
+          }
+      if (!is_right) m_result.reversed.push_back(p.curve);
+      const Curve_piece*& l = longest[p.curve];
+      if (!l || chord(p) > chord(*l)) l = &p;
+    }
+    for (std::size_t i = 0; i < m_curves; ++i)
+      if (!has_ends[i] && longest[i] && m_side.is_right_of(*longest[i])) m_result.reversed.push_back(i);
+    std::sort(m_result.reversed.begin(), m_result.reversed.end());
+    m_result.reversed.erase(std::unique(m_result.reversed.begin(), m_result.reversed.end()), m_result.reversed.end());
+  }
+
+  static double chord(const Curve_piece& p) { return length(difference(p.end, p.start)); }
+
+  // The tolerance must allow for a point of the region, or of a curve.
+  void allow_for(const Bounds& bounds, const Double_double_2& place, Index face, std::size_t curve)
+  {
+    raise(bounds.second - m_distance, curve == no_curve ? Limit::REGION_TOO_FAR : Limit::CURVE_TOO_FAR, face, place, bounds,
+          curve);
+    if (curve != no_curve) raise(m_distance - bounds.first, Limit::CURVE_TOO_NEAR, face, place, bounds, curve);
+  }
+
+  // A part of a curve.
+  void bound_curve(const Face_piece& part, const Curve_piece& p, std::size_t begin, std::size_t end, int depth)
+  {
+    if (part.is_short() || depth == most_halvings)
+    {
+      const Piece_range r = m_bounds(part, p.moved, begin, end, false);
+      const std::size_t next = m_bounds.end_of_candidates();
+      bool is_far = r.upper - m_distance > m_result.excess, is_near = m_distance - r.lower > m_result.excess;
+      if (is_far || is_near)
+      {
+        const Double_double_2 place = part.inner_point();
+        const Bounds& at = r.at_inner_point;
+        allow_for(at, place, p.face, p.curve);
+        const double step = depth == most_halvings ? Number_policy<double>::infinity() : smallest_step(p.face);
+        if (is_far && r.upper - at.second <= step)
+        {
+          raise(r.upper - m_distance, Limit::CURVE_TOO_FAR, p.face, place, {r.lower, r.upper}, p.curve);
+          is_far = false;
+        }
+        if (is_near && at.first - r.lower <= step)
+        {
+          raise(m_distance - r.lower, Limit::CURVE_TOO_NEAR, p.face, place, {r.lower, r.upper}, p.curve);
+          is_near = false;
+        }
+        is_far = is_far && r.upper - m_distance > m_result.excess;
+        is_near = is_near && m_distance - r.lower > m_result.excess;
+      }
+      if (is_far || is_near) bound_halves(part, p, end, next, depth);
+      m_bounds.drop_candidates(end);
+    }
+    else
+      bound_halves(part, p, begin, end, depth);
+  }
+
+  void bound_halves(const Face_piece& part, const Curve_piece& p, std::size_t begin, std::size_t end, int depth)
+  {
+    const auto halves = part.halves();
+    bound_curve(halves.first, p, begin, end, depth + 1);
+    bound_curve(halves.second, p, begin, end, depth + 1);
+  }
+
+  double upper(Index v) const { return m_field.bounds.upper(v); }
+
+  void bound_edges()
+  {
+    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
+    for (Index h = 0; h < unfolded.number_of_halfedges(); ++h)
+    {
+      if (unfolded.source(h) == no_index || (unfolded.twin(h) != no_index && unfolded.twin(h) < h)) continue;
+      const double a = upper(unfolded.source(h)), b = upper(unfolded.target(h)), size = m_mesh.length(h);
+      // by way of the nearer end, with all roundings
+      if (0.5 * (a + b + size) * (1 + 0x1p-50) - m_distance <= m_result.excess) continue;
+      for (std::size_t i = 0; i < m_region.number_of_parts(h); ++i)
+      {
+        const std::size_t part = m_region.part(h, i);
+        if (m_region.is_carried(part) || !m_region.is_inside(part)) continue;
+        m_bounds.set_face(h / 3);
+        bound_part(Face_piece::segment(m_side.begin_of_part(h, i), m_side.begin_of_part(h, i + 1)), h / 3, 0,
+                   m_bounds.end_of_candidates(), 0);
+      }
+    }
+  }
+
+  // A part of an edge in the region.
+  void bound_part(const Face_piece& part, Index face, std::size_t begin, std::size_t end, int depth)
+  {
+    const Piece_range r = m_bounds(part, 0., begin, end, false);
+    const std::size_t next = m_bounds.end_of_candidates();
+    if (r.upper - m_distance > m_result.excess)
+    {
+      const Double_double_2 place = part.inner_point();
+      allow_for(r.at_inner_point, place, face, no_curve);
+      if (depth == most_halvings || r.upper - r.at_inner_point.second <= smallest_step(face))
+        raise(r.upper - m_distance, Limit::REGION_TOO_FAR, face, place, {r.lower, r.upper}, no_curve);
+      else if (r.upper - m_distance > m_result.excess)
+      {
+        const auto halves = part.halves();
+        bound_part(halves.first, face, end, next, depth + 1);
+        bound_part(halves.second, face, end, next, depth + 1);
+      }
+    }
+    m_bounds.drop_candidates(end);
+  }
+
+  void bound_faces()
+  {
+    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
+    for (Index f = 0; f < unfolded.number_of_faces(); ++f)
+    {
+      if (unfolded.source(3 * f) == no_index) continue;
+      double bound = Number_policy<double>::infinity();
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        bound = (std::min)(bound, upper(unfolded.source(h)) + (std::max)(m_mesh.length(h), m_mesh.length(unfolded.previous(h))));
+      if (bound * (1 + 0x1p-50) - m_distance <= m_result.excess) continue;
+      const bool is_crossed = m_region.is_crossed(f);
+      if (!is_crossed && !m_region.is_inside(m_region.part(3 * f, 0))) continue;
+      bound_face(f, !is_crossed);
+    }
+  }
+
+  // A triangle in a face of which parts may be in the region.
+  struct Triangle
+  {
+    Face_piece piece;
+    Piece_range range;
+    bool is_inside;
+
+    bool operator<(const Triangle& o) const { return range.upper < o.range.upper; }
+  };
+
+  // The triangles with the largest bounds first, as they raise the tolerance most.
+  void bound_face(Index face, bool is_inside)
+  {
+    m_bounds.set_face(face);
+    m_queue.clear();
+    m_triangles = 0;
+    add_triangle(Face_piece::triangle(m_sources.corner(face, 0), m_sources.corner(face, 1), m_sources.corner(face, 2)), face,
+                 is_inside);
+    while (!m_queue.empty())
+    {
+      std::pop_heap(m_queue.begin(), m_queue.end());
+      const Triangle t = m_queue.back();
+      m_queue.pop_back();
+      if (t.range.upper - m_distance <= m_result.excess) return;
+      const auto halves = t.piece.halves();
+      add_triangle(halves.first, face, t.is_inside);
+      add_triangle(halves.second, face, t.is_inside);
+    }
+  }
+
+  void add_triangle(const Face_piece& triangle, Index face, bool is_inside)
+  {
+    const std::size_t end = m_bounds.end_of_candidates();
+    const Piece_range r = m_bounds(triangle, 0., 0, end, true);
+    m_bounds.drop_candidates(end);
+    if (r.upper - m_distance <= m_result.excess || r.has_no_maximum) return;
+    const Double_double_2 place = triangle.inner_point();
+    if (!is_inside && r.lower - m_distance > m_result.excess)
+    { // no curve meets it
+      const Face_side::Side side = m_side(face, place);
+      is_inside = !side.is_known || m_region.is_inside(side.part) != side.differs;
+      if (!is_inside) return;
+    }
+    if (is_inside) allow_for(r.at_inner_point, place, face, no_curve);
+    // also if a curve may meet the triangle: d + eps is between its bounds then
+    if (r.upper - r.at_inner_point.second <= smallest_step(face) || ++m_triangles > most_triangles)
+      raise(r.upper - m_distance, Limit::REGION_TOO_FAR, face, place, {r.lower, r.upper}, no_curve);
+    else if (r.upper - m_distance > m_result.excess)
+    {
+      m_queue.push_back({triangle, r, is_inside});
+      std::push_heap(m_queue.begin(), m_queue.end());
+    }
+  }
+
+  const Certified_mesh& m_mesh;
+  const Certified_sources& m_sources;
+  const Certified_field& m_field;
+  const double m_distance;
+  Piece_bounds m_bounds;
+  std::vector<Curve_piece> m_pieces;
+  std::vector<std::pair<Place, std::size_t>> m_ends; // of open curves, with the curve
+  std::size_t m_curves = 0, m_triangles = 0;
+  std::vector<Triangle> m_queue; // a heap
+  Curve_region m_region;
+  Face_side m_side;
+  Result m_result;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
