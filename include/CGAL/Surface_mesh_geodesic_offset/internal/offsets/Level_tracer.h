@@ -312,13 +312,20 @@ private:
       int rank = 2 * int(turns_back) + int(m_arcs.is_fan(i));
       if ((last.leaves && !turns_back) || (best.is_valid() && rank > best_rank)) return;
       const Run run = run_of(i, start, !last.is_valid());
-      if (!run.is_valid()) return;
+      if (!run.is_valid() || repeats(last, run)) return;
       rank += 4 * int(is_known_end(run)) + 8 * int(run.leaves);
       if (best.is_valid() && (rank > best_rank || (rank == best_rank && !(run.length > best.length)))) return;
       best = run;
       best_rank = rank;
     });
     return best;
+  }
+
+  // Does a run go back along the last one and end where this ends, too? The arcs of coincident segments of sources tie so.
+  bool repeats(const Run& last, const Run& run) const
+  {
+    return last.is_covered && run.gate == none && length(run.end - last.end) <= m_arcs.tolerances().tie &&
+           length(run.start - last.end) > m_arcs.tolerances().tie;
   }
 
   // Where a covered run goes over to arc i. The run ends where another arc is nearer by the cover; where both tie is

@@ -117,7 +117,7 @@ private:
     }
 
   private:
-    // Of vertices and faces of the patch, as Element_numbers tells them of a mesh.
+    // Of vertices and faces of the patch, as those of Index_renumbering in a mesh.
     struct Same_numbers
     {
       Index of_vertex(Index i) const { return i; }

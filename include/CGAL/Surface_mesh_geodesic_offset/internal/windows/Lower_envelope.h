@@ -71,7 +71,11 @@ public:
       }
       add(*w);
     }
-    if constexpr (Number_policy<FT>::is_inexact) close_gaps_at_ends(d_source, d_target);
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      close_occupied_gaps();
+      close_gaps_at_ends(d_source, d_target);
+    }
     CGAL_postcondition(are_in_order(m_envelope.data(), m_envelope.data() + m_envelope.size(), length));
     CGAL_expensive_postcondition(
       have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
@@ -169,6 +173,31 @@ private:
     const FT gap = w.b0 - a.b1;
     if (CGAL::is_positive(gap) && gap < m_widest_gap && close_gap(a, w)) return;
     m_envelope.push_back(w);
+  }
+
+  // A gap may hold a window that is farther than both of its neighbours at its ends, by more than the way along the halfedge.
+  // It is removed where its neighbours close the gap.
+  void close_occupied_gaps()
+  {
+    if (m_envelope.size() < 3) return;
+    for (std::size_t i = 1; i + 1 < m_envelope.size(); ++i)
+    {
+      const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
+      if (!(w.b0 - a.b1 < m_widest_gap) || !(m.d0 - a.d1 > m.b0 - a.b1) || !(m.d1 - w.d0 > w.b0 - m.b1)) continue;
+      Window left = a;
+      CGAL_assertion_code(const std::size_t size = m_envelope.size());
+      const bool is_closed_by_w = close_gap(left, Window(w));
+      if (is_closed_by_w)
+      {
+        m_envelope[i + 1] = m_envelope.back();
+        m_envelope.pop_back();
+      }
+      CGAL_assertion(m_envelope.size() == size);
+      if (!is_closed_by_w && left.b1 == a.b1) continue;
+      m_envelope[i - 1] = left;
+      m_envelope.erase(m_envelope.begin() + std::ptrdiff_t(i));
+      --i;
+    }
   }
 
   // Closes the gaps between the first and last windows and the ends of the halfedge, in the same way.
