@@ -49,7 +49,7 @@ public:
     const bool may_stay = !m_needs_envelopes && list.taken == 0 && !list.waiting.data;
     if constexpr (is_inexact)
     {
-      if (may_stay && Lower_envelope<Traits>::is_row(list.begin(), list.end()))
+      if (may_stay && Lower_envelope<Traits>::is_row(list.begin(), list.end(), m_mesh[h].length))
       {
         m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
         return nullptr;

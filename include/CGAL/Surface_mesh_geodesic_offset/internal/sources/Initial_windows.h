@@ -213,7 +213,7 @@ private:
       Point right = source, left = target;
       if (from && !clip(p, *from, FT(1), right, left)) continue;
       if (to && !clip(p, *to, FT(-1), right, left)) continue;
-      if (!CGAL::is_zero(lost_angle(face, distance_to_chord(frame, k, p, right, left))))
+      if (lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
       {
         // a sector within a half turn is bounded by the ends of the edge where these are inside it
         const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
@@ -240,6 +240,10 @@ private:
     const Point first = turned(from), last = turned(to);
     add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, root, entry, beyond_edges);
   }
+
+  // From this angle on, 2^-16 radians: the gaps that smaller angles leave are closed by the lower envelope of the edges behind.
+  // In needle faces, more rays would start a second time.
+  static constexpr double least_angle_beyond_edges = 1. / (1 << 16);
 
   static FT distance_to_chord(const Face_frame<FT>& frame, int k, const Point& p, const Point& right, const Point& left)
   {

@@ -49,7 +49,7 @@ public:
     m_envelope.clear();
     m_length = length;
     m_min_width = Number_policy<FT>::rounding(8) * length;
-    m_max_gap = Number_policy<FT>::rounding(4096) * length;
+    m_max_gap = max_gap(length);
     m_least_overlap = -m_max_gap;
     m_widest_gap = FT(widest_closed_gap) * length;
     m_rounding = Number_policy<FT>::rounding(1);
@@ -84,9 +84,13 @@ public:
 
   // Whether windows are in a row: none begins or ends before the one before it, and neighbours are not one window. Such ones
   // are mostly their own lower envelope, but for the ends that neighbours take from each other.
-  static bool is_row(const Window* first, const Window* last)
+  // No gap may be closed, either: so distances do not depend on whether a list is swept.
+  static bool is_row(const Window* first, const Window* last, const FT& length)
   {
     if (first == last) return true;
+    const FT largest_rounding = max_gap(length), widest_gap = FT(widest_closed_gap) * length;
+    const auto may_be_closed = [&](const FT& gap) { return int(gap > largest_rounding) & int(gap < widest_gap); };
+    if (may_be_closed(first->b0) | may_be_closed(FT(length - last[-1].b1))) return false;
     // mostly no less than that of same_image
     const FT rounding = Number_policy<FT>::rounding(1024);
     const FT allowance = rounding * (first->d0 + last[-1].d1 + last[-1].b1);
@@ -96,13 +100,16 @@ public:
       const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
       const FT& allowance_of_x = a.is_parallel() ? rounding : allowance;
       const int may_be_one = int(((a.bits ^ b.bits) & ~2u) == 0) & int(x <= allowance_of_x) & int(sigma <= allowance);
-      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
+      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1) | may_be_closed(FT(b.b0 - a.b1))) return false;
     }
     return true;
   }
 
 private:
-  // Gaps up to this part of the length of the halfedge are closed.
+  // Gaps between windows of one image up to this are rounding.
+  static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
+
+  // Gaps between windows of different images up to this part of the length of the halfedge are closed.
   static constexpr double widest_closed_gap = 1. / (1 << 8);
 
   bool same_image(const Window& a, const Window& b) const
@@ -171,7 +178,7 @@ private:
   BOOST_FORCEINLINE void push_behind(Window& a, const Window& w)
   {
     const FT gap = w.b0 - a.b1;
-    if (CGAL::is_positive(gap) && gap < m_widest_gap && close_gap(a, w)) return;
+    if (gap > m_max_gap && gap < m_widest_gap && close_gap(a, w)) return;
     m_envelope.push_back(w);
   }
 
@@ -205,7 +212,7 @@ private:
   {
     if (m_envelope.empty()) return;
     Window &a = m_envelope.front(), &w = m_envelope.back();
-    if (CGAL::is_positive(a.b0) && a.b0 < m_widest_gap && !a.is_propagated())
+    if (a.b0 > m_max_gap && a.b0 < m_widest_gap && !a.is_propagated())
     {
       const FT d = a.distance_at(FT(0));
       if (CGAL::abs(FT(d - d_source)) <= m_gap_rounding * (d + m_length))
@@ -214,7 +221,7 @@ private:
         a.d0 = d;
       }
     }
-    if (w.b1 < m_length && m_length - w.b1 < m_widest_gap && !w.is_propagated())
+    if (m_length - w.b1 > m_max_gap && m_length - w.b1 < m_widest_gap && !w.is_propagated())
     {
       const FT d = w.distance_at(m_length);
       if (CGAL::abs(FT(d - d_target)) <= m_gap_rounding * (d + m_length))
