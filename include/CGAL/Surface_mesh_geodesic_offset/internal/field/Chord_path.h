@@ -47,7 +47,7 @@ struct Rays_through_chord
     if (is_straight)
     {
       const FT d = distance_at(p);
-      if (!is_parallel || !(d < distance_at(left)) || !(d < distance_at(right))) return d;
+      if (!is_parallel || !(d < (std::min)(distance_at(left), distance_at(right)) - rounding_at(p))) return d;
       // Parallel rays that run along the chord, up to rounding, reach points behind it, too. The distance grows along rays, so
       // such a point is nearer than both ends.
       is_straight = false;
@@ -55,6 +55,13 @@ struct Rays_through_chord
     const auto round = [&](const Point& end) { return FT(distance_at(end) + length(p - end)); };
     if (off_left == off_right) return (std::min)(round(left), round(right));
     return off_left ? round(left) : round(right);
+  }
+
+  // Rounding of the distance of p by parallel rays.
+  FT rounding_at(const Point& p) const
+  {
+    return Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y) + CGAL::abs(left.x) +
+                                              CGAL::abs(left.y) + CGAL::abs(right.x) + CGAL::abs(right.y));
   }
 };
 
