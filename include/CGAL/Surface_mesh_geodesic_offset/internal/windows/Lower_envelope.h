@@ -21,6 +21,7 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -51,7 +52,7 @@ public:
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = max_gap(length);
     m_least_overlap = -m_max_gap;
-    m_widest_gap = FT(widest_closed_gap) * length;
+    m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
     m_rounding = Number_policy<FT>::rounding(1);
     m_gap_rounding = Number_policy<FT>::rounding(256); // that of pruning_allowance(), by which windows are dropped at ties
     m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
@@ -88,8 +89,8 @@ public:
   static bool is_row(const Window* first, const Window* last, const FT& length)
   {
     if (first == last) return true;
-    const FT largest_rounding = max_gap(length), widest_gap = FT(widest_closed_gap) * length;
-    const auto may_be_closed = [&](const FT& gap) { return int(gap > largest_rounding) & int(gap < widest_gap); };
+    const FT largest_rounding = max_gap(length), widest = widest_gap(*first, length);
+    const auto may_be_closed = [&](const FT& gap) { return int(gap > largest_rounding) & int(gap < widest); };
     if (may_be_closed(first->b0) | may_be_closed(FT(length - last[-1].b1))) return false;
     // mostly no less than that of same_image
     const FT rounding = Number_policy<FT>::rounding(1024);
@@ -109,8 +110,13 @@ private:
   // Gaps between windows of one image up to this are rounding.
   static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
 
-  // Gaps between windows of different images up to this part of the length of the halfedge are closed.
-  static constexpr double widest_closed_gap = 1. / (1 << 8);
+  // Gaps between windows of different images are closed up to 2^-8 of the length of the halfedge, and on edges far shorter than
+  // the distance, as across a narrow strip, up to 2^28 u of the distance: there distances tie along much of the edge.
+  static FT widest_gap(const Window& w, const FT& length)
+  {
+    const FT by_distance = (std::min)(length, FT(Number_policy<FT>::rounding(1 << 28) * w.d0));
+    return (std::max)(FT(FT(1. / (1 << 8)) * length), by_distance);
+  }
 
   bool same_image(const Window& a, const Window& b) const
   {
