@@ -136,15 +136,22 @@ bool is_row(const Windows& windows, double length)
 }
 
 // Gaps that are wider than rounding and may be closed.
-bool may_be_closed(double gap, double length) { return gap > 0x1p-40 * length && gap < length / 256; }
+double widest_gap(const Window& first, double length)
+{
+  return (std::max)(length / 256, (std::min)(length, 0x1p-24 * first.d0));
+}
+bool may_be_closed(double gap, double length, double widest) { return gap > 0x1p-40 * length && gap < widest; }
 
 void check_row(const Windows& windows, double length)
 {
-  bool expected = !may_be_closed(windows.front().b0, length) && !may_be_closed(length - windows.back().b1, length);
+  const double widest = widest_gap(windows.front(), length);
+  bool expected = !may_be_closed(windows.front().b0, length, widest) && !may_be_closed(length - windows.back().b1, length, widest);
   for (std::size_t i = 1; i < windows.size(); ++i)
   {
     const Window &a = windows[i - 1], &b = windows[i];
-    if (a.b0 > b.b0 || a.b1 > b.b1 || may_be_closed(b.b0 - a.b1, length)) expected = false;
+    if (a.b0 > b.b0 || a.b1 > b.b1 || may_be_closed(b.b0 - a.b1, length, widest)) expected = false;
+    const double gap = b.b0 - a.b1; // a narrow window that is farther than the way from a allows may occupy a gap
+    if (gap >= 0 && b.b1 - b.b0 < widest && b.d0 - a.d1 > gap) expected = false;
     if (a.x == b.x && a.y == b.y && a.sigma == b.sigma && a.bits == b.bits) expected = false;
   }
   CHECK(is_row(windows, length) == expected);

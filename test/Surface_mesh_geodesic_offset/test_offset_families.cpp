@@ -349,7 +349,7 @@ void streaming()
       Levels::equally_spaced(20, 19),
       [&](double, std::vector<Counted::Offset_curve>&&) { counts.push_back(count); },
       CGAL::parameters::keep_windows(keep));
-    CHECK(count == all);
+    CHECK_DETAIL(count == all, std::to_string(count) + ", without offsets " + std::to_string(all));
     if (CHECK(counts.size() == 19))
       for (std::size_t i = 0; i < 19; ++i)
       { // the front is at most a twentieth of the strip beyond the level

@@ -62,7 +62,7 @@ public:
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
                            m_distance[m_mesh.source(h)], m_distance[m_mesh.target(h)]));
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
-    return may_stay ? nullptr : &envelope;
+    return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
 
   // What came of the propagation.

@@ -48,11 +48,12 @@ public:
                                         const FT& d_source = FT(-1), const FT& d_target = FT(-1))
   {
     m_envelope.clear();
+    m_has_closed_gaps = false;
     m_length = length;
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = max_gap(length);
     m_least_overlap = -m_max_gap;
-    m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
+    if constexpr (Number_policy<FT>::is_inexact) m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
     m_rounding = Number_policy<FT>::rounding(1);
     m_gap_rounding = Number_policy<FT>::rounding(256); // that of pruning_allowance(), by which windows are dropped at ties
     m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
@@ -83,6 +84,9 @@ public:
     return m_envelope;
   }
 
+  // Whether the last call has closed gaps: then the envelope has rays that its windows had not.
+  bool has_closed_gaps() const { return m_has_closed_gaps; }
+
   // Whether windows are in a row: none begins or ends before the one before it, and neighbours are not one window. Such ones
   // are mostly their own lower envelope, but for the ends that neighbours take from each other.
   // No gap may be closed, either: so distances do not depend on whether a list is swept.
@@ -101,7 +105,9 @@ public:
       const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
       const FT& allowance_of_x = a.is_parallel() ? rounding : allowance;
       const int may_be_one = int(((a.bits ^ b.bits) & ~2u) == 0) & int(x <= allowance_of_x) & int(sigma <= allowance);
-      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1) | may_be_closed(FT(b.b0 - a.b1))) return false;
+      const FT gap = b.b0 - a.b1;
+      const int may_occupy_gap = int(gap >= FT(0)) & int(b.b1 - b.b0 < widest) & int(b.d0 - a.d1 > gap);
+      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1) | may_be_closed(gap) | may_occupy_gap) return false;
     }
     return true;
   }
@@ -225,6 +231,7 @@ private:
       {
         a.b0 = FT(0);
         a.d0 = d;
+        m_has_closed_gaps = true;
       }
     }
     if (m_length - w.b1 > m_max_gap && m_length - w.b1 < m_widest_gap && !w.is_propagated())
@@ -234,6 +241,7 @@ private:
       {
         w.b1 = m_length;
         w.d1 = d;
+        m_has_closed_gaps = true;
       }
     }
   }
@@ -252,6 +260,7 @@ private:
       {
         a.b1 = w.b0;
         a.d1 = d;
+        m_has_closed_gaps = true;
         return false;
       }
     }
@@ -262,6 +271,7 @@ private:
     m_envelope.push_back(w);
     m_envelope.back().b0 = b;
     m_envelope.back().d0 = d;
+    m_has_closed_gaps = true;
     return true;
   }
 
@@ -500,6 +510,7 @@ private:
   std::vector<Window> m_envelope;
   Window_order<FT, Window> m_order;
   FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_rounding, m_gap_rounding, m_margin;
+  bool m_has_closed_gaps = false;
 };
 
 } // namespace internal
