@@ -47,7 +47,7 @@ struct Rays_through_chord
     if (is_straight)
     {
       const FT d = distance_at(p);
-      if (!is_parallel || !(d < (std::min)(distance_at(left), distance_at(right)) - rounding_at(p))) return d;
+      if (!Number_policy<FT>::is_inexact || !is_parallel || !(d < (std::min)(distance_at(left), distance_at(right)) - rounding_at(p))) return d;
       // Parallel rays that run along the chord, up to rounding, reach points behind it, too. The distance grows along rays, so
       // such a point is nearer than both ends.
       is_straight = false;

@@ -117,8 +117,8 @@ public:
   // Whether two finite distances in the face are the same up to rounding.
   bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
 
-  // Whether d is a distance e up to rounding, or that of a ray in a margin or in the wider sector of a corner of a polyline,
-  // whose distances are larger by 256 u of their length or of an edge.
+  // Whether d equals a distance e up to rounding, or is the distance of a ray in a margin or in a closed gap: up to 256 u of the
+  // distances and an edge larger (Lower_envelope::close_gap).
   bool tie_in_margin(const FT& d, const FT& e) const { return d - e <= FT(8) * rounding_of(e); }
 
   bool contains(std::size_t i, const Point& p) const { return m_windows[i].contains(p, rounding_of(FT(0))); }

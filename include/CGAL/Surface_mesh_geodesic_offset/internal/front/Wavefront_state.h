@@ -190,7 +190,8 @@ public:
     }
   }
 
-  // The angle of the gap that a vertex beside the image leaves behind it, twice over; zero if it is not beside the image.
+  // The angle of the gap that a vertex beside the image leaves behind it, twice over; zero if it is not beside the image. Of paths
+  // that tie up to the rounding of an edge, the directions differ by up to the square root of this rounding over the distance.
   FT hidden_angle(Index v) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
@@ -198,7 +199,8 @@ public:
     {
       const Index pseudo_source = field.back[v].pseudo_source;
       if (!is_beside_image(v, pseudo_source, FT(least_hiding_distance))) return FT(0);
-      return Number_policy<FT>::rounding(16) * mesh.longest_edge() / distance_of_image(v, pseudo_source);
+      const FT gap = Number_policy<FT>::rounding(16) * mesh.longest_edge() / distance_of_image(v, pseudo_source);
+      return (std::max)(gap, square_root<FT>(gap));
     }
   }
 

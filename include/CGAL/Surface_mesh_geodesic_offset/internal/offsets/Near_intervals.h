@@ -65,7 +65,7 @@ public:
   {
     FT lo = w.b0, hi = w.b1;
     if (cut_near_part(w.is_parallel(), w.x, w.y, FT(m_level - w.sigma), lo, hi))
-      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, FT(m_level - minimum(w)), reversed);
+      add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, depth([&] { return FT(m_level - minimum(w)); }), reversed);
   }
 
   // A window in a face, on the segment from o in the unit direction u.
@@ -81,9 +81,11 @@ public:
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
       {
         const FT d_lo = w.path_length(o + lo * u), d_hi = w.path_length(o + hi * u);
-        const FT foot = w.is_parallel() ? lo : dot(w.image() - o, u);
-        const FT lowest = lo < foot && foot < hi ? w.path_length(o + foot * u) : (std::min)(d_lo, d_hi);
-        add(lo, hi, d_lo, d_hi, FT(m_level - lowest), reversed);
+        const auto lowest = [&] {
+          const FT foot = w.is_parallel() ? lo : dot(w.image() - o, u);
+          return lo < foot && foot < hi ? w.path_length(o + foot * u) : (std::min)(d_lo, d_hi);
+        };
+        add(lo, hi, d_lo, d_hi, depth([&] { return FT(m_level - lowest()); }), reversed);
       }
     });
     // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord: the straight one is
@@ -111,7 +113,7 @@ public:
       {
         Interval& united = m_intervals[n - 1];
         united.last = (std::max)(united.last, i.last);
-        united.depth = (std::max)(united.depth, i.depth);
+        if constexpr (is_inexact) united.depth = (std::max)(united.depth, i.depth);
       }
       else
         m_intervals[n++] = i;
@@ -122,8 +124,7 @@ public:
       CGAL_assertion(i == 0 || m_intervals[i - 1].last < m_intervals[i].first);
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
       const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].last, m_length);
-      const bool is_shallow = !(last - first > m_gap) || (!(last - first > m_longest_shallow) && !(FT(2) * m_intervals[i].depth > m_gap));
-      if (!at_source && !at_target && is_shallow) continue; // the level just touches the segment
+      if (!at_source && !at_target && is_shallow(FT(last - first), m_intervals[i].depth)) continue;
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
       CGAL_assertion_code(ends += std::size_t(!at_source) + std::size_t(!at_target));
@@ -142,6 +143,24 @@ private:
     }
   };
 
+  static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
+
+  // Depths are needed to tell what rounding leaves open: exact numbers have none.
+  template <class Function>
+  static FT depth(const Function& f)
+  {
+    if constexpr (is_inexact) return f();
+    else return FT(0);
+  }
+
+  // Whether the level just touches the segment, in an interval of the given width.
+  bool is_shallow(const FT& width, const FT& depth) const
+  {
+    if (!(width > m_gap)) return true;
+    if constexpr (is_inexact) return !(width > m_longest_shallow) && !(FT(2) * depth > m_gap);
+    else return false;
+  }
+
   void add(const FT& first, const FT& last, const FT& depth) { m_intervals.push_back({first, last, depth}); }
 
   void add_whole(const FT& lo, const FT& hi, const FT& depth, bool reversed)
@@ -154,8 +173,8 @@ private:
   void add_disk(const Point& c, const FT& r, const Point& o, const Point& u, bool reversed, FT lo, FT hi)
   {
     if (!cut_near_part(c, r, o, u, lo, hi)) return;
-    const FT foot = (std::max)(lo, (std::min)(dot(c - o, u), hi));
-    add_whole(lo, hi, r - internal::length(c - (o + foot * u)), reversed);
+    const auto nearest = [&] { return o + (std::max)(lo, (std::min)(dot(c - o, u), hi)) * u; };
+    add_whole(lo, hi, depth([&] { return FT(r - internal::length(c - nearest())); }), reversed);
   }
 
   // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
@@ -193,8 +212,8 @@ private:
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
     if (!clip(-cross(l, o - w.left), -cross(l, u), slack * internal::length(l), lo, hi)) return;
     if (!clip(cross(r, o - w.right), cross(r, u), slack * internal::length(r), lo, hi)) return;
-    if (w.is_parallel())
-    { // in front of the source, or of the chord: rays along the chord pass points behind it, too
+    if (w.is_parallel() && (is_inexact || w.origin == STARTS_IN_FACE))
+    { // in front of the source, or of the chord: up to rounding, rays along the chord pass points behind it, too
       const FT nearest = w.origin == STARTS_IN_FACE ? FT(0) : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
       if (!clip(w.distance_at(o) - nearest, -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi)) return;
     }
