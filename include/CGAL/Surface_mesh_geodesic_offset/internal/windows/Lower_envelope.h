@@ -252,8 +252,11 @@ private:
   // rounding of its length.
   BOOST_NOINLINE bool close_gap(Window& a, const Window& w)
   {
+    // Rays from a point take over a gap rather than parallel ones, and none does between the strips of two segments: a path that
+    // ends beside its segment would name the wrong part.
+    if (a.is_parallel() && w.is_parallel() && !(a.root == w.root)) return false;
     const FT allowance = m_gap_rounding * (a.d1 + w.d0 + m_length);
-    if (!a.is_propagated() || w.is_propagated())
+    if ((!a.is_propagated() || w.is_propagated()) && (!a.is_parallel() || w.is_parallel()))
     {
       const FT d = a.distance_at(w.b0);
       if (CGAL::abs(FT(d - w.d0)) <= allowance)
@@ -264,7 +267,7 @@ private:
         return false;
       }
     }
-    if (w.is_propagated()) return false;
+    if (w.is_propagated() || (w.is_parallel() && !a.is_parallel())) return false;
     const FT d = w.distance_at(a.b1);
     if (!(CGAL::abs(FT(d - a.d1)) <= allowance)) return false;
     const FT b = a.b1;
