@@ -116,6 +116,9 @@ private:
   // Gaps between windows of one image up to this are rounding.
   static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
 
+  // By how much parallel rays may end beside their segment, as part of the distances: 1.2e-10, below what queries promise.
+  static constexpr double widest_beside_segment = 1. / (1ull << 33);
+
   // Gaps between windows of different images are closed up to 2^-8 of the length of the halfedge, and on edges far shorter than
   // the distance, as across a narrow strip, up to 2^28 u of the distance: there distances tie along much of the edge.
   static FT widest_gap(const Window& w, const FT& length)
@@ -252,11 +255,14 @@ private:
   // rounding of its length.
   BOOST_NOINLINE bool close_gap(Window& a, const Window& w)
   {
-    // Rays from a point take over a gap rather than parallel ones, and none does between the strips of two segments: a path that
-    // ends beside its segment would name the wrong part.
-    if (a.is_parallel() && w.is_parallel() && !(a.root == w.root)) return false;
-    const FT allowance = m_gap_rounding * (a.d1 + w.d0 + m_length);
-    if ((!a.is_propagated() || w.is_propagated()) && (!a.is_parallel() || w.is_parallel()))
+    const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
+    // Parallel rays end beside their segment then: a path would name the wrong part. So they take over narrow gaps only, or those
+    // of their own segment.
+    const auto may_take_over = [&](const Window& x) {
+      return !x.is_parallel() || (a.is_parallel() && w.is_parallel() && a.root == w.root) ||
+             -x.y * gap <= FT(widest_beside_segment) * size;
+    };
+    if ((!a.is_propagated() || w.is_propagated()) && may_take_over(a))
     {
       const FT d = a.distance_at(w.b0);
       if (CGAL::abs(FT(d - w.d0)) <= allowance)
@@ -267,7 +273,7 @@ private:
         return false;
       }
     }
-    if (w.is_propagated() || (w.is_parallel() && !a.is_parallel())) return false;
+    if (w.is_propagated() || !may_take_over(w)) return false;
     const FT d = w.distance_at(a.b1);
     if (!(CGAL::abs(FT(d - a.d1)) <= allowance)) return false;
     const FT b = a.b1;
