@@ -37,7 +37,7 @@ public:
 
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
-    : m_mesh(state.mesh), m_distance(state.field.distance), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
+    : m_mesh(state.mesh), m_field(state.field), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
       m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes || m_merging.is_on())
   {
   }
@@ -60,7 +60,7 @@ public:
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
-                           m_distance[m_mesh.source(h)], m_distance[m_mesh.target(h)]));
+                           end_at(m_mesh.source(h)), end_at(m_mesh.target(h))));
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
@@ -72,8 +72,10 @@ public:
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
+  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_field.distance[v], m_field.root[v]}; }
+
   const Unfolded_mesh<FT>& m_mesh;
-  const std::vector<FT>& m_distance; // of the vertices
+  const Geodesic_field<FT>& m_field;
   Lower_envelope<Traits> m_envelope;
   Window_merging<FT> m_merging;
   Batch_propagation<Traits> m_propagate;

@@ -200,7 +200,8 @@ private:
   // this halfedge.
   //
   // Beside the image, the ends of a window on an edge are too coarse for the directions of its bounding rays. So the rays that
-  // cross an edge beside the image start a second time, in the face beyond the edge.
+  // cross an edge beside the image start a second time, in the face beyond the edge; those of a sector that is narrower on the
+  // edge than rounding start only there.
   void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, int entry,
                           std::vector<Local_window>& out)
   {
@@ -213,15 +214,15 @@ private:
       Point right = source, left = target;
       if (from && !clip(p, *from, FT(1), right, left)) continue;
       if (to && !clip(p, *to, FT(-1), right, left)) continue;
-      if (lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
+      const bool is_narrow = dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k);
+      if (is_narrow || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
       {
         // a sector within a half turn is bounded by the ends of the edge where these are inside it
         const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
         const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, root);
       }
-      // where a polyline goes straight on up to rounding, its strips meet and nothing is between them
-      if (dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k)) continue;
+      if (is_narrow) continue;
       out.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root, Window<FT>::make_bits(false, no_index),
                                            STARTS_IN_FACE, (unsigned char)(k)}});
     }
@@ -231,7 +232,7 @@ private:
   void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Root root)
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
-    if (g == no_index || !CGAL::is_positive(cross(from, to))) return;
+    if (g == no_index || !(cross(from, to) > FT(least_angle_of_sector) * (length(from) * length(to)))) return;
     const int entry = int(g % 3);
     const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
     const auto turned = [&](const Point& u) {
@@ -244,6 +245,10 @@ private:
   // From this angle on, 2^-16 radians: the gaps that smaller angles leave are closed by the lower envelope of the edges behind.
   // In needle faces, more rays would start a second time.
   static constexpr double least_angle_beyond_edges = 1. / (1 << 16);
+
+  // Where a polyline goes straight on up to this angle, 2^-32 radians, its strips meet as far as Lower_envelope closes gaps
+  // between them, and nothing needs to start between them.
+  static constexpr double least_angle_of_sector = 1. / (1ull << 32);
 
   static FT distance_to_chord(const Face_frame<FT>& frame, int k, const Point& p, const Point& right, const Point& left)
   {

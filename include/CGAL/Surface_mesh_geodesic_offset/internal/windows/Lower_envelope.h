@@ -35,17 +35,22 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
+  // What is known of an end of the halfedge: its distance, negative if there is none yet, and where this comes from.
+  struct End
+  {
+    FT distance = FT(-1);
+    Root root = Root();
+  };
+
   // `source_of[primitive]` tells which windows may merge: those of one source.
   Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
   // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
   // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where
   // both may be the nearer one.
-  //
-  // `d_source`, `d_target`: the distances of the ends of the halfedge, negative if they are not known.
   const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr,
-                                        const FT& d_source = FT(-1), const FT& d_target = FT(-1))
+                                        const End& source = End(), const End& target = End())
   {
     m_envelope.clear();
     m_has_closed_gaps = false;
@@ -76,7 +81,7 @@ public:
     if constexpr (Number_policy<FT>::is_inexact)
     {
       close_occupied_gaps();
-      close_gaps_at_ends(d_source, d_target);
+      close_gaps_at_ends(source, target);
     }
     CGAL_postcondition(are_in_order(m_envelope.data(), m_envelope.data() + m_envelope.size(), length));
     CGAL_expensive_postcondition(
@@ -119,11 +124,14 @@ private:
   // By how much parallel rays may end beside their segment, as part of the distances: 1.2e-10, below what queries promise.
   static constexpr double widest_beside_segment = 1. / (1ull << 33);
 
+  // Up to this part of the distance, an edge is so short that distances along much of it tie: 2^28 u, 2^-24.
+  static constexpr double short_edge = 1. / (1 << 24);
+
   // Gaps between windows of different images are closed up to 2^-8 of the length of the halfedge, and on edges far shorter than
   // the distance, as across a narrow strip, up to 2^28 u of the distance: there distances tie along much of the edge.
   static FT widest_gap(const Window& w, const FT& length)
   {
-    const FT by_distance = (std::min)(length, FT(Number_policy<FT>::rounding(1 << 28) * w.d0));
+    const FT by_distance = (std::min)(length, FT(short_edge) * w.d0);
     return (std::max)(FT(FT(1. / (1 << 8)) * length), by_distance);
   }
 
@@ -197,7 +205,8 @@ private:
     m_envelope.push_back(w);
   }
 
-  // A gap may hold a window that is farther than both of its neighbours at its ends, by more than the way along the halfedge.
+  // A gap may hold a window that is farther than both of its neighbours at its ends, by more than the way along the halfedge
+  // and rounding: a narrow fan between two strips is no farther.
   // It is removed where its neighbours close the gap.
   void close_occupied_gaps()
   {
@@ -205,7 +214,9 @@ private:
     for (std::size_t i = 1; i + 1 < m_envelope.size(); ++i)
     {
       const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
-      if (!(w.b0 - a.b1 < m_widest_gap) || !(m.d0 - a.d1 > m.b0 - a.b1) || !(m.d1 - w.d0 > w.b0 - m.b1)) continue;
+      if (!(w.b0 - a.b1 < m_widest_gap)) continue;
+      const FT rounding = m_margin * (m.d0 + m_length);
+      if (!(m.d0 - a.d1 > m.b0 - a.b1 + rounding) || !(m.d1 - w.d0 > w.b0 - m.b1 + rounding)) continue;
       Window left = a;
       CGAL_assertion_code(const std::size_t size = m_envelope.size());
       const bool is_closed_by_w = close_gap(left, Window(w));
@@ -223,30 +234,39 @@ private:
   }
 
   // Closes the gaps between the first and last windows and the ends of the halfedge, in the same way.
-  void close_gaps_at_ends(const FT& d_source, const FT& d_target)
+  void close_gaps_at_ends(const End& source, const End& target)
   {
     if (m_envelope.empty()) return;
     Window &a = m_envelope.front(), &w = m_envelope.back();
-    if (a.b0 > m_max_gap && a.b0 < m_widest_gap && !a.is_propagated())
+    FT d;
+    if (may_take_over_end(a, a.b0, FT(0), source, d))
     {
-      const FT d = a.distance_at(FT(0));
-      if (CGAL::abs(FT(d - d_source)) <= m_gap_rounding * (d + m_length))
-      {
-        a.b0 = FT(0);
-        a.d0 = d;
-        m_has_closed_gaps = true;
-      }
+      a.b0 = FT(0);
+      a.d0 = d;
+      m_has_closed_gaps = true;
     }
-    if (m_length - w.b1 > m_max_gap && m_length - w.b1 < m_widest_gap && !w.is_propagated())
+    if (may_take_over_end(w, m_length - w.b1, m_length, target, d))
     {
-      const FT d = w.distance_at(m_length);
-      if (CGAL::abs(FT(d - d_target)) <= m_gap_rounding * (d + m_length))
-      {
-        w.b1 = m_length;
-        w.d1 = d;
-        m_has_closed_gaps = true;
-      }
+      w.b1 = m_length;
+      w.d1 = d;
+      m_has_closed_gaps = true;
     }
+  }
+
+  // Whether a window may take over the gap between it and an end of the halfedge, where its distance is then d.
+  bool may_take_over_end(const Window& w, const FT& gap, const FT& b, const End& end, FT& d) const
+  {
+    if (!(gap > m_max_gap && gap < m_widest_gap) || w.is_propagated()) return false;
+    d = w.distance_at(b);
+    return CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length) &&
+           ((w.root == end.root && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length));
+  }
+
+  // Whether a window may take over a gap beside it, where distances have the given size. Parallel rays end beside their segment
+  // then, and a path would name the wrong part: so they take over narrow gaps only.
+  static bool may_take_over(const Window& w, const FT& gap, const FT& size)
+  {
+    return !w.is_parallel() || -w.y * gap <= FT(widest_beside_segment) * size;
   }
 
   // Closes the gap between two neighbours whose distances agree up to rounding at both ends of the gap. Rounding has turned a
@@ -256,13 +276,9 @@ private:
   BOOST_NOINLINE bool close_gap(Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
-    // Parallel rays end beside their segment then: a path would name the wrong part. So they take over narrow gaps only, or those
-    // of their own segment.
-    const auto may_take_over = [&](const Window& x) {
-      return !x.is_parallel() || (a.is_parallel() && w.is_parallel() && a.root == w.root) ||
-             -x.y * gap <= FT(widest_beside_segment) * size;
-    };
-    if ((!a.is_propagated() || w.is_propagated()) && may_take_over(a))
+    const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.root == w.root &&
+                                 CGAL::abs(FT(a.x - w.x)) <= FT(widest_beside_segment);
+    if ((!a.is_propagated() || w.is_propagated()) && (is_of_one_strip || may_take_over(a, gap, size)))
     {
       const FT d = a.distance_at(w.b0);
       if (CGAL::abs(FT(d - w.d0)) <= allowance)
@@ -273,7 +289,7 @@ private:
         return false;
       }
     }
-    if (w.is_propagated() || !may_take_over(w)) return false;
+    if (w.is_propagated() || !(is_of_one_strip || may_take_over(w, gap, size))) return false;
     const FT d = w.distance_at(a.b1);
     if (!(CGAL::abs(FT(d - a.d1)) <= allowance)) return false;
     const FT b = a.b1;
