@@ -96,7 +96,7 @@ public:
 
   /// The worst errors of path lengths: relative to the distance plus the longest edge, and to the distance alone where this is
   /// at least 1e-3 of the longest edge. Likewise of distances in the plane.
-  double worst_length = 0, worst_relative_length = 0, worst_distance = 0;
+  double worst_near_length = 0, worst_length = 0, worst_relative_length = 0, worst_distance = 0;
   std::size_t number_of_points = 0;
 
   /// What is wrong at a point: a bit per Answer_fault.
@@ -249,7 +249,8 @@ private:
     const double l = double(length(path)), error = std::abs(l - d) / (d + longest_edge_);
     worst_length = (std::max)(worst_length, error);
     if (d >= 1e-3 * longest_edge_) worst_relative_length = (std::max)(worst_relative_length, std::abs(l - d) / d);
-    expect(error <= tolerance, WRONG_LENGTH, "length " + number(l) + " instead of " + number(d));
+    worst_near_length = (std::max)(worst_near_length, (std::abs(l - d) - tolerance * d) / (1.11e-16 * scale_));
+    expect(std::abs(l - d) <= tolerance * d + LIM * 1.11e-16 * scale_, WRONG_LENGTH, "length " + number(l) + " instead of " + number(d) + " by " + number((std::abs(l - d) - tolerance * d) / (1.11e-16 * scale_)) + " u, relative " + number(std::abs(l-d)/d) + " scale " + number(scale_));
   }
 
   void check_gradient(const Vector_3& gradient, const std::vector<Face_location>& path, double d)

@@ -38,7 +38,7 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
     const test::Answer_counts& n = c.second;
     std::printf("| %s | %zu | %zu | %zu | %zu |", c.first.c_str(), n.meshes, n.queries, n.points, n.wrong);
     for (std::size_t faults : n.faults) std::printf(" %zu |", faults);
-    std::printf(" %zu | %zu | %.2g | %.2g | %.2g |\n", n.exceptions, n.wrong_polylines, n.worst_length, n.worst_relative_length,
+    std::printf(" %zu | %zu | %.2g | %.2g | %.2g | %.2g |\n", n.exceptions, n.wrong_polylines, n.worst_length, n.worst_near_length, n.worst_relative_length,
                 n.worst_distance);
     wrong += n.total_wrong();
   }

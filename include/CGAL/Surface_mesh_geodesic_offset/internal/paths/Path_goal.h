@@ -28,6 +28,10 @@ public:
   typedef Surface_point<FT> Surface_point_;
   typedef Leg_end<FT> End;
 
+  // Units of rounding of an edge by which the position of a point on the edge is off: a position is a quotient of two cross products,
+  // with two roundings in each, times the length.
+  static constexpr double roundings_of_position = 8;
+
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
   // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment. `end` has the
@@ -118,11 +122,11 @@ public:
     return goal.end.is_at_source() ? FT(0) : m_field.distance[goal.vertex];
   }
 
-  // Whether a point is at a vertex, up to the rounding by which points of users are put there.
+  // Whether a point is at a vertex, up to the rounding of positions on edges.
   bool is_at(const Surface_point_& p, Index v) const
   {
     if (p.kind == Surface_point_::VERTEX) return p.element == v;
-    const FT part = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+    const FT part = Number_policy<FT>::rounding(roundings_of_position);
     if (p.kind == Surface_point_::EDGE)
     {
       const FT& size = m_mesh[p.element].length;
@@ -133,6 +137,15 @@ public:
       if (m_mesh.source(3 * p.element + Index(k)) == v)
         return length(Point{p.x, p.y} - frame.corner(k)) <= part * frame.edge_length(k);
     return false;
+  }
+
+  // Whether a point is on the edge of h and at the distance t from the source of h, up to rounding.
+  bool is_at(const Surface_point_& p, Index h, const FT& t) const
+  {
+    if (p.kind != Surface_point_::EDGE || (p.element != h && m_mesh.twin(p.element) != h)) return false;
+    const FT& size = m_mesh[h].length;
+    const FT there = p.element == h ? p.x : FT(size - p.x);
+    return CGAL::abs(there - t) <= Number_policy<FT>::rounding(roundings_of_position) * size;
   }
 
   // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p in the frame
@@ -203,7 +216,8 @@ public:
 
   // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
   // Where it leads is known as exactly as its direction: the next segment, in the next face, may be meant. `has_missed`: the way
-  // has found no end as near as that; then any point of the source will do that is as near to its start.
+  // has found no end as near as that; then any point of any source will do that is as near to its start: where sources coincide, and
+  // one of them ends, rounding may take the windows of one for those of the other.
   bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
@@ -212,7 +226,7 @@ public:
     const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
     const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
     const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
-    End_search search{start.root, longest, nearest, true};
+    End_search search{start.root, longest, nearest, !has_missed};
     find_end(frame, face, p, q, search);
     end = search.end;
     return search.is_found();
@@ -256,10 +270,12 @@ private:
           return;
         Surface_point_ point = place.first;
         bool is_left = true, is_right = true;
-        const Point foot = foot_in(face, frame, p, root.primitive(), point, is_left, is_right);
+        FT uncertainty(0);
+        const Point foot = foot_in(face, frame, p, root.primitive(), point, is_left, is_right, uncertainty);
         const Point way = foot - p, miss = foot - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
-        const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
+        Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
+        if constexpr (Number_policy<FT>::is_inexact) off = (std::max)(FT(off - uncertainty), FT(0));
         if (!(off <= limit)) return;
         const bool reaches = window ? may_reach(*window, p, allowance)
                              : root.side() == Source_side::LEFT  ? is_left
@@ -320,9 +336,10 @@ private:
   }
 
   // The nearest point of a point or segment that lies in the face, to a point p of the face; and whether p may be on the left and
-  // on the right of the segment.
+  // on the right of the segment. `uncertainty`: how far the foot is off along the segment, at most, as the direction of a short
+  // segment is known up to the rounding of its ends over its length.
   Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest, bool& is_left,
-                bool& is_right) const
+                bool& is_right, FT& uncertainty) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
     Point a, b;
@@ -335,6 +352,11 @@ private:
     const auto side = estimate(cross(u, p - a));
     is_left = CGAL::possibly(side >= 0);
     is_right = CGAL::possibly(side <= 0);
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      const FT size = length(u), angle = Number_policy<FT>::rounding(8) * frame.longest_edge() / size;
+      uncertainty = (std::min)(size, FT(angle * length(p - a)));
+    }
     const FT t = dot(p - a, u) / dot(u, u);
     if (!CGAL::is_positive(t)) return a;
     nearest = place.second;

@@ -271,6 +271,7 @@ private:
     const FT& edge = m_mesh[h].length;
     const FT from = frame.along(start.exit, start.from), to = frame.along(start.exit, start.to);
     const FT allowance = Number_policy<FT>::rounding(256) * (start.distance + edge);
+    if (CGAL::abs(frame.height(start.exit, start.from)) > allowance) return false; // the point is on another edge
     if (CGAL::abs(frame.height(start.exit, start.to)) > allowance) return false;
     const bool ahead = to > from;
     const FT way = ahead ? FT(edge - from) : from;
