@@ -88,15 +88,19 @@ public:
     scale_ = (std::max)(scale_, longest_edge_);
   }
 
-  /// Whether the path is as long as the distance up to this part of the distance plus the longest edge.
+  /// A path is as long as the distance up to this part of the distance. Distances in the plane are right up to this part of the
+  /// distance plus the longest edge.
   static constexpr double tolerance = 1e-12;
+  /// Nearer than this part of the scale, the rounding of the points of a path exceeds the tolerance. Its length then has in addition
+  /// an error of some roundings of the scale, which is the largest coordinate, or the longest edge if it is larger.
+  static constexpr double near_part = 1e-3, near_roundings = 8, unit_roundoff = 1. / (1ull << 53);
 
   double longest_edge() const { return longest_edge_; }
   const Locations<Surface_mesh>& locations() const { return locations_; }
 
-  /// The worst errors of path lengths: relative to the distance plus the longest edge, and to the distance alone where this is
-  /// at least 1e-3 of the longest edge. Likewise of distances in the plane.
-  double worst_near_length = 0, worst_length = 0, worst_relative_length = 0, worst_distance = 0;
+  /// The worst errors: of path lengths, relative to the distance; of those of near points, in roundings of the scale; of distances in
+  /// the plane, relative to the distance plus the longest edge.
+  double worst_length = 0, worst_near_length = 0, worst_distance = 0;
   std::size_t number_of_points = 0;
 
   /// What is wrong at a point: a bit per Answer_fault.
@@ -246,11 +250,12 @@ private:
     expect(is_connected(path), WRONG_START, "connected");
     for (const Face_location& l : path)
       for (double w : l.second) expect(w >= -1e-13 && w <= 1 + 1e-13, WRONG_START, "coordinates");
-    const double l = double(length(path)), error = std::abs(l - d) / (d + longest_edge_);
-    worst_length = (std::max)(worst_length, error);
-    if (d >= 1e-3 * longest_edge_) worst_relative_length = (std::max)(worst_relative_length, std::abs(l - d) / d);
-    worst_near_length = (std::max)(worst_near_length, (std::abs(l - d) - tolerance * d) / (1.11e-16 * scale_));
-    expect(std::abs(l - d) <= tolerance * d + LIM * 1.11e-16 * scale_, WRONG_LENGTH, "length " + number(l) + " instead of " + number(d) + " by " + number((std::abs(l - d) - tolerance * d) / (1.11e-16 * scale_)) + " u, relative " + number(std::abs(l-d)/d) + " scale " + number(scale_));
+    const double l = double(length(path)), error = std::abs(l - d);
+    const bool is_near = d < near_part * scale_;
+    if (is_near) worst_near_length = (std::max)(worst_near_length, error / (unit_roundoff * scale_));
+    else worst_length = (std::max)(worst_length, error / d);
+    expect(error <= tolerance * d + (is_near ? near_roundings * unit_roundoff * scale_ : 0), WRONG_LENGTH,
+           "length " + number(l) + " instead of " + number(d));
   }
 
   void check_gradient(const Vector_3& gradient, const std::vector<Face_location>& path, double d)

@@ -30,7 +30,7 @@ struct Answer_counts
 {
   std::size_t meshes = 0, queries = 0, points = 0, wrong = 0, exceptions = 0, wrong_polylines = 0;
   std::size_t faults[NUMBER_OF_ANSWER_FAULTS] = {};
-  double worst_near_length = 0, worst_length = 0, worst_relative_length = 0, worst_distance = 0;
+  double worst_length = 0, worst_near_length = 0, worst_distance = 0;
 
   std::size_t total_wrong() const { return wrong + exceptions + wrong_polylines; }
 };
@@ -77,7 +77,6 @@ public:
     counts.points += checker.number_of_points;
     counts.worst_length = (std::max)(counts.worst_length, checker.worst_length);
     counts.worst_near_length = (std::max)(counts.worst_near_length, checker.worst_near_length);
-    counts.worst_relative_length = (std::max)(counts.worst_relative_length, checker.worst_relative_length);
     counts.worst_distance = (std::max)(counts.worst_distance, checker.worst_distance);
   }
 

@@ -268,20 +268,17 @@ private:
         if ((search.only_known_source && source_of(root) != source_of(search.known)) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
-        Surface_point_ point = place.first;
-        bool is_left = true, is_right = true;
-        FT uncertainty(0);
-        const Point foot = foot_in(face, frame, p, root.primitive(), point, is_left, is_right, uncertainty);
-        const Point way = foot - p, miss = foot - q;
+        const Foot foot = foot_in(face, frame, p, root.primitive());
+        const Point way = foot.position - p, miss = foot.position - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
         Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
-        if constexpr (Number_policy<FT>::is_inexact) off = (std::max)(FT(off - uncertainty), FT(0));
+        if constexpr (Number_policy<FT>::is_inexact) off = (std::max)(FT(off - foot.uncertainty), FT(0));
         if (!(off <= limit)) return;
         const bool reaches = window ? may_reach(*window, p, allowance)
-                             : root.side() == Source_side::LEFT  ? is_left
-                             : root.side() == Source_side::RIGHT ? is_right
+                             : root.side() == Source_side::LEFT  ? foot.is_left && foot.is_beside
+                             : root.side() == Source_side::RIGHT ? foot.is_right && foot.is_beside
                                                                  : true;
-        f(root, point, off, reaches);
+        f(root, foot.point, off, reaches);
       };
       const auto local = local_windows(m_initial, face);
       for (auto i = local.first; i != local.second; ++i) consider(i->window.root, &i->window);
@@ -335,40 +332,56 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // The nearest point of a point or segment that lies in the face, to a point p of the face; and whether p may be on the left and
-  // on the right of the segment. `uncertainty`: how far the foot is off along the segment, at most, as the direction of a short
-  // segment is known up to the rounding of its ends over its length.
-  Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest, bool& is_left,
-                bool& is_right, FT& uncertainty) const
+  // The nearest point of a point or segment to a point p of the face.
+  struct Foot
+  {
+    Surface_point_ point;
+    Point position;
+    bool is_left = true, is_right = true; // whether p may be there, seen along the segment
+    bool is_beside = true;                // whether p may be between the normals at the ends of the segment
+    FT uncertainty = FT(0); // how far the foot may be off: the direction of a short segment has the rounding of its ends over its length
+  };
+
+  Foot foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
-    Point a, b;
+    Foot foot;
+    Point b;
     unsigned edges_of_a, edges_of_b;
-    position_in_face(m_mesh, place.first, face, a, edges_of_a);
-    nearest = place.first;
-    if (!m_initial.primitives[primitive].is_segment) return a;
+    position_in_face(m_mesh, place.first, face, foot.position, edges_of_a);
+    foot.point = place.first;
+    if (!m_initial.primitives[primitive].is_segment) return foot;
     position_in_face(m_mesh, place.second, face, b, edges_of_b);
-    const Point u = b - a;
+    const Point a = foot.position, u = b - a;
     const auto side = estimate(cross(u, p - a));
-    is_left = CGAL::possibly(side >= 0);
-    is_right = CGAL::possibly(side <= 0);
+    foot.is_left = CGAL::possibly(side >= 0);
+    foot.is_right = CGAL::possibly(side <= 0);
+    const FT along = dot(p - a, u), square = dot(u, u);
+    FT slack(0);
     if constexpr (Number_policy<FT>::is_inexact)
     {
-      const FT size = length(u), angle = Number_policy<FT>::rounding(8) * frame.longest_edge() / size;
-      uncertainty = (std::min)(size, FT(angle * length(p - a)));
+      const FT size = length(u), extent = frame.longest_edge();
+      foot.uncertainty = (std::min)(size, FT(Number_policy<FT>::rounding(8) * extent / size * length(p - a)));
+      slack = (foot.uncertainty + Number_policy<FT>::rounding(64) * extent) * size;
     }
-    const FT t = dot(p - a, u) / dot(u, u);
-    if (!CGAL::is_positive(t)) return a;
-    nearest = place.second;
-    if (!(t < FT(1))) return b;
-    const Point foot = a + t * u;
+    foot.is_beside = CGAL::possibly(estimate(along) >= estimate(FT(-slack))) &&
+                     CGAL::possibly(estimate(along) <= estimate(FT(square + slack)));
+    if (!CGAL::is_positive(along)) return foot;
+    const FT t = along / square;
+    if (!(t < FT(1)))
+    {
+      foot.point = place.second;
+      foot.position = b;
+      return foot;
+    }
+    foot.position = a + t * u;
     if (const unsigned edge = edges_of_a & edges_of_b)
     {
       const int k = edge_of_bit(edge);
-      nearest = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot));
+      foot.point = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot.position));
     }
     else
-      nearest = Surface_point_::in_face(face, foot);
+      foot.point = Surface_point_::in_face(face, foot.position);
     return foot;
   }
 
