@@ -4,7 +4,7 @@
 // Do distance, nearest source, signed distance, gradient and path of a point agree? On meshes of 17 kinds, with points, joined
 // polylines, runs of collinear segments and edges as sources; or with sources that overlap and coincide.
 //
-//   answer_search spread|coinciding [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
+//   answer_search spread|coinciding|beside [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
 //
 // Case i has the seed N + i, which determines its mesh, its sources and its queries (--queries per mesh); so `--seed N --meshes 1`
 // repeats a case.
@@ -50,12 +50,14 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
 int main(int argc, char** argv)
 {
   const std::string sources = argc > 1 ? argv[1] : "";
-  if (sources != "spread" && sources != "coinciding")
+  if (sources != "spread" && sources != "coinciding" && sources != "beside")
   {
-    std::cerr << "answer_search: the first argument is spread or coinciding\n";
+    std::cerr << "answer_search: the first argument is spread, coinciding or beside\n";
     return 2;
   }
   return test::run_search("answer_search", "--queries", 33, argc - 1, argv + 1, [&](const test::Seed_range_options& options) {
-    return run(options, sources == "spread" ? test::Answer_search::SPREAD : test::Answer_search::COINCIDING);
+    return run(options, sources == "spread"       ? test::Answer_search::SPREAD
+                        : sources == "coinciding" ? test::Answer_search::COINCIDING
+                                                  : test::Answer_search::BESIDE);
   });
 }

@@ -120,7 +120,7 @@ private:
     const FT allowance = Number_policy<FT>::rounding(512) * (start.distance + m_mesh.longest_edge());
     if (!(CGAL::abs(path.length() - start.distance) <= allowance)) return;
     // on the source, as in Path_starts
-    start.distance = path.length() <= Number_policy<FT>::rounding(8) * extent(p) ? FT(0) : path.length();
+    start.distance = path.length() <= Number_policy<FT>::rounding(Path_starts<FT>::on_source) * extent(p) ? FT(0) : path.length();
   }
 
   const Unfolded_mesh<FT>& m_mesh;

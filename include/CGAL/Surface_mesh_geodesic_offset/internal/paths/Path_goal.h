@@ -139,13 +139,15 @@ public:
     return false;
   }
 
-  // Whether a point is on the edge of h and at the distance t from the source of h, up to rounding.
+  // Whether a point is on the edge of h, or in its face, and at the distance t from the source of h along the edge, up to rounding.
   bool is_at(const Surface_point_& p, Index h, const FT& t) const
   {
-    if (p.kind != Surface_point_::EDGE || (p.element != h && m_mesh.twin(p.element) != h)) return false;
     const FT& size = m_mesh[h].length;
-    const FT there = p.element == h ? p.x : FT(size - p.x);
-    return CGAL::abs(there - t) <= Number_policy<FT>::rounding(roundings_of_position) * size;
+    const FT allowance = Number_policy<FT>::rounding(roundings_of_position) * size;
+    if (p.kind == Surface_point_::EDGE && (p.element == h || m_mesh.twin(p.element) == h))
+      return CGAL::abs(FT((p.element == h ? p.x : FT(size - p.x)) - t)) <= allowance;
+    if (p.kind != Surface_point_::FACE || p.element != m_mesh.face(h)) return false;
+    return length(Point{p.x, p.y} - Face_frame<FT>(m_mesh, p.element).on_edge(int(h % 3), t)) <= allowance;
   }
 
   // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p in the frame
@@ -268,11 +270,10 @@ private:
         if ((search.only_known_source && source_of(root) != source_of(search.known)) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
-        const Foot foot = foot_in(face, frame, p, root.primitive());
+        const Foot foot = foot_in(face, frame, p, q, root.primitive());
         const Point way = foot.position - p, miss = foot.position - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
-        Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
-        if constexpr (Number_policy<FT>::is_inexact) off = (std::max)(FT(off - foot.uncertainty), FT(0));
+        const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
         const bool reaches = window ? may_reach(*window, p, allowance)
                              : root.side() == Source_side::LEFT  ? foot.is_left && foot.is_beside
@@ -332,17 +333,17 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // The nearest point of a point or segment to a point p of the face.
+  // The nearest point of a point or segment to a point p of the face. Where rounding leaves several, it is the nearest of them to q:
+  // the direction of a segment is known up to the rounding of its ends over its length.
   struct Foot
   {
     Surface_point_ point;
     Point position;
     bool is_left = true, is_right = true; // whether p may be there, seen along the segment
     bool is_beside = true;                // whether p may be between the normals at the ends of the segment
-    FT uncertainty = FT(0); // how far the foot may be off: the direction of a short segment has the rounding of its ends over its length
   };
 
-  Foot foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive) const
+  Foot foot_in(Index face, const Face_frame<FT>& frame, const Point& p, const Point& q, Index primitive) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
     Foot foot;
@@ -356,13 +357,14 @@ private:
     const auto side = estimate(cross(u, p - a));
     foot.is_left = CGAL::possibly(side >= 0);
     foot.is_right = CGAL::possibly(side <= 0);
-    const FT along = dot(p - a, u), square = dot(u, u);
-    FT slack(0);
+    FT along = dot(p - a, u), slack(0);
+    const FT square = dot(u, u);
     if constexpr (Number_policy<FT>::is_inexact)
     {
-      const FT size = length(u), extent = frame.longest_edge();
-      foot.uncertainty = (std::min)(size, FT(Number_policy<FT>::rounding(8) * extent / size * length(p - a)));
-      slack = (foot.uncertainty + Number_policy<FT>::rounding(64) * extent) * size;
+      const FT rounding = Number_policy<FT>::rounding(8) * frame.longest_edge(), size = length(u);
+      const FT uncertainty = rounding * (length(p - a) + FT(8) * size); // of `along`
+      slack = uncertainty;
+      along += (std::max)(FT(-uncertainty), (std::min)(uncertainty, FT(dot(q - a, u) - along)));
     }
     foot.is_beside = CGAL::possibly(estimate(along) >= estimate(FT(-slack))) &&
                      CGAL::possibly(estimate(along) <= estimate(FT(square + slack)));

@@ -146,7 +146,7 @@ inline std::vector<Item, Allocator>* vector_behind(const std::back_insert_iterat
   return Opened::container_of(out);
 }
 
-// Points in space, the end of each leg among the items.
+// Points in space, the end of each leg among the items. Consecutive points that rounding does not tell apart become one.
 template <class Surface, class OutputIterator>
 class Path_points
 {
@@ -159,15 +159,22 @@ public:
   template <class P>
   void start(const P& p)
   {
-    const Item q = m_surface.point(p); // appending what has a name to a vector is not a call
-    *m_out++ = q;
+    m_last = m_surface.point(p);
+    *m_out++ = m_last;
   }
 
   Passed_points<Surface>& passed() { return m_passed; }
-  void end_leg(const Leg_end<FT>& end) { m_passed.push_back(m_surface.point(end.point)); }
+  void end_leg(const Leg_end<FT>& end)
+  {
+    m_passed.push_back(m_surface.point(end.point));
+    m_passed.erase(std::unique(m_passed.begin(), m_passed.end()), m_passed.end());
+  }
 
   void append(const Item* q, const Item* last, const Leg_end<FT>&)
   {
+    if (q != last && *q == m_last) ++q;
+    if (q == last) return;
+    m_last = *(last - 1);
     if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
     else
       for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda can't be assigned
@@ -190,6 +197,7 @@ private:
 
   const Surface& m_surface;
   OutputIterator m_out;
+  Item m_last; // written
   Passed_points<Surface> m_passed;
 };
 

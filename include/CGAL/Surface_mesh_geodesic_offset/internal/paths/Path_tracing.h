@@ -149,8 +149,10 @@ private:
     Last_passed last;
     End end = follow(start, passed, has_missed, last);
     const bool is_at_vertex = last.vertex != no_index && m_goals.is_at(end.point, last.vertex);
+    const bool is_on_edge = last.halfedge != no_index && m_goals.is_at(end.point, last.halfedge, last.position);
     if (is_at_vertex) end.point = Surface_point_::at_vertex(last.vertex);
-    if (is_at_vertex || (last.halfedge != no_index && m_goals.is_at(end.point, last.halfedge, last.position)))
+    else if (is_on_edge && end.point.kind == Surface_point_::FACE) end.point = Surface_point_::on_edge(last.halfedge, last.position);
+    if (is_at_vertex || is_on_edge)
     {
       CGAL_assertion(!passed.empty());
       passed.pop_back();
