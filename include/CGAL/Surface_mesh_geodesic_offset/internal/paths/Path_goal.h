@@ -252,10 +252,11 @@ private:
   };
   enum End_preference
   {
-    KNOWN_PRIMITIVE = 1,
-    KNOWN_SIDE = 2,
-    KNOWN_SOURCE = 4,
-    RAYS_REACH_IT = 8
+    CORNER = 1, // rather than a segment whose rays do not reach the start of the way
+    KNOWN_PRIMITIVE = 2,
+    KNOWN_SIDE = 4,
+    KNOWN_SOURCE = 8,
+    RAYS_REACH_IT = 16
   };
 
   void find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, End_search& search) const
@@ -292,7 +293,8 @@ private:
     for_each_candidate([&](Root root, const Surface_point_& point, const Bound& off, bool reaches) {
       const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(root) == source_of(search.known) ? KNOWN_SOURCE : 0) +
                              (root.side() == search.known.side() ? KNOWN_SIDE : 0) +
-                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0);
+                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
+                             (!reaches && !m_initial.primitives[root.primitive()].is_segment ? CORNER : 0);
       if (!(off <= tied) || preference <= search.preference) return;
       search.preference = preference;
       search.end = {point, root};
