@@ -233,8 +233,7 @@ public:
   {
     const Located_point p = classified(location);
     const Build& b = built_for(p);
-    const Number d = b.is_approximate() ? Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field).distance(p)
-                                        : near_path(b).distance(p, b.legs);
+    const Number d = near_path(b).distance(p, b.legs);
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
@@ -481,15 +480,14 @@ protected:
   Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
-    Path_start start = b.is_approximate() ? Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p)
-                                          : near_path(b)(p, b.legs);
+    Path_start start = near_path(b)(p, b.legs);
     if (start.distance > b.maximum) start = Path_start();
     return start;
   }
 
   auto near_path(const Build& b) const
   {
-    return Geodesic_offset::internal::Near_path<Number>(unfolded(), b.initial, b.field);
+    return Geodesic_offset::internal::Near_path<Number>(unfolded(), b.initial, b.field, !b.is_approximate());
   }
 
   auto tracing(const Build& b) const

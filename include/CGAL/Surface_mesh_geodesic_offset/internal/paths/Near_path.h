@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -69,8 +71,9 @@ template <class FT>
 class Near_path
 {
 public:
-  Near_path(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_starts(mesh, initial, field), m_tracing(mesh, initial, field)
+  // `measures`: paths can be traced, since windows have not been merged within a tolerance.
+  Near_path(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field, bool measures)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_measures(measures)
   {
   }
 
@@ -78,19 +81,25 @@ public:
   template <class Legs>
   FT distance(const Located_point<FT>& p, Legs& legs) const
   {
-    const FT d = m_starts.distance(p);
-    return is_near(p, d) ? (*this)(p, legs).distance : d;
+    const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
+    return is_near(p, d) ? measured(p, legs).distance : d;
   }
 
   template <class Legs>
   Path_start<FT> operator()(const Located_point<FT>& p, Legs& legs) const
   {
-    Path_start<FT> start = m_starts(p);
+    Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
     if (is_near(p, start.distance) && start.halfedge != no_index) measure(p, legs, start);
     return start;
   }
 
 private:
+  template <class Legs>
+  BOOST_NOINLINE Path_start<FT> measured(const Located_point<FT>& p, Legs& legs) const
+  {
+    return (*this)(p, legs);
+  }
+
   // An allowance of 256 units of rounding is less than 1e-12 of the distance beyond 1/16 of the edge that it is relative to; twice
   // that, as it may be an edge of the face beside.
   static constexpr double near_part = 1. / 8;
@@ -98,7 +107,8 @@ private:
   bool is_near(const Located_point<FT>& p, const FT& distance) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return (void)p, (void)distance, false;
-    return p.kind != Surface_point<FT>::VERTEX && distance > FT(0) && distance <= FT(near_part) * extent(p);
+    return distance <= FT(near_part) * m_mesh.longest_edge() && p.kind != Surface_point<FT>::VERTEX && distance > FT(0) &&
+           distance <= FT(near_part) * extent(p) && m_measures;
   }
 
   // The longest edge of the faces of a point.
@@ -112,10 +122,10 @@ private:
   }
 
   template <class Legs>
-  void measure(const Located_point<FT>& p, Legs& legs, Path_start<FT>& start) const
+  BOOST_NOINLINE void measure(const Located_point<FT>& p, Legs& legs, Path_start<FT>& start) const
   {
     Path_measurement<FT> path(m_mesh);
-    m_tracing(p, start, legs, path);
+    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path);
     // a path that is longer by more than rounding does not tell the distance
     const FT allowance = Number_policy<FT>::rounding(512) * (start.distance + m_mesh.longest_edge());
     if (!(CGAL::abs(path.length() - start.distance) <= allowance)) return;
@@ -124,8 +134,9 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
-  const Path_starts<FT> m_starts;
-  const Path_tracing<FT> m_tracing;
+  const Initial_windows<FT>& m_initial;
+  const Geodesic_field<FT>& m_field;
+  const bool m_measures;
 };
 
 } // namespace internal

@@ -28,6 +28,7 @@ template <class FT>
 struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
 {
   static const Path_crossing<FT>& item(const Path_crossing<FT>& c) { return c; }
+  void set_apart(std::size_t) {}
 };
 
 // The same as points in space. They are made at once: a processor that waits for the next turn of the way has the time.
@@ -36,9 +37,21 @@ struct Passed_points : boost::container::small_vector<typename Surface::Point_3,
 {
   explicit Passed_points(const Surface& s) : surface(s) {}
 
+  // The first points are known to be apart from each other: a Strip_walk keeps away from vertices.
+  void set_apart(std::size_t n) { m_apart = n; }
+
+  void remove_repeated()
+  {
+    const auto first = this->begin() + std::ptrdiff_t(m_apart == 0 ? 0 : (std::min)(m_apart, this->size()) - 1);
+    this->erase(std::unique(first, this->end()), this->end());
+  }
+
   typename Surface::Point_3 item(const Path_crossing<typename Surface::Number>& c) const { return surface.point(c); }
 
   const Surface& surface;
+
+private:
+  std::size_t m_apart = 0;
 };
 
 // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
@@ -167,7 +180,7 @@ public:
   void end_leg(const Leg_end<FT>& end)
   {
     m_passed.push_back(m_surface.point(end.point));
-    m_passed.erase(std::unique(m_passed.begin(), m_passed.end()), m_passed.end());
+    m_passed.remove_repeated();
   }
 
   void append(const Item* q, const Item* last, const Leg_end<FT>&)

@@ -175,6 +175,7 @@ private:
     Index h = start.halfedge;
     Point from = start.from, to = start.to;
     bool is_under_way = false;
+    passed.set_apart(0);
     // not with exact numbers, of which strips make long expressions
     if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_one_edge(exit_of(start), start.edge) &&
         !m_goals.is_in_face(goal, m_mesh.face(h)))
@@ -185,6 +186,7 @@ private:
       is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
       if (is_under_way)
       {
+        passed.set_apart(passed.size());
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
             strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
           return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), start);
