@@ -128,7 +128,8 @@ private:
     Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path);
     // a path that is longer by more than rounding does not tell the distance
     const FT allowance = Number_policy<FT>::rounding(512) * (start.distance + m_mesh.longest_edge());
-    if (!(CGAL::abs(path.length() - start.distance) <= allowance)) return;
+    const FT error = CGAL::abs(path.length() - start.distance);
+    if (!(error <= allowance) || error <= Number_policy<FT>::rounding(4) * start.distance) return; // no better
     // on the source, as in Path_starts
     start.distance = path.length() <= Number_policy<FT>::rounding(Path_starts<FT>::on_source) * extent(p) ? FT(0) : path.length();
   }
