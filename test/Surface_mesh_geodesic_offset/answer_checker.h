@@ -77,8 +77,11 @@ public:
   typedef long double Number;
   typedef std::array<Number, 3> Point;
 
-  /// `is_flat`: the mesh is a convex part of the plane z = 0.
-  Answer_checker(const Surface_mesh& mesh, bool is_flat) : mesh_(mesh), is_flat_(is_flat), locations_(mesh)
+  /// `is_flat`: the mesh is a convex part of the plane z = 0. `is_close`: sources and points may be nearer to vertices and edges than
+  /// coordinates tell, and than points in space do: two coordinates of a source of up to 1e-13 are taken for zero, and consecutive
+  /// locations of a path may be one point in space.
+  Answer_checker(const Surface_mesh& mesh, bool is_flat, bool is_close = false)
+    : mesh_(mesh), is_flat_(is_flat), is_close_(is_close), locations_(mesh)
   {
     for (Vertex_index v : vertices(mesh))
       for (int i = 0; i < 3; ++i) scale_ = (std::max)(scale_, std::abs(mesh.point(v)[i]));
@@ -88,15 +91,20 @@ public:
     scale_ = (std::max)(scale_, longest_edge_);
   }
 
-  /// Whether the path is as long as the distance up to this part of the distance plus the longest edge.
+  /// A path is as long as the distance up to this part of the distance. Distances in the plane are right up to this part of the
+  /// distance plus the longest edge.
   static constexpr double tolerance = 1e-12;
+  /// Nearer than this part of the scale, the rounding of the points of a path exceeds the tolerance. Its length then has in addition
+  /// an error of some roundings of the scale, which is the largest coordinate, or the longest edge if it is larger; and where it
+  /// passes many edges, of some for each point.
+  static constexpr double near_part = 1e-3, near_roundings = 8, roundings_per_point = 0.25, unit_roundoff = 1. / (1ull << 53);
 
   double longest_edge() const { return longest_edge_; }
   const Locations<Surface_mesh>& locations() const { return locations_; }
 
-  /// The worst errors of path lengths: relative to the distance plus the longest edge, and to the distance alone where this is
-  /// at least 1e-3 of the longest edge. Likewise of distances in the plane.
-  double worst_length = 0, worst_relative_length = 0, worst_distance = 0;
+  /// The worst errors: of path lengths, relative to the distance; of those of near points, in roundings of the scale; of distances in
+  /// the plane, relative to the distance plus the longest edge.
+  double worst_length = 0, worst_near_length = 0, worst_distance = 0;
   std::size_t number_of_points = 0;
 
   /// What is wrong at a point: a bit per Answer_fault.
@@ -141,7 +149,7 @@ public:
   bool repeats_points(const std::vector<Face_location>& polyline, bool is_closed = false) const
   {
     for (std::size_t i = 0; i + (is_closed ? 0 : 1) < polyline.size(); ++i)
-      if (rounded(polyline[i]) == rounded(polyline[(i + 1) % polyline.size()])) return true;
+      if (is_one_point(polyline[i], polyline[(i + 1) % polyline.size()])) return true;
     return false;
   }
 
@@ -192,6 +200,10 @@ private:
     return p;
   }
   Point_3 rounded(const Face_location& l) const { return locations_.point(l); }
+  bool is_one_point(const Face_location& l, const Face_location& m) const
+  {
+    return is_close_ ? locations_.support(l) == locations_.support(m) : rounded(l) == rounded(m);
+  }
 
   static Point difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
   static Number dot(const Point& u, const Point& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
@@ -234,9 +246,26 @@ private:
   {
     std::vector<Point_3> points;
     geodesic.shortest_path_points_to_sources(query, std::back_inserter(points));
-    expect(points.size() == path.size(), WRONG_FORM, "points and locations");
+    expect(are_same(points, path), WRONG_FORM, "points and locations");
     for (std::size_t i = 0; i + 1 < points.size(); ++i) expect(points[i] != points[i + 1], REPEATED_POINT, "a point in space");
     expect(!repeats_points(path), REPEATED_POINT, "a location");
+  }
+
+  // Whether the points are those of the locations, of which some may be one point in space.
+  bool are_same(const std::vector<Point_3>& points, const std::vector<Face_location>& path) const
+  {
+    if (points.size() > path.size() || (points.size() < path.size() && !is_close_)) return false;
+    const auto is_at = [&](std::size_t i, std::size_t k) {
+      return distance({points[i].x(), points[i].y(), points[i].z()}, point(path[k])) <= near_roundings * unit_roundoff * scale_;
+    };
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < path.size(); ++k)
+    {
+      const bool may_stay = k != 0 && path.size() - k > points.size() - i - 1 && is_at(i, k);
+      if (k != 0 && !may_stay) ++i;
+      if (i == points.size() || !is_at(i, k)) return false;
+    }
+    return i + 1 == points.size();
   }
 
   void check_path(const Face_location& query, const std::vector<Face_location>& path, double d)
@@ -246,10 +275,13 @@ private:
     expect(is_connected(path), WRONG_START, "connected");
     for (const Face_location& l : path)
       for (double w : l.second) expect(w >= -1e-13 && w <= 1 + 1e-13, WRONG_START, "coordinates");
-    const double l = double(length(path)), error = std::abs(l - d) / (d + longest_edge_);
-    worst_length = (std::max)(worst_length, error);
-    if (d >= 1e-3 * longest_edge_) worst_relative_length = (std::max)(worst_relative_length, std::abs(l - d) / d);
-    expect(error <= tolerance, WRONG_LENGTH, "length " + number(l) + " instead of " + number(d));
+    const double l = double(length(path)), error = std::abs(l - d);
+    const bool is_near = d < near_part * scale_;
+    if (is_near) worst_near_length = (std::max)(worst_near_length, error / (unit_roundoff * scale_));
+    else worst_length = (std::max)(worst_length, error / d);
+    expect(error <= tolerance * d + (is_near ? (near_roundings + roundings_per_point * double(path.size())) * unit_roundoff * scale_ : 0),
+           WRONG_LENGTH,
+           "length " + number(l) + " instead of " + number(d));
   }
 
   void check_gradient(const Vector_3& gradient, const std::vector<Face_location>& path, double d)
@@ -271,7 +303,8 @@ private:
   void check_part(const Known_source& source, const Geodesic::Nearest_source& nearest)
   {
     const Point p = point(nearest.location);
-    const double rounding = 5e-14 * scale_; // a point on a source up to rounding has distance 0
+    // a point on a source up to rounding has distance 0
+    const double rounding = is_close_ ? (std::max)(5e-14 * scale_, 2.1e-13 * longest_edge_) : 5e-14 * scale_;
     if (source.kind == Known_source::EDGES)
     {
       if (!nearest.is_segment)
@@ -388,7 +421,7 @@ private:
   }
 
   const Surface_mesh& mesh_;
-  const bool is_flat_;
+  const bool is_flat_, is_close_;
   const Locations<Surface_mesh> locations_;
   double scale_ = 0, longest_edge_ = 0;
   unsigned faults_ = 0;

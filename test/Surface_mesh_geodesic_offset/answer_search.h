@@ -30,7 +30,7 @@ struct Answer_counts
 {
   std::size_t meshes = 0, queries = 0, points = 0, wrong = 0, exceptions = 0, wrong_polylines = 0;
   std::size_t faults[NUMBER_OF_ANSWER_FAULTS] = {};
-  double worst_length = 0, worst_relative_length = 0, worst_distance = 0;
+  double worst_length = 0, worst_near_length = 0, worst_distance = 0;
 
   std::size_t total_wrong() const { return wrong + exceptions + wrong_polylines; }
 };
@@ -43,7 +43,8 @@ public:
   typedef Surface_mesh::Halfedge_index Halfedge_index;
   typedef Surface_mesh::Face_index Face_index;
 
-  enum Sources { SPREAD, COINCIDING };
+  /// BESIDE: sources and points beside vertices, edges and each other, on meshes with faces of very different sizes.
+  enum Sources { SPREAD, COINCIDING, BESIDE };
 
   /// Up to `printed` faults are written to `log`; with `describes`, sources, query and path, too.
   Answer_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources, bool describes = false)
@@ -57,13 +58,13 @@ public:
     for (int i = 0; i < 8; ++i) random_();
     std::string kind;
     bool is_flat = false;
-    const Soup soup = make_mesh(seed, kind, is_flat);
+    const Soup soup = kind_of_sources_ == BESIDE ? make_hard_mesh(seed, kind, is_flat) : make_mesh(seed, kind, is_flat);
     Answer_counts& counts = counts_[kind];
     ++counts.meshes;
     context_ = kind + ", seed " + std::to_string(seed);
     const Generated_mesh<Surface_mesh> data(soup);
     mesh_ = &data.mesh;
-    Answer_checker checker(data.mesh, is_flat);
+    Answer_checker checker(data.mesh, is_flat, kind_of_sources_ == BESIDE);
     checker_ = &checker;
     try
     {
@@ -76,7 +77,7 @@ public:
     }
     counts.points += checker.number_of_points;
     counts.worst_length = (std::max)(counts.worst_length, checker.worst_length);
-    counts.worst_relative_length = (std::max)(counts.worst_relative_length, checker.worst_relative_length);
+    counts.worst_near_length = (std::max)(counts.worst_near_length, checker.worst_near_length);
     counts.worst_distance = (std::max)(counts.worst_distance, checker.worst_distance);
   }
 
@@ -118,6 +119,43 @@ private:
     }
   }
 
+  Soup make_hard_mesh(unsigned seed, std::string& kind, bool& is_flat)
+  {
+    const std::size_t n = 1 + uniform_index(random_, 6), m = 1 + uniform_index(random_, 5);
+    const auto in_place = [&](const char* name, Soup soup, const auto& change) {
+      kind = name;
+      for (Point_3& p : soup.points) p = change(p);
+      return soup;
+    };
+    const auto any = [&]() -> Soup {
+      switch (uniform_index(random_, 5))
+      {
+      case 0: return rotated(torus(3 + n, 3 + m), seed);
+      case 1: return icosphere(uniform_index(random_, 2));
+      case 2: return Cone(2 * (2 + n), uniform(random_, 6.5, 12), 1).triangulated(n, m - 1, seed);
+      case 3: return bent(jittered_grid(n, m, seed));
+      default: return rotated(Prism(3 + n, 1, uniform(random_, 0.5, 3)).triangulated(m, m - 1, seed), seed);
+      }
+    };
+    const auto as_is = [](const Point_3& p) { return p; };
+    const auto to_float = [](const Point_3& p) { return Point_3(float(p.x()), float(p.y()), float(p.z())); };
+    const double far = std::pow(10, uniform(random_, 0, 6));
+    switch (uniform_index(random_, 8))
+    {
+    case 0: return in_place("needle fans", needle_fan(3 + 20 * uniform_index(random_, 40)), as_is);
+    case 1: return in_place("graded discs", graded_disc(6 + 4 * n, uniform(random_, 4, 9), uniform(random_, 0, 0.3), seed), as_is);
+    case 2:
+      return in_place("crumpled needles", crumpled_needles(std::pow(10, uniform(random_, -5, -1)), std::pow(10, uniform(random_, -6, -2)), 3 * n, seed), as_is);
+    case 3: return in_place("floats", any(), to_float);
+    case 4: return in_place("floats", jittered_grid(n, m, seed), to_float);
+    case 5: return in_place("far away", any(), [far](const Point_3& p) { return Point_3(p.x() + far, p.y() - far, p.z() + 2 * far); });
+    case 6:
+      is_flat = true;
+      return in_place("rectangles", random_rectangle(1, std::pow(10, uniform(random_, -4, 0)), 3 * n, m, seed), as_is);
+    default: return in_place("others", any(), as_is);
+    }
+  }
+
   Soup bent(Soup soup)
   {
     for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), uniform(random_, -0.5, 0.5));
@@ -152,6 +190,38 @@ private:
     }
     const double a = uniform(random_, 1e-3, 1), b = uniform(random_, 1e-3, 1), c = uniform(random_, 1e-3, 1);
     return Face_location(face(), turned(a / (a + b + c), b / (a + b + c), c / (a + b + c)));
+  }
+
+  /// Beside a vertex or an edge by 1e-17 to 1e-9, or up to 1e-3.
+  Face_location closely_beside()
+  {
+    const auto small = [&] { return std::pow(10, uniform(random_, -17, uniform(random_) < 0.8 ? -9 : -3)); };
+    const double a = uniform(random_) < 0.1 ? 0 : small(), b = uniform(random_) < 0.1 ? 0 : small();
+    if (uniform(random_) < 0.4)
+    {
+      const double t = uniform(random_) < 0.3 ? 0.5 : uniform(random_);
+      return Face_location(face(), turned(a, t, (std::max)(0., 1 - t - a)));
+    }
+    return Face_location(face(), turned(a, b, 1 - a - b));
+  }
+
+  /// Sources through points beside vertices and edges.
+  std::vector<Known_source> sources_beside(Geodesic& geodesic, Answer_counts& counts)
+  {
+    std::vector<Known_source> result;
+    const auto location = [&] { return uniform(random_) < 0.6 ? closely_beside() : any_location(0.5); };
+    for (std::size_t i = 0, n = 1 + uniform_index(random_, 3); i < n; ++i)
+    {
+      if (uniform(random_) < 0.5) result.push_back(point_source(location()));
+      else
+      {
+        std::vector<Face_location> through;
+        for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k) through.push_back(location());
+        const double shortest = uniform(random_) < 0.5 ? 1 : std::pow(10, uniform(random_, -10, -0.5));
+        result.push_back(joined(geodesic, through, uniform(random_) < 0.3, shortest, counts));
+      }
+    }
+    return result;
   }
 
   Face_location any_location(double lattice) { return uniform(random_) < lattice ? on_lattice() : anywhere(); }
@@ -324,7 +394,9 @@ private:
   {
     Geodesic geodesic(*mesh_);
     const std::vector<Known_source> list =
-      kind_of_sources_ == SPREAD ? spread_sources(geodesic, counts) : coinciding_sources(geodesic, counts);
+      kind_of_sources_ == SPREAD       ? spread_sources(geodesic, counts)
+      : kind_of_sources_ == COINCIDING ? coinciding_sources(geodesic, counts)
+                                       : sources_beside(geodesic, counts);
     std::map<std::size_t, Known_source> sources;
     for (const Known_source& s : list) sources[s.add_to(geodesic)] = s;
     geodesic.build(CGAL::parameters::keep_windows(true));
@@ -337,6 +409,7 @@ private:
       const Vertex_index v(std::uint32_t(uniform_index(random_, num_vertices(*mesh_))));
       const Face_location query = choice < 0.35                                          ? on_lattice()
                                   : choice < (kind_of_sources_ == SPREAD ? 0.45 : 0.65) ? at_source(sources)
+                                  : kind_of_sources_ == BESIDE                           ? closely_beside()
                                   : choice < 0.75                                        ? beside_boundary()
                                                                                          : anywhere();
       if (is_vertex && mesh_->is_isolated(v)) continue;

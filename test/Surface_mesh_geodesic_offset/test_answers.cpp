@@ -92,11 +92,15 @@ void joined_polyline_on_grid()
 void known_cases()
 {
   joined_polyline_on_grid();
+  // gradients of needles; ends at corners with short segments, ends at the last crossing
+  run(Answer_search::SPREAD, {1032379, 7022994, 7040422, 7044623, 7044689, 7045815, 7046760, 20021964, 20063132, 20063376, 50035092, 50036766});
   // short segments in line with others, repeated points, ties, sources without sides that touch others, parts in faces that have a
   // vertex in common with the face of the point
   run(Answer_search::SPREAD, {865, 11269, 11733, 12002, 13989, 14227, 15630, 15869, 19456, 24666, 29372});
-  // gradients beside sources, labels, corners, open ends
-  run(Answer_search::COINCIDING, {688, 1769, 5025, 6088, 7272, 8239, 9309, 13329, 17951, 22098});
+  // gradients beside sources, labels, corners, open ends; a path that runs along another edge; one that ends on another source
+  run(Answer_search::COINCIDING, {688, 1769, 5025, 6088, 7272, 8239, 9309, 13329, 17951, 22098, 8006331, 8028953});
+  // segments shorter than 1e-8 of an edge: their points have distance 0, also where rounding puts them behind both sides
+  run(Answer_search::BESIDE, {333, 510, 1643, 2152, 2297, 2503});
 }
 
 // Points in space, near the vertices of a mesh: no point of the polyline is there twice.

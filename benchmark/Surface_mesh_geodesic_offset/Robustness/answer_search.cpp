@@ -4,15 +4,15 @@
 // Do distance, nearest source, signed distance, gradient and path of a point agree? On meshes of 17 kinds, with points, joined
 // polylines, runs of collinear segments and edges as sources; or with sources that overlap and coincide.
 //
-//   answer_search spread|coinciding [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
+//   answer_search spread|coinciding|beside [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
 //
 // Case i has the seed N + i, which determines its mesh, its sources and its queries (--queries per mesh); so `--seed N --meshes 1`
 // repeats a case.
 //
 // Faults, then a table by kind on stdout: queries, points of paths, queries with a fault, by kind of fault, exceptions, joined
-// polylines with a fault, and the largest errors: of path lengths relative to the distance plus the longest edge, and relative to
-// the distance where this is at least 1e-3 of the longest edge; of distances in the plane. The exit code is 1 if there is a fault,
-// and 2 for options that are wrong.
+// polylines with a fault, and the largest errors: of path lengths relative to the distance; of those of near points, in roundings of the
+// largest coordinate; of distances in the plane, relative to the distance plus the longest edge. The exit code is 1 if there is a
+// fault, and 2 for options that are wrong.
 
 #include "answer_search.h"
 #include "search_options.h"
@@ -29,7 +29,7 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
   for (std::size_t i = 0; i < options.meshes; ++i) search.run(options.seed + static_cast<unsigned>(i));
   std::printf("| kind | meshes | queries | points | wrong |");
   for (int k = 0; k < test::NUMBER_OF_ANSWER_FAULTS; ++k) std::printf(" %s |", test::name_of(test::Answer_fault(k)));
-  std::printf(" exceptions | polylines | length | relative | plane |\n|");
+  std::printf(" exceptions | polylines | length | near | plane |\n|");
   for (int k = 0; k < test::NUMBER_OF_ANSWER_FAULTS + 10; ++k) std::printf("---|");
   std::printf("\n");
   std::size_t wrong = 0;
@@ -38,7 +38,7 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
     const test::Answer_counts& n = c.second;
     std::printf("| %s | %zu | %zu | %zu | %zu |", c.first.c_str(), n.meshes, n.queries, n.points, n.wrong);
     for (std::size_t faults : n.faults) std::printf(" %zu |", faults);
-    std::printf(" %zu | %zu | %.2g | %.2g | %.2g |\n", n.exceptions, n.wrong_polylines, n.worst_length, n.worst_relative_length,
+    std::printf(" %zu | %zu | %.2g | %.2g | %.2g |\n", n.exceptions, n.wrong_polylines, n.worst_length, n.worst_near_length,
                 n.worst_distance);
     wrong += n.total_wrong();
   }
@@ -50,12 +50,14 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
 int main(int argc, char** argv)
 {
   const std::string sources = argc > 1 ? argv[1] : "";
-  if (sources != "spread" && sources != "coinciding")
+  if (sources != "spread" && sources != "coinciding" && sources != "beside")
   {
-    std::cerr << "answer_search: the first argument is spread or coinciding\n";
+    std::cerr << "answer_search: the first argument is spread, coinciding or beside\n";
     return 2;
   }
   return test::run_search("answer_search", "--queries", 33, argc - 1, argv + 1, [&](const test::Seed_range_options& options) {
-    return run(options, sources == "spread" ? test::Answer_search::SPREAD : test::Answer_search::COINCIDING);
+    return run(options, sources == "spread"       ? test::Answer_search::SPREAD
+                        : sources == "coinciding" ? test::Answer_search::COINCIDING
+                                                  : test::Answer_search::BESIDE);
   });
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
@@ -232,7 +233,7 @@ public:
   {
     const Located_point p = classified(location);
     const Build& b = built_for(p);
-    const Number d = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field).distance(p);
+    const Number d = near_path(b).distance(p, b.legs);
     return Surface::exported(d > b.maximum ? Policy::infinity() : d);
   }
 
@@ -479,9 +480,14 @@ protected:
   Path_start start_at(const Located_point& p) const
   {
     const Build& b = built_for(p);
-    Path_start start = Geodesic_offset::internal::Path_starts<Number>(unfolded(), b.initial, b.field)(p);
+    Path_start start = near_path(b)(p, b.legs);
     if (start.distance > b.maximum) start = Path_start();
     return start;
+  }
+
+  auto near_path(const Build& b) const
+  {
+    return Geodesic_offset::internal::Near_path<Number>(unfolded(), b.initial, b.field, !b.is_approximate());
   }
 
   auto tracing(const Build& b) const

@@ -28,6 +28,10 @@ public:
   typedef Surface_point<FT> Surface_point_;
   typedef Leg_end<FT> End;
 
+  // Units of rounding of an edge by which the position of a point on the edge is off: a position is a quotient of two cross products,
+  // with two roundings in each, times the length.
+  static constexpr double roundings_of_position = 8;
+
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
   // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment. `end` has the
@@ -118,11 +122,11 @@ public:
     return goal.end.is_at_source() ? FT(0) : m_field.distance[goal.vertex];
   }
 
-  // Whether a point is at a vertex, up to the rounding by which points of users are put there.
+  // Whether a point is at a vertex, up to the rounding of positions on edges.
   bool is_at(const Surface_point_& p, Index v) const
   {
     if (p.kind == Surface_point_::VERTEX) return p.element == v;
-    const FT part = Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0);
+    const FT part = Number_policy<FT>::rounding(roundings_of_position);
     if (p.kind == Surface_point_::EDGE)
     {
       const FT& size = m_mesh[p.element].length;
@@ -133,6 +137,17 @@ public:
       if (m_mesh.source(3 * p.element + Index(k)) == v)
         return length(Point{p.x, p.y} - frame.corner(k)) <= part * frame.edge_length(k);
     return false;
+  }
+
+  // Whether a point is on the edge of h, or in its face, and at the distance t from the source of h along the edge, up to rounding.
+  bool is_at(const Surface_point_& p, Index h, const FT& t) const
+  {
+    const FT& size = m_mesh[h].length;
+    const FT allowance = Number_policy<FT>::rounding(roundings_of_position) * size;
+    if (p.kind == Surface_point_::EDGE && (p.element == h || m_mesh.twin(p.element) == h))
+      return CGAL::abs(FT((p.element == h ? p.x : FT(size - p.x)) - t)) <= allowance;
+    if (p.kind != Surface_point_::FACE || p.element != m_mesh.face(h)) return false;
+    return length(Point{p.x, p.y} - Face_frame<FT>(m_mesh, p.element).on_edge(int(h % 3), t)) <= allowance;
   }
 
   // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p in the frame
@@ -203,7 +218,8 @@ public:
 
   // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
   // Where it leads is known as exactly as its direction: the next segment, in the next face, may be meant. `has_missed`: the way
-  // has found no end as near as that; then any point of the source will do that is as near to its start.
+  // has found no end as near as that; then any point of any source will do that is as near to its start: where sources coincide, and
+  // one of them ends, rounding may take the windows of one for those of the other.
   bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
@@ -212,7 +228,7 @@ public:
     const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
     const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
     const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
-    End_search search{start.root, longest, nearest, true};
+    End_search search{start.root, longest, nearest, !has_missed};
     find_end(frame, face, p, q, search);
     end = search.end;
     return search.is_found();
@@ -236,10 +252,11 @@ private:
   };
   enum End_preference
   {
-    KNOWN_PRIMITIVE = 1,
-    KNOWN_SIDE = 2,
-    KNOWN_SOURCE = 4,
-    RAYS_REACH_IT = 8
+    CORNER = 1, // rather than a segment whose rays do not reach the start of the way
+    KNOWN_PRIMITIVE = 2,
+    KNOWN_SIDE = 4,
+    KNOWN_SOURCE = 8,
+    RAYS_REACH_IT = 16
   };
 
   void find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, End_search& search) const
@@ -254,18 +271,16 @@ private:
         if ((search.only_known_source && source_of(root) != source_of(search.known)) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
-        Surface_point_ point = place.first;
-        bool is_left = true, is_right = true;
-        const Point foot = foot_in(face, frame, p, root.primitive(), point, is_left, is_right);
-        const Point way = foot - p, miss = foot - q;
+        const Foot foot = foot_in(face, frame, p, q, root.primitive());
+        const Point way = foot.position - p, miss = foot.position - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
         const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
         const bool reaches = window ? may_reach(*window, p, allowance)
-                             : root.side() == Source_side::LEFT  ? is_left
-                             : root.side() == Source_side::RIGHT ? is_right
+                             : root.side() == Source_side::LEFT  ? foot.is_left && foot.is_beside
+                             : root.side() == Source_side::RIGHT ? foot.is_right && foot.is_beside
                                                                  : true;
-        f(root, point, off, reaches);
+        f(root, foot.point, off, reaches);
       };
       const auto local = local_windows(m_initial, face);
       for (auto i = local.first; i != local.second; ++i) consider(i->window.root, &i->window);
@@ -278,7 +293,8 @@ private:
     for_each_candidate([&](Root root, const Surface_point_& point, const Bound& off, bool reaches) {
       const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(root) == source_of(search.known) ? KNOWN_SOURCE : 0) +
                              (root.side() == search.known.side() ? KNOWN_SIDE : 0) +
-                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0);
+                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
+                             (!reaches && !m_initial.primitives[root.primitive()].is_segment ? CORNER : 0);
       if (!(off <= tied) || preference <= search.preference) return;
       search.preference = preference;
       search.end = {point, root};
@@ -319,34 +335,57 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // The nearest point of a point or segment that lies in the face, to a point p of the face; and whether p may be on the left and
-  // on the right of the segment.
-  Point foot_in(Index face, const Face_frame<FT>& frame, const Point& p, Index primitive, Surface_point_& nearest, bool& is_left,
-                bool& is_right) const
+  // The nearest point of a point or segment to a point p of the face. Where rounding leaves several, it is the nearest of them to q:
+  // the direction of a segment is known up to the rounding of its ends over its length.
+  struct Foot
+  {
+    Surface_point_ point;
+    Point position;
+    bool is_left = true, is_right = true; // whether p may be there, seen along the segment
+    bool is_beside = true;                // whether p may be between the normals at the ends of the segment
+  };
+
+  Foot foot_in(Index face, const Face_frame<FT>& frame, const Point& p, const Point& q, Index primitive) const
   {
     const Source_place<FT>& place = m_initial.places[primitive];
-    Point a, b;
+    Foot foot;
+    Point b;
     unsigned edges_of_a, edges_of_b;
-    position_in_face(m_mesh, place.first, face, a, edges_of_a);
-    nearest = place.first;
-    if (!m_initial.primitives[primitive].is_segment) return a;
+    position_in_face(m_mesh, place.first, face, foot.position, edges_of_a);
+    foot.point = place.first;
+    if (!m_initial.primitives[primitive].is_segment) return foot;
     position_in_face(m_mesh, place.second, face, b, edges_of_b);
-    const Point u = b - a;
+    const Point a = foot.position, u = b - a;
     const auto side = estimate(cross(u, p - a));
-    is_left = CGAL::possibly(side >= 0);
-    is_right = CGAL::possibly(side <= 0);
-    const FT t = dot(p - a, u) / dot(u, u);
-    if (!CGAL::is_positive(t)) return a;
-    nearest = place.second;
-    if (!(t < FT(1))) return b;
-    const Point foot = a + t * u;
+    foot.is_left = CGAL::possibly(side >= 0);
+    foot.is_right = CGAL::possibly(side <= 0);
+    FT along = dot(p - a, u), slack(0);
+    const FT square = dot(u, u);
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      const FT rounding = Number_policy<FT>::rounding(8) * frame.longest_edge(), size = length(u);
+      const FT uncertainty = rounding * (length(p - a) + FT(8) * size); // of `along`
+      slack = uncertainty;
+      along += (std::max)(FT(-uncertainty), (std::min)(uncertainty, FT(dot(q - a, u) - along)));
+    }
+    foot.is_beside = CGAL::possibly(estimate(along) >= estimate(FT(-slack))) &&
+                     CGAL::possibly(estimate(along) <= estimate(FT(square + slack)));
+    if (!CGAL::is_positive(along)) return foot;
+    const FT t = along / square;
+    if (!(t < FT(1)))
+    {
+      foot.point = place.second;
+      foot.position = b;
+      return foot;
+    }
+    foot.position = a + t * u;
     if (const unsigned edge = edges_of_a & edges_of_b)
     {
       const int k = edge_of_bit(edge);
-      nearest = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot));
+      foot.point = Surface_point_::on_edge(3 * face + Index(k), frame.along(k, foot.position));
     }
     else
-      nearest = Surface_point_::in_face(face, foot);
+      foot.point = Surface_point_::in_face(face, foot.position);
     return foot;
   }
 

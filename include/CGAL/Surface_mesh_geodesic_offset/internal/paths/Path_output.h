@@ -28,6 +28,7 @@ template <class FT>
 struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
 {
   static const Path_crossing<FT>& item(const Path_crossing<FT>& c) { return c; }
+  void set_apart(std::size_t) {}
 };
 
 // The same as points in space. They are made at once: a processor that waits for the next turn of the way has the time.
@@ -36,9 +37,21 @@ struct Passed_points : boost::container::small_vector<typename Surface::Point_3,
 {
   explicit Passed_points(const Surface& s) : surface(s) {}
 
+  // The first points are known to be apart from each other: a Strip_walk keeps away from vertices.
+  void set_apart(std::size_t n) { m_apart = n; }
+
+  void remove_repeated()
+  {
+    const auto first = this->begin() + std::ptrdiff_t(m_apart == 0 ? 0 : (std::min)(m_apart, this->size()) - 1);
+    this->erase(std::unique(first, this->end()), this->end());
+  }
+
   typename Surface::Point_3 item(const Path_crossing<typename Surface::Number>& c) const { return surface.point(c); }
 
   const Surface& surface;
+
+private:
+  std::size_t m_apart = 0;
 };
 
 // Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
@@ -146,7 +159,7 @@ inline std::vector<Item, Allocator>* vector_behind(const std::back_insert_iterat
   return Opened::container_of(out);
 }
 
-// Points in space, the end of each leg among the items.
+// Points in space, the end of each leg among the items. Consecutive points that rounding does not tell apart become one.
 template <class Surface, class OutputIterator>
 class Path_points
 {
@@ -159,15 +172,22 @@ public:
   template <class P>
   void start(const P& p)
   {
-    const Item q = m_surface.point(p); // appending what has a name to a vector is not a call
-    *m_out++ = q;
+    m_last = m_surface.point(p);
+    *m_out++ = m_last;
   }
 
   Passed_points<Surface>& passed() { return m_passed; }
-  void end_leg(const Leg_end<FT>& end) { m_passed.push_back(m_surface.point(end.point)); }
+  void end_leg(const Leg_end<FT>& end)
+  {
+    m_passed.push_back(m_surface.point(end.point));
+    m_passed.remove_repeated();
+  }
 
   void append(const Item* q, const Item* last, const Leg_end<FT>&)
   {
+    if (q != last && *q == m_last) ++q;
+    if (q == last) return;
+    m_last = *(last - 1);
     if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
     else
       for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda can't be assigned
@@ -190,6 +210,7 @@ private:
 
   const Surface& m_surface;
   OutputIterator m_out;
+  Item m_last; // written
   Passed_points<Surface> m_passed;
 };
 

@@ -101,6 +101,10 @@ public:
     return result;
   }
 
+  // Units of rounding of the edges of a face: a point so near to a source is a point of it. Positions in a face have two products, and
+  // those of points of sources on edges the rounding of the edge.
+  static constexpr double on_source = 8;
+
 private:
   struct Nearest : Nearest_kept_window<FT>
   {
@@ -133,25 +137,31 @@ private:
     }
     const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
     // no corner of a face with a source is farther than that
-    if (!is_reached || d[0] <= extent) look_at_sources(face, n);
+    if (!is_reached || d[0] <= extent) look_at_sources(face, extent, n);
     const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
     m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
     const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
     const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
     // on the source
-    if (n.distance <= Number_policy<FT>::rounding(8) * extent) n.distance = FT(0);
+    if (n.distance <= Number_policy<FT>::rounding(on_source) * extent) n.distance = FT(0);
     return n;
   }
 
-  void look_at_sources(Index face, Nearest& n) const
+  // A point of a segment may be behind both of its sides: its ends are known up to the rounding of the edges that they are on.
+  void look_at_sources(Index face, const FT& extent, Nearest& n) const
   {
     const auto local = local_windows(m_initial, face);
     n.is_near_source = local.first != local.second;
     for (auto i = local.first; i != local.second; ++i)
     {
       bool is_straight;
-      const FT d = i->window.path_length(n.q[0], is_straight);
+      FT d = i->window.path_length(n.q[0], is_straight);
+      if (!Number_policy<FT>::is_finite(d) && i->window.contains(n.q[0], Number_policy<FT>::rounding(on_source) * extent))
+      {
+        d = FT(0);
+        is_straight = true;
+      }
       FT& best = is_straight ? n.straight : n.bent;
       best = (std::min)(best, d);
     }
@@ -271,6 +281,7 @@ private:
     const FT& edge = m_mesh[h].length;
     const FT from = frame.along(start.exit, start.from), to = frame.along(start.exit, start.to);
     const FT allowance = Number_policy<FT>::rounding(256) * (start.distance + edge);
+    if (CGAL::abs(frame.height(start.exit, start.from)) > allowance) return false; // the point is on another edge
     if (CGAL::abs(frame.height(start.exit, start.to)) > allowance) return false;
     const bool ahead = to > from;
     const FT way = ahead ? FT(edge - from) : from;

@@ -146,25 +146,36 @@ private:
   template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
   {
-    Index last_vertex = no_index; // the last that was passed, if it is a vertex
-    End end = follow(start, passed, has_missed, last_vertex);
-    if (last_vertex != no_index && m_goals.is_at(end.point, last_vertex))
+    Last_passed last;
+    End end = follow(start, passed, has_missed, last);
+    const bool is_at_vertex = last.vertex != no_index && m_goals.is_at(end.point, last.vertex);
+    const bool is_on_edge = last.halfedge != no_index && m_goals.is_at(end.point, last.halfedge, last.position);
+    if (is_at_vertex) end.point = Surface_point_::at_vertex(last.vertex);
+    else if (is_on_edge && end.point.kind == Surface_point_::FACE) end.point = Surface_point_::on_edge(last.halfedge, last.position);
+    if (is_at_vertex || is_on_edge)
     {
       CGAL_assertion(!passed.empty());
-      end.point = Surface_point_::at_vertex(last_vertex);
       passed.pop_back();
     }
     return end;
   }
 
+  // The last point that was passed: a vertex, or at a position on a halfedge.
+  struct Last_passed
+  {
+    Index vertex = no_index, halfedge = no_index;
+    FT position = FT(0);
+  };
+
   template <class Passed>
-  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Index& last_vertex) const
+  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed) const
   {
     const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
     Index h = start.halfedge;
     Point from = start.from, to = start.to;
     bool is_under_way = false;
+    passed.set_apart(0);
     // not with exact numbers, of which strips make long expressions
     if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_one_edge(exit_of(start), start.edge) &&
         !m_goals.is_in_face(goal, m_mesh.face(h)))
@@ -175,12 +186,14 @@ private:
       is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
       if (is_under_way)
       {
+        passed.set_apart(passed.size());
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
             strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
           return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), start);
         h = strip.halfedge();
         from = strip.position();
         to = strip.goal();
+        last_passed = {no_index, h, from.x};
       }
     }
     Straight_walk<FT> walk(m_mesh, h, from, to);
@@ -219,26 +232,26 @@ private:
         const int source = exit, target = (exit + 1) % 3;
         const bool ahead = CGAL::is_positive(dot(walk.goal() - walk.position(), walk.corner(target) - walk.corner(source)));
         for (int k : {ahead ? target : source, ahead ? source : target})
-          if (passes(walk, k, crossing, start, goal, has_missed)) return end_at_corner(k);
+          if (passes(walk, k, exit, crossing, start, goal, has_missed)) return end_at_corner(k);
       }
-      else if (passes(walk, 2, crossing, start, goal, has_missed))
+      else if (passes(walk, 2, exit, crossing, start, goal, has_missed))
         return end_at_corner(2);
       if (beyond == no_index) break;
       // vertices in the way that the path passes by, but not as closely as to start from there anew
-      const FT rounding = (Number_policy<FT>::is_inexact ? FT(snapping_tolerance()) : FT(0)) * crossing.length;
+      const FT rounding = Number_policy<FT>::rounding(Path_goals<FT>::roundings_of_position) * crossing.length;
       const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
       if (is_one_edge(beyond, start.edge) && is_first)
-        last_vertex = no_index; // rounding crosses the edge that the path starts from
+        last_passed = {}; // rounding crosses the edge that the path starts from
       else
       {
         if (v == no_index)
           passed.push_back(
             passed.item({beyond, walk.vertex((exit + 1) % 3), walk.vertex(exit), FT(crossing.t / crossing.length)}));
-        else if (v != last_vertex)
+        else if (v != last_passed.vertex)
           passed.push_back(passed.item({no_index, v, v, FT(0)}));
-        last_vertex = v;
+        last_passed = {v, v == no_index ? beyond : no_index, crossing.t};
       }
       walk.cross_over(exit, crossing);
       extent = (std::max)(extent, walk.extent());
@@ -246,13 +259,13 @@ private:
     if (!has_missed)
     {
       passed.clear();
-      last_vertex = no_index;
-      return follow(start, passed, true, last_vertex);
+      last_passed = {};
+      return follow(start, passed, true, last_passed);
     }
     if (detour.vertex != no_index)
     {
       passed.resize(detour.passed);
-      last_vertex = no_index;
+      last_passed = {};
       return m_goals.end_at_vertex(detour.vertex, detour.halfedge, detour.position, start);
     }
     if (goal.vertex != no_index && !goal.end.is_at_source() && m_goals.is_source(goal.vertex))
@@ -267,9 +280,10 @@ private:
 
   bool is_one_edge(Index g, Index h) const { return h != no_index && (g == h || m_mesh.twin(h) == g); }
 
-  // Whether the walk passes a corner so closely that the way by it is as short as the rest of the path, straight on; if
-  // numbers are exact, whether it meets the corner. Of the same source and side, unless the walk has missed its goal.
-  bool passes(const Straight_walk<FT>& walk, int k, const typename Straight_walk<FT>::Crossing& crossing,
+  // Whether the walk passes corner k, an end of the edge that it leaves through, so closely that the way by it is as short as the
+  // rest of the path, straight on; if numbers are exact, whether it meets the corner. Of the same source and side, unless the walk
+  // has missed its goal.
+  bool passes(const Straight_walk<FT>& walk, int k, int exit, const typename Straight_walk<FT>::Crossing& crossing,
               const Path_start<FT>& start, const typename Path_goals<FT>::Goal& goal, bool has_missed) const
   {
     const Point to_goal = walk.goal() - walk.position(), to_vertex = walk.corner(k) - walk.position();
@@ -280,8 +294,9 @@ private:
              dot(to_vertex, to_vertex) <= dot(to_goal, to_goal) &&
              (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
-    const bool is_at_end = (std::min)(crossing.t, FT(crossing.length - crossing.t)) <= FT(nearby) * crossing.length;
-    if (!is_at_end && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
+    CGAL_assertion(k == exit || k == (exit + 1) % 3);
+    const FT beside = k == exit ? FT(crossing.length - crossing.t) : crossing.t;
+    if (beside > FT(nearby) * crossing.length && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
       return false;
     const FT& d = m_field.distance[v];
     const FT straight_on = length(to_goal);

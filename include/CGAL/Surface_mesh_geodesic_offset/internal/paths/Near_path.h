@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distances near sources: the length of the path itself, which has fewer rounding errors there than windows have.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_NEAR_PATH_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_NEAR_PATH_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Output of Path_tracing that measures the path, piece by piece, each in a face that contains both of its ends.
+template <class FT>
+class Path_measurement
+{
+public:
+  typedef Path_crossing<FT> Item;
+
+  explicit Path_measurement(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh) {}
+
+  void start(const Surface_point<FT>& p) { m_last = p; }
+  Passed_crossings<FT>& passed() { return m_passed; }
+  void end_leg(const Leg_end<FT>&) {}
+
+  void append(const Item* q, const Item* last, const Leg_end<FT>& end)
+  {
+    for (; q != last; ++q)
+      go_to(q->halfedge == no_index ? Surface_point<FT>::at_vertex(q->source)
+                                    : Surface_point<FT>::on_edge(q->halfedge, q->part * m_mesh[q->halfedge].length));
+    go_to(end.point);
+  }
+
+  // Infinity if two consecutive points have no face in common.
+  const FT& length() const { return m_length; }
+
+private:
+  void go_to(const Surface_point<FT>& p)
+  {
+    FT piece = Number_policy<FT>::infinity();
+    for (const Index face : faces_of(m_mesh, m_last))
+    {
+      Point_in_face<FT> from, to;
+      unsigned edges;
+      if (position_in_face(m_mesh, m_last, face, from, edges) && position_in_face(m_mesh, p, face, to, edges))
+        piece = (std::min)(piece, internal::length(to - from));
+    }
+    m_length += piece;
+    m_last = p;
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  Passed_crossings<FT> m_passed;
+  Surface_point<FT> m_last;
+  FT m_length = FT(0);
+};
+
+// The distance of a point and the start of its path, as Path_starts computes them; but near a source, the distance is the length of
+// the path. The distances of windows are lower there by up to an allowance relative to the edges, where a window has been extended
+// beyond its rays (Lower_envelope::close_gap): far from the source this is rounding, near it it is not.
+template <class FT>
+class Near_path
+{
+public:
+  // `measures`: paths can be traced, since windows have not been merged within a tolerance.
+  Near_path(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field, bool measures)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_measures(measures)
+  {
+  }
+
+  // `legs`: those of this field.
+  template <class Legs>
+  FT distance(const Located_point<FT>& p, Legs& legs) const
+  {
+    const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
+    return is_near(p, d) ? measured(p, legs).distance : d;
+  }
+
+  template <class Legs>
+  Path_start<FT> operator()(const Located_point<FT>& p, Legs& legs) const
+  {
+    Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
+    if (is_near(p, start.distance) && start.halfedge != no_index) measure(p, legs, start);
+    return start;
+  }
+
+private:
+  template <class Legs>
+  BOOST_NOINLINE Path_start<FT> measured(const Located_point<FT>& p, Legs& legs) const
+  {
+    return (*this)(p, legs);
+  }
+
+  // An allowance of 256 units of rounding is less than 1e-12 of the distance beyond 1/16 of the edge that it is relative to; twice
+  // that, as it may be an edge of the face beside.
+  static constexpr double near_part = 1. / 8;
+
+  bool is_near(const Located_point<FT>& p, const FT& distance) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return (void)p, (void)distance, false;
+    return distance <= FT(near_part) * m_mesh.longest_edge() && p.kind != Surface_point<FT>::VERTEX && distance > FT(0) &&
+           distance <= FT(near_part) * extent(p) && m_measures;
+  }
+
+  // The longest edge of the faces of a point.
+  FT extent(const Surface_point<FT>& p) const
+  {
+    const auto of_face = [&](Index f) { return (std::max)({m_mesh[3 * f].length, m_mesh[3 * f + 1].length, m_mesh[3 * f + 2].length}); };
+    if (p.kind == Surface_point<FT>::FACE) return of_face(p.element);
+    const Index beyond = m_mesh.twin(p.element);
+    const FT size = of_face(m_mesh.face(p.element));
+    return beyond == no_index ? size : (std::max)(size, of_face(m_mesh.face(beyond)));
+  }
+
+  template <class Legs>
+  BOOST_NOINLINE void measure(const Located_point<FT>& p, Legs& legs, Path_start<FT>& start) const
+  {
+    Path_measurement<FT> path(m_mesh);
+    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path);
+    // a path that is longer by more than rounding does not tell the distance
+    const FT allowance = Number_policy<FT>::rounding(512) * (start.distance + m_mesh.longest_edge());
+    const FT error = CGAL::abs(path.length() - start.distance);
+    if (!(error <= allowance) || error <= Number_policy<FT>::rounding(4) * start.distance) return; // no better
+    // on the source, as in Path_starts
+    start.distance = path.length() <= Number_policy<FT>::rounding(Path_starts<FT>::on_source) * extent(p) ? FT(0) : path.length();
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
+  const Geodesic_field<FT>& m_field;
+  const bool m_measures;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
