@@ -247,7 +247,7 @@ void concept_archetype()
   const Data data(rotated(random_rectangle(2, 1, 30, 5, 4), 4));
   typename Archetype::Calls calls;
   const Archetype traits(calls);
-  Geodesic_here geodesic(data.mesh, traits);
+  Geodesic_here geodesic(data.mesh, CGAL::parameters::geom_traits(traits));
   Geodesic expected(data.mesh);
   const auto add_sources = [&](auto& g)
   {

@@ -29,9 +29,10 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
+template <class Traits_, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
 struct Geodesic_surface
 {
+  typedef Traits_ Traits;
   typedef typename Computation<Traits>::Computing_traits Computing_traits;
   typedef typename Computing_traits::FT Number; // number type of the unfolded mesh
   typedef typename Traits::Kernel Kernel;
@@ -66,6 +67,13 @@ struct Geodesic_surface
   static std::array<Number, 3> imported(const Barycentric_coordinates& w)
   {
     return {imported(w[0]), imported(w[1]), imported(w[2])};
+  }
+
+  // \throws std::logic_error if the mesh has lengths instead of points
+  void check_points() const
+  {
+    if (!has_points)
+      throw std::logic_error("Surface_mesh_geodesic_offset: this needs points, but the mesh has lengths instead of points");
   }
 
   // Converts the mesh's point to the traits' kernel.
@@ -197,6 +205,7 @@ struct Geodesic_surface
   }
 
   const Triangle_mesh& tm;
+  const bool has_points = true;
   VertexPointMap vpm;
   Index_renumbering<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
