@@ -60,7 +60,7 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
   const internal::Unfolded_mesh<double>& unfolded = surface.unfolded;
   internal::Source_set<double> sources;
   const Mesh::Vertex_index v(static_cast<Mesh::size_type>(source));
-  sources.add(unfolded, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, sources.POINT);
+  sources.insert(0, {sources.POINT, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, {}});
   internal::Build_request<double> request;
   request.keeps_windows = true;
   internal::Geodesic_build<Traits> build(unfolded, sources, request);

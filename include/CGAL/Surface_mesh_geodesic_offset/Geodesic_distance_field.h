@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
@@ -213,9 +214,7 @@ public:
   template <class VertexDistanceMap>
   void vertex_distances(VertexDistanceMap map) const
   {
-    const Build& b = built();
-    for (vertex_descriptor v : vertices(surface().tm))
-      put(map, v, FT(Surface::exported(b.field.distance[surface().index_of(v)])));
+    Geodesic_offset::internal::write_vertex_distances(data(), built(), map);
   }
 
   /// writes the id of the nearest source of each vertex to a map: the geodesic Voronoi diagram of the sources.
@@ -223,13 +222,7 @@ public:
   template <class VertexLabelMap>
   void source_labels(VertexLabelMap map) const
   {
-    const Build& b = built();
-    for (vertex_descriptor v : vertices(surface().tm))
-    {
-      const Index i = surface().index_of(v);
-      const bool has_distance = Policy::is_finite(b.field.distance[i]);
-      put(map, v, has_distance ? std::size_t(b.initial.source_of[b.field.root[i].primitive()]) : no_source());
-    }
+    Geodesic_offset::internal::write_source_labels(data(), built(), map);
   }
 
   /// the largest distance of the vertices that have a distance. Points between vertices may be farther, see
@@ -313,7 +306,7 @@ public:
   static FT infinity() { return Surface::exported(Policy::infinity()); }
 
   /// the label that `source_labels()` gives to vertices that have no distance.
-  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
+  static constexpr std::size_t no_source() { return Geodesic_offset::internal::no_source_label; }
   /// @}
 
   /// \name Shortest Paths
@@ -448,15 +441,17 @@ private:
     trace(p, start_at(p), out);
   }
 
-  const Data& data() const { return Geodesic_offset::internal::Mesh_access::data(*m_mesh); }
+  const Data& data() const
+  {
+    built();
+    return Geodesic_offset::internal::Mesh_access::data(*m_mesh);
+  }
   const Surface& surface() const { return data().surface(); }
   const Geodesic_offset::internal::Unfolded_mesh<Number>& unfolded() const { return data().unfolded(); }
 
-  // \throws std::logic_error if the field has no distances
   template <class Location>
   Located_point classified(const Location& location) const
   {
-    built();
     return data().classified(location);
   }
 

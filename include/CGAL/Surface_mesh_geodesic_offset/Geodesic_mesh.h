@@ -184,8 +184,9 @@ public:
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Geodesic_mesh(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
-    : m_data(tm, vertex_index_map(tm, np), face_index_map(tm, np), vertex_point_map(tm, np), np)
+    : Geodesic_mesh(tm, np, Geodesic_offset::internal::More_parameters())
   {
+    Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Mesh_parameters, NamedParameters>();
   }
   /// @}
 
@@ -368,6 +369,12 @@ public:
   /// @}
 
 private:
+  template <class NamedParameters>
+  Geodesic_mesh(const Triangle_mesh& tm, const NamedParameters& np, Geodesic_offset::internal::More_parameters)
+    : m_data(tm, vertex_index_map(tm, np), face_index_map(tm, np), vertex_point_map(tm, np), np)
+  {
+  }
+
   template <class NamedParameters>
   static Vertex_index_map vertex_index_map(const Triangle_mesh& tm, const NamedParameters& np)
   {

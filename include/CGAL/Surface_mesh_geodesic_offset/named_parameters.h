@@ -45,6 +45,12 @@ typedef Joined_tags<Update_parameters,
 typedef Parameter_tags<internal_np::geodesic_offset_side_t, internal_np::geodesic_end_style_t> Selection_parameters;
 typedef Joined_tags<Selection_parameters, Parameter_tags<internal_np::concurrency_tag_t>> Offset_parameters;
 typedef Joined_tags<Selection_parameters, Build_parameters> Build_and_offset_parameters;
+typedef Joined_tags<Joined_tags<Mesh_parameters, Update_parameters>, Parameter_tags<internal_np::geodesic_distance_limit_t>>
+  Path_call_parameters;
+typedef Joined_tags<Selection_parameters, Path_call_parameters> Offset_call_parameters;
+typedef Joined_tags<Path_call_parameters, Parameter_tags<internal_np::geodesic_targets_t, internal_np::geodesic_relative_tolerance_t,
+                                                         internal_np::geodesic_merging_tolerance_t>>
+  Distance_call_parameters;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::geodesic_length_unit_t> Writing_parameters;
 
 // Whether all parameters of a sequence are in a list of tags; not so for what is no sequence.

@@ -56,7 +56,6 @@ struct Geodesic_mesh_data
                      const VertexPointMap& vpm, const NamedParameters& np)
     : Geodesic_mesh_data(tm, vim, fim, vpm, traits_of(np), np)
   {
-    check_named_parameters<Mesh_parameters, NamedParameters>();
   }
 
   // \throws std::logic_error if the object was moved from
@@ -128,9 +127,20 @@ private:
   }
 };
 
+// Tag: the named parameters may be more than those of a mesh.
+struct More_parameters
+{
+};
+
 // Access of the other classes of the package to the data of a mesh.
 struct Mesh_access
 {
+  template <class Mesh, class NamedParameters>
+  static Mesh make(const typename Mesh::Triangle_mesh& tm, const NamedParameters& np)
+  {
+    return Mesh(tm, np, More_parameters());
+  }
+
   template <class Mesh>
   static const typename Mesh::Data& data(const Mesh& mesh)
   {

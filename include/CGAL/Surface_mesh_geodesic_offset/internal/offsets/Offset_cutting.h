@@ -8,15 +8,20 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_selection.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <type_traits>
@@ -65,13 +70,86 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, levels, selection, std::move(inside), f);
 }
 
+// Consumer of finished faces that cuts the levels in them. Calls out(level index, Level_curves) for each level that has curves,
+// as soon as it is finished.
+template <class FT, class Function>
+class Level_cutter
+{
+public:
+  static constexpr bool reads_lists = true;
+
+  template <class Build>
+  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
+    : m_extraction(mesh, build.initial, build.field, levels, build.maximum), m_out(out)
+  {
+  }
+
+  template <class Team>
+  void take(const std::vector<Index>& faces, Team& team)
+  {
+    const Clock::time_point start = Clock::now();
+    m_extraction.cut(faces, team);
+    const double time = seconds_since(start);
+    m_seconds += time;
+    m_seconds_within_propagation += time;
+  }
+
+  void settle(const FT& distance)
+  {
+    const Clock::time_point start = Clock::now();
+    m_extraction.release(distance, m_out);
+    m_seconds_within_propagation += seconds_since(start);
+  }
+
+  // Releases the curves up to the distance that the propagation has reached.
+  void finish(const FT& distance, Geodesic_offset_statistics& statistics)
+  {
+    m_extraction.release_all(distance, m_out);
+    statistics.propagation_seconds -= m_seconds_within_propagation;
+    statistics.offset_seconds = m_seconds;
+    statistics.pieces = m_extraction.number_of_pieces();
+    statistics.forced_joints = m_extraction.number_of_forced_joints();
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  Offset_extraction<FT> m_extraction;
+  const Function& m_out;
+  double m_seconds = 0, m_seconds_within_propagation = 0;
+};
+
+// Cuts the levels in all faces, from kept windows.
+template <class Concurrency_tag, class FT, class Build, class Function>
+void cut_all_faces(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
+{
+  constexpr std::size_t at_once = 1 << 12;
+  Offset_extraction<FT> extraction(mesh, build.initial, build.field, levels, build.maximum);
+  {
+    auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
+    std::vector<Index> faces;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      if (mesh.source(3 * f) != no_index) faces.push_back(f);
+      if (faces.size() < at_once && f + 1 < mesh.number_of_faces()) continue;
+      extraction.cut(faces, team);
+      faces.clear();
+    }
+  }
+  extraction.release_all(build.maximum, out);
+}
+
 // Propagates, and calls f(distance, curves) for each level.
 template <class Concurrency_tag, class Surface, class Build, class Function>
 void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   const auto output = make_curve_output(mesh, build, levels, selection, f);
-  build.template propagate_and_cut<Concurrency_tag>(mesh.traits, levels, output);
+  Level_cutter<typename Surface::Number, std::decay_t<decltype(output)>> cutter(mesh.unfolded(), build, levels, output);
+  build.template run<Concurrency_tag>(mesh.traits, cutter);
+  cutter.finish(build.maximum, build.statistics);
   output.finish();
 }
 
@@ -83,7 +161,7 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   if (build.kept)
   {
     const auto output = make_curve_output(mesh, build, levels, selection, f);
-    build.template cut<Concurrency_tag>(levels, output);
+    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, levels, output);
     output.finish();
     return;
   }
