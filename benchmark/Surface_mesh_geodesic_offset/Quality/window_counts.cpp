@@ -56,7 +56,7 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
 {
   internal::Single_worker alone;
   const Surface surface(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), get(boost::vertex_point, mesh),
-                        Traits(), alone);
+                        internal::No_lengths(), Traits(), alone);
   const internal::Unfolded_mesh<double>& unfolded = surface.unfolded;
   internal::Source_set<double> sources;
   const Mesh::Vertex_index v(static_cast<Mesh::size_type>(source));

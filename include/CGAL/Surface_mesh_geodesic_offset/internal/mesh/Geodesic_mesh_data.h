@@ -113,7 +113,7 @@ private:
 
   template <class VertexIndexMap, class FaceIndexMap, class VertexPointMap, class NamedParameters>
   Geodesic_mesh_data(const typename Surface::Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                     const VertexPointMap& vpm, const Traits& user_traits, const NamedParameters&)
+                     const VertexPointMap& vpm, const Traits& user_traits, const NamedParameters& np)
     : traits(Computation<Traits>::computing_traits(user_traits))
   {
     typedef Concurrency_tag_of<NamedParameters> Tag;
@@ -121,7 +121,10 @@ private:
                   "Surface_mesh_geodesic_offset: concurrency_tag() needs a concurrency tag");
     {
       auto&& team = Concurrency<Tag, Number>::Team::make();
-      shared_surface = std::make_shared<Surface>(tm, vim, fim, vpm, user_traits, team);
+      shared_surface = std::make_shared<Surface>(
+        tm, vim, fim, vpm,
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_edge_length_map), No_lengths()),
+        user_traits, team);
     }
     if (shared_surface->has_points) shared_locator = std::make_shared<Locator>(shared_surface);
   }
