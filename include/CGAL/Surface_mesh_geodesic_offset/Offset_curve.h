@@ -62,7 +62,7 @@ public:
   typedef typename Surface_::FT FT;
   /// a point in space
   typedef typename Surface_::Point_3 Point_3;
-  /// a point of the surface, see `Surface_mesh_geodesic_sources::Face_location`
+  /// a point of the surface, see `Geodesic_mesh::Face_location`
   typedef typename Surface_::Face_location Face_location;
   /// a piece of the curve
   typedef Geodesic_offset_piece<Surface_> Piece;
