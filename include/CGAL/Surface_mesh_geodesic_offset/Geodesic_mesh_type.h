@@ -60,7 +60,11 @@ kernel of its points, or `Exact_predicates_inexact_constructions_kernel` if the 
 \tparam NamedParameters the type of the named parameters of the call, which may have other maps and traits
 */
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+using Geodesic_mesh_type = Geodesic_mesh<unspecified_type>;
+#else
 using Geodesic_mesh_type = typename Geodesic_offset::internal::Types_of_call<TriangleMesh, NamedParameters>::Mesh;
+#endif
 
 } // namespace CGAL
 

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -51,6 +52,13 @@ struct Geodesic_mesh_data
   typedef typename Surface::vertex_descriptor vertex_descriptor;
   typedef typename Surface::face_descriptor face_descriptor;
 
+  // Made by the first location, so that the locator is compiled only where it is used.
+  struct Shared_locator
+  {
+    std::once_flag once;
+    std::shared_ptr<const void> locator; // a Locator
+  };
+
   template <class VertexIndexMap, class FaceIndexMap, class VertexPointMap, class NamedParameters>
   Geodesic_mesh_data(const typename Surface::Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                      const VertexPointMap& vpm, const NamedParameters& np)
@@ -75,7 +83,9 @@ struct Geodesic_mesh_data
   const Locator& locator() const
   {
     surface_with_points();
-    return *shared_locator;
+    Shared_locator& shared = *shared_locator;
+    std::call_once(shared.once, [&] { shared.locator = std::make_shared<Locator>(shared_surface); });
+    return *static_cast<const Locator*>(shared.locator.get());
   }
 
   const Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
@@ -100,7 +110,7 @@ struct Geodesic_mesh_data
 
   Computing_traits traits;
   std::shared_ptr<const Surface> shared_surface;
-  std::shared_ptr<const Locator> shared_locator;
+  std::shared_ptr<Shared_locator> shared_locator = std::make_shared<Shared_locator>();
 
 private:
   template <class NamedParameters>
@@ -126,7 +136,6 @@ private:
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_edge_length_map), No_lengths()),
         user_traits, team);
     }
-    if (shared_surface->has_points) shared_locator = std::make_shared<Locator>(shared_surface);
   }
 };
 
