@@ -27,6 +27,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -202,28 +203,28 @@ public:
   /// the location nearest to a point in space.
   /// \throws std::invalid_argument if the mesh has no faces, or a coordinate or its square is not finite, or if the
   ///         tolerance is negative or not a number.
-  Face_location locate(const Point_3& p) const { return locate(p, m_data.locator().default_tolerance()); }
+  Face_location locate(const Point_3& p) const { return locate(p, data().locator().default_tolerance()); }
   /// Overload with a tolerance.
-  Face_location locate(const Point_3& p, const FT& tolerance) const { return m_data.locator().locate(p, tolerance); }
+  Face_location locate(const Point_3& p, const FT& tolerance) const { return data().locator().locate(p, tolerance); }
 
   /// the location nearest to a point in space, and the distance in space of the point from the location, in the units of the
   /// mesh's points. With a tolerance, the distance can exceed the distance from the surface by no more than the tolerance.
   std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const
   {
-    return locate_with_distance(p, m_data.locator().default_tolerance());
+    return locate_with_distance(p, data().locator().default_tolerance());
   }
   /// Overload with a tolerance.
   std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
   {
     const Face_location l = locate(p, tolerance);
-    return {l, Geodesic_offset::internal::square_root<FT>((p - m_data.surface().point(l)).squared_length())};
+    return {l, Geodesic_offset::internal::square_root<FT>((p - data().surface().point(l)).squared_length())};
   }
 
   /// the location where a ray meets the surface first; if the ray misses the surface, a location whose face is the null face.
   /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
-  Face_location locate(const Ray_3& r) const { return locate(r, m_data.locator().default_tolerance()); }
+  Face_location locate(const Ray_3& r) const { return locate(r, data().locator().default_tolerance()); }
   /// Overload with a tolerance.
-  Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_data.locator().locate(r, tolerance); }
+  Face_location locate(const Ray_3& r, const FT& tolerance) const { return data().locator().locate(r, tolerance); }
   /// @}
 
   /// \name Polylines, Sections and Edges
@@ -252,7 +253,7 @@ public:
   template <class PointRange>
   std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
   {
-    m_data.locator().expect(std::size_t(std::distance(std::begin(points), std::end(points))));
+    data().locator().expect(std::size_t(std::distance(std::begin(points), std::end(points))));
     std::vector<Face_location> locations;
     FT largest(0);
     for (const Point_3& p : points)
@@ -269,14 +270,14 @@ public:
   template <class FaceLocationRange>
   Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
   {
-    const Surface& surface = m_data.surface_with_points();
-    const Geodesic_offset::internal::Polyline_joining<Surface> join(surface, m_data.traits);
+    const Surface& surface = data().surface_with_points();
+    const Geodesic_offset::internal::Polyline_joining<Surface> join(surface, data().traits);
     Polyline polyline;
     std::optional<Located_point> last;
     std::size_t i = 0;
     const auto add = [&](const Face_location& given) {
       auto& path = polyline.locations;
-      const Located_point p = m_data.classified(given);
+      const Located_point p = data().classified(given);
       const Face_location l = snapped(given, p);
       if (last && surface.point(path.back()) == surface.point(l)) return;
       if (last && !join(*last, p, path))
@@ -311,7 +312,7 @@ public:
       if (!Geodesic_offset::internal::Number_policy<FT>::is_finite(CGAL::abs(c)))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: a plane with a coefficient that is not finite");
     if (plane.is_degenerate()) throw std::invalid_argument("Surface_mesh_geodesic_offset: a degenerate plane");
-    return Geodesic_offset::internal::Plane_cutting<Surface, Plane_3>(m_data.surface_with_points(), plane)();
+    return Geodesic_offset::internal::Plane_cutting<Surface, Plane_3>(data().surface_with_points(), plane)();
   }
 
   /// writes the sharp edges: the edges between two faces whose normals differ by more than `angle` degrees. The difference is
@@ -327,7 +328,7 @@ public:
     if (!(angle >= 0 && angle < 180))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the angle of sharp edges is not a number of degrees from 0 "
                                   "to less than 180");
-    const Surface& surface = m_data.surface_with_points();
+    const Surface& surface = data().surface_with_points();
     for (const edge_descriptor e : edges(surface.tm))
     {
       const halfedge_descriptor h = halfedge(e, surface.tm);
@@ -342,7 +343,7 @@ public:
   std::vector<std::vector<edge_descriptor>> boundary_edges() const
   {
     std::vector<halfedge_descriptor> cycles;
-    Polygon_mesh_processing::extract_boundary_cycles(m_data.surface().tm, std::back_inserter(cycles));
+    Polygon_mesh_processing::extract_boundary_cycles(data().surface().tm, std::back_inserter(cycles));
     std::vector<std::vector<edge_descriptor>> result;
     for (const halfedge_descriptor h : cycles)
       if (std::vector<edge_descriptor> cycle = edges_of_cycle(h); !cycle.empty()) result.push_back(std::move(cycle));
@@ -354,8 +355,8 @@ public:
   /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null.
   std::vector<edge_descriptor> boundary_edges(halfedge_descriptor border) const
   {
-    m_data.surface().check_halfedge(border);
-    if (!is_border(border, m_data.surface().tm))
+    data().surface().check_halfedge(border);
+    if (!is_border(border, data().surface().tm))
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the halfedge of a boundary cycle is not on the border");
     return edges_of_cycle(border);
   }
@@ -365,21 +366,28 @@ public:
   /// @{
 
   /// the mesh.
-  const Triangle_mesh& triangle_mesh() const { return m_data.surface().tm; }
+  const Triangle_mesh& triangle_mesh() const { return data().surface().tm; }
   /// @}
 
 private:
   template <class NamedParameters>
   Geodesic_mesh(const Triangle_mesh& tm, const NamedParameters& np, Geodesic_offset::internal::More_parameters)
-    : m_data(tm, vertex_index_map(tm, np), face_index_map(tm, np), vertex_point_map(tm, np), np)
+    : m_data(std::make_shared<const Data>(tm, vertex_index_map(tm, np), face_index_map(tm, np), vertex_point_map(tm, np), np))
   {
+  }
+
+  // \throws std::logic_error if the object was moved from
+  const Data& data() const
+  {
+    if (!m_data) throw std::logic_error("Surface_mesh_geodesic_offset: this object was moved from, it has no mesh");
+    return *m_data;
   }
 
   template <class NamedParameters>
   static Vertex_index_map vertex_index_map(const Triangle_mesh& tm, const NamedParameters& np)
   {
     if constexpr (Geodesic_offset::internal::has_parameter<internal_np::vertex_index_t, NamedParameters>)
-      return parameters::get_parameter(np, internal_np::vertex_index);
+      return Geodesic_offset::internal::converted_map<Vertex_index_map>(parameters::get_parameter(np, internal_np::vertex_index));
     else
       return (void)np, get_initialized_vertex_index_map(tm);
   }
@@ -388,7 +396,7 @@ private:
   static Face_index_map face_index_map(const Triangle_mesh& tm, const NamedParameters& np)
   {
     if constexpr (Geodesic_offset::internal::has_parameter<internal_np::face_index_t, NamedParameters>)
-      return parameters::get_parameter(np, internal_np::face_index);
+      return Geodesic_offset::internal::converted_map<Face_index_map>(parameters::get_parameter(np, internal_np::face_index));
     else
       return (void)np, get_initialized_face_index_map(tm);
   }
@@ -397,7 +405,7 @@ private:
   static Vertex_point_map vertex_point_map(const Triangle_mesh& tm, const NamedParameters& np)
   {
     if constexpr (Geodesic_offset::internal::has_parameter<internal_np::vertex_point_t, NamedParameters>)
-      return parameters::get_parameter(np, internal_np::vertex_point);
+      return Geodesic_offset::internal::converted_map<Vertex_point_map>(parameters::get_parameter(np, internal_np::vertex_point));
     else
       return (void)np, get(boost::vertex_point, tm);
   }
@@ -407,20 +415,20 @@ private:
   {
     const auto zeros = std::count(given.second.begin(), given.second.end(), FT(0));
     const int needed = p.kind == Surface_point::VERTEX ? 2 : p.kind == Surface_point::EDGE ? 1 : 0;
-    return zeros == needed ? given : m_data.surface().location(p);
+    return zeros == needed ? given : data().surface().location(p);
   }
 
   // The edges of the cycle that have a face on the other side of the border.
   std::vector<edge_descriptor> edges_of_cycle(halfedge_descriptor border) const
   {
-    const Triangle_mesh& tm = m_data.surface().tm;
+    const Triangle_mesh& tm = data().surface().tm;
     std::vector<edge_descriptor> edges;
     for (const halfedge_descriptor h : halfedges_around_face(border, tm))
       if (!is_border(opposite(h, tm), tm)) edges.push_back(edge(h, tm));
     return edges;
   }
 
-  Data m_data;
+  std::shared_ptr<const Data> m_data;
 };
 
 } // namespace CGAL

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The data of Geodesic_mesh: the shared surface and locator, and the classification of locations.
+// The data that copies of a Geodesic_mesh share: surface, locator and traits; classification of locations.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_MESH_DATA_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_MESH_DATA_H
@@ -38,6 +38,15 @@ decltype(auto) converted_location(const std::pair<Face, std::array<Coordinate, 3
   }
 }
 
+// The map as the type that the class has for it.
+template <class Map, class Given>
+Map converted_map(const Given& map)
+{
+  static_assert(std::is_convertible<const Given&, Map>::value,
+                "Surface_mesh_geodesic_offset: the type of a map must be given as a template parameter of the class");
+  return map;
+}
+
 template <class Surface_>
 struct Geodesic_mesh_data
 {
@@ -52,13 +61,6 @@ struct Geodesic_mesh_data
   typedef typename Surface::vertex_descriptor vertex_descriptor;
   typedef typename Surface::face_descriptor face_descriptor;
 
-  // Made by the first location, so that the locator is compiled only where it is used.
-  struct Shared_locator
-  {
-    std::once_flag once;
-    std::shared_ptr<const void> locator; // a Locator
-  };
-
   template <class VertexIndexMap, class FaceIndexMap, class VertexPointMap, class NamedParameters>
   Geodesic_mesh_data(const typename Surface::Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
                      const VertexPointMap& vpm, const NamedParameters& np)
@@ -66,12 +68,10 @@ struct Geodesic_mesh_data
   {
   }
 
-  // \throws std::logic_error if the object was moved from
-  const Surface& surface() const
-  {
-    if (!shared_surface) throw std::logic_error("Surface_mesh_geodesic_offset: this object was moved from, it has no mesh");
-    return *shared_surface;
-  }
+  Geodesic_mesh_data(const Geodesic_mesh_data&) = delete;
+  Geodesic_mesh_data& operator=(const Geodesic_mesh_data&) = delete;
+
+  const Surface& surface() const { return *shared_surface; }
 
   // \throws std::logic_error if the mesh has lengths instead of points
   const Surface& surface_with_points() const
@@ -83,9 +83,8 @@ struct Geodesic_mesh_data
   const Locator& locator() const
   {
     surface_with_points();
-    Shared_locator& shared = *shared_locator;
-    std::call_once(shared.once, [&] { shared.locator = std::make_shared<Locator>(shared_surface); });
-    return *static_cast<const Locator*>(shared.locator.get());
+    std::call_once(m_locator_once, [this] { m_locator = std::make_shared<Locator>(shared_surface); });
+    return *static_cast<const Locator*>(m_locator.get());
   }
 
   const Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
@@ -110,7 +109,6 @@ struct Geodesic_mesh_data
 
   Computing_traits traits;
   std::shared_ptr<const Surface> shared_surface;
-  std::shared_ptr<Shared_locator> shared_locator = std::make_shared<Shared_locator>();
 
 private:
   template <class NamedParameters>
@@ -137,6 +135,10 @@ private:
         user_traits, team);
     }
   }
+
+  // Made by the first location, so that the locator is compiled only where it is used.
+  mutable std::once_flag m_locator_once;
+  mutable std::shared_ptr<const void> m_locator; // a Locator
 };
 
 // Tag: the named parameters may be more than those of a mesh.
@@ -156,7 +158,7 @@ struct Mesh_access
   template <class Mesh>
   static const typename Mesh::Data& data(const Mesh& mesh)
   {
-    return mesh.m_data;
+    return mesh.data();
   }
 
   template <class Mesh>
