@@ -58,7 +58,8 @@ class Builds
 {
 public:
   Builds(Query_case& c, unsigned seed, bool checks_paths, Outcome& outcome)
-    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome), m_geodesic(c.mesh, CGAL::parameters::concurrency_tag(Tag()))
+    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome),
+      m_geodesic(c.mesh, CGAL::parameters::concurrency_tag(Tag()))
   {
   }
 
@@ -143,7 +144,8 @@ private:
       if (f > 0.2) throw std::runtime_error("the visitor gives up");
       return true;
     };
-    CHECK_THROWS(m_geodesic.build(CGAL::parameters::keep_windows(true).visitor(gives_up).concurrency_tag(Tag())), std::runtime_error);
+    CHECK_THROWS(m_geodesic.build(CGAL::parameters::keep_windows(true).visitor(gives_up).concurrency_tag(Tag())),
+                 std::runtime_error);
     CHECK(m_geodesic.statistics().windows_propagated == windows);
   }
 
@@ -274,7 +276,10 @@ void same_pieces(Query_case& c)
     {
       Offset_curves parallel;
       with_threads(threads,
-                   [&] { geodesic.offset_curves(levels, std::back_inserter(parallel), CGAL::parameters::concurrency_tag(CGAL::Parallel_tag())); });
+                   [&] {
+                     geodesic.offset_curves(levels, std::back_inserter(parallel),
+                                            CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
+                   });
       CHECK_DETAIL(pieces_of(parallel) == expected, std::to_string(threads) + " threads, " + std::to_string(n) + " levels");
     }
   }
@@ -299,7 +304,9 @@ void same_set_up(Query_case& c)
   for (const int threads : {1, 2, 3})
   {
     std::unique_ptr<Geodesic> geodesic;
-    with_threads(threads, [&] { geodesic = std::make_unique<Geodesic>(c.mesh, CGAL::parameters::concurrency_tag(CGAL::Parallel_tag())); });
+    with_threads(threads, [&] {
+      geodesic = std::make_unique<Geodesic>(c.mesh, CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
+    });
     CHECK_DETAIL(distances(*geodesic) == expected, std::to_string(threads) + " threads");
     CHECK(geodesic->statistics().windows_propagated == alone.statistics().windows_propagated);
   }

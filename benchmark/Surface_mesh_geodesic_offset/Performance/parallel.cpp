@@ -75,7 +75,8 @@ void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& f
   for (const double d : figures)
     if (std::isfinite(d)) largest = (std::max)(largest, d);
   const auto levels = CGAL::Offset_levels<double>::equally_spaced(largest / (number_of_levels + 1.), number_of_levels);
-  geodesic.build_with_offset_curves_by_distance(levels, [](double, std::vector<Geodesic::Offset_curve>&&) {}, CGAL::parameters::concurrency_tag(Tag()));
+  geodesic.build_with_offset_curves_by_distance(
+    levels, [](double, std::vector<Geodesic::Offset_curve>&&) {}, CGAL::parameters::concurrency_tag(Tag()));
   step[CUTTING] = geodesic.statistics().offset_seconds;
   figures.insert(figures.end(), step, step + number_of_steps);
 }
