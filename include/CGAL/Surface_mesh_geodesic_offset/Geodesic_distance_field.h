@@ -160,8 +160,8 @@ public:
   /// the distance, rounded to `double`, with a sign: negative on the left of polylines, which is the inside of
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
   /// `covered_distance()`. Not a number if the nearest source is a point or a set of edges, which have no sides, or if the
-  /// nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build had
-  /// a tolerance.
+  /// nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build
+  /// had a tolerance.
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
@@ -313,9 +313,9 @@ public:
   /// A path from a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source consists of the point
   /// itself, a point on each edge that it crosses, the vertices through which it passes, and the source point. It is empty if
   /// the point has no distance, and only the point if the point lies on a source. Two consecutive points are different and have a
-  /// face in common. The path ends at the nearest point of `nearest_source()`. The time is linear in the number of points, and the exceptions are those of the queries. The straight parts from
-  /// vertex to vertex, which many paths have in common, are cached: in up to 264 bytes per vertex of the mesh for paths as
-  /// points, and as many for the other forms.
+  /// face in common. The path ends at the nearest point of `nearest_source()`. The time is linear in the number of points, and
+  /// the exceptions are those of the queries. The straight parts from vertex to vertex, which many paths have in common, are
+  /// cached: in up to 264 bytes per vertex of the mesh for paths as points, and as many for the other forms.
   /// @{
 
   /// writes a shortest path to the nearest source as locations.

@@ -28,8 +28,8 @@ namespace CGAL {
 \brief represents an offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
 
 The curve is closed, or its ends lie on the border of the mesh; a curve of one side of the sources is cut where it leaves this
-side, and may end inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside of the surface. No curve
-meets itself or another one of the same distance.
+side, and may end inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside
+of the surface. No curve meets itself or another one of the same distance.
 
 The curve is exact up to the rounding of its number type; it becomes a polyline only on output. Points on arcs, angles and
 lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the

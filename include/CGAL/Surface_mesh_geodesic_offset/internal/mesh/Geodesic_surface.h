@@ -238,9 +238,10 @@ private:
   // all_vertices, all_faces: in the order of the mesh
   template <class LengthMap, class Team>
   Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& point_map,
-                   const LengthMap& length_map, const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
-                   const Traits& traits, Team& team)
-    : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vpm(point_map), numbers(mesh, vim, fim, all_vertices, all_faces)
+                   const LengthMap& length_map, const std::vector<vertex_descriptor>& all_vertices,
+                   const std::vector<face_descriptor>& all_faces, const Traits& traits, Team& team)
+    : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vpm(point_map),
+      numbers(mesh, vim, fim, all_vertices, all_faces)
   {
     const All_face_links links = numbers.face_links(all_faces, team);
     // coordinates of other than built-in types may share memory, so one thread reads them
