@@ -63,7 +63,7 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
 
 Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& geodesic, Progress& progress)
 {
-  Sources sources(input, options, geodesic);
+  Sources sources(input, options, geodesic.mesh());
   sources.add_to(geodesic);
   for(const std::string& remark : sources.remarks())
     progress.line("sources: " + remark);
@@ -82,7 +82,7 @@ Levels plan_levels(const Mesh_input& input, const Sources& sources, Geodesic& ge
                    Progress& progress)
 {
   const auto exact_reach = [&] {
-    geodesic.build<Concurrency_tag>(CGAL::parameters::compute_largest_distance(true));
+    geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Concurrency_tag()));
     return geodesic.largest_distance();
   };
   Levels levels(options, input.bounding_box_diagonal(), [&] { return bound_of_reach(input.mesh(), sources); }, exact_reach);
@@ -181,7 +181,7 @@ void run(const Options& options, Concurrency_tag tag)
 
   const Stopwatch setup_time;
   progress.show("sources");
-  Geodesic geodesic(input.mesh(), Traits(), tag);
+  Geodesic geodesic(input.mesh(), CGAL::parameters::concurrency_tag(tag));
   const Sources sources = find_sources(input, options, geodesic, progress);
   figures.setup_seconds = setup_time.seconds();
   progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);

@@ -80,7 +80,7 @@ int validate(const Validation_options& options)
     print_warning("validate_geodesic_distances", input.warning());
 
   Enclosure enclosure = enclosure_on(input, options.mesh);
-  const Sources sources(input, options, enclosure);
+  const Sources sources(input, options, enclosure.mesh());
   sources.add_to(enclosure);
   if(const std::string far = sources.moved_points().warning(input.bounding_box_diagonal()); !far.empty())
     print_warning("validate_geodesic_distances", far);

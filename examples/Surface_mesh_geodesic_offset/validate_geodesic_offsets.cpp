@@ -47,8 +47,8 @@ int validate(const Offset_validation_options& options)
   if(!input.warning().empty())
     print_warning("validate_geodesic_offsets", input.warning());
   Enclosure enclosure = enclosure_on(input, options.mesh);
-  const Curves_on_surface curves(enclosure, options.curves); // before the long work
-  const Sources sources(input, options, enclosure);
+  const Curves_on_surface curves(enclosure.mesh(), options.curves); // before the long work
+  const Sources sources(input, options, enclosure.mesh());
   sources.add_to(enclosure);
   const double diagonal = input.bounding_box_diagonal();
   if(const std::string far = sources.moved_points().warning(diagonal); !far.empty())

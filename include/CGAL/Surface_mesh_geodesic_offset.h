@@ -6,17 +6,21 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_distance_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_distance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_output.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <algorithm>
-#include <array>
-#include <map>
+#include <cstddef>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -32,130 +36,465 @@ polylines and edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
 
 The distance of a point of the surface is the length of the shortest path on the surface from the point to the nearest
 source. The use has three steps: add the sources, call `build()`, which propagates the distances, and call the const member
-functions. With floating point numbers the const member functions may be called from several threads at once. Points that no
-path reaches are at `infinity()`.
+functions. Points that no path reaches are at `infinity()`.
 
-Adding or removing sources does not change the result of the last build; only `build()`, `update()` and
-`build_with_offset_curves()` replace it. Callbacks may build anew, see \ref Surface_mesh_geodesic_distance_callbacks
-"Callbacks, Copies, Moves".
+The object has a mesh (`Geodesic_mesh`), a set of sources (`Geodesic_source_set`), and the field of the last build
+(`Geodesic_distance_field`). Queries are those of the field, which `build()` also returns: a field is an immutable value that
+can be kept, and that later builds do not change. Adding or removing sources does not change it; only `build()`, `update()` and
+`build_with_offset_curves()` replace the field of the object. With floating point numbers the const member functions may be
+called from several threads at once.
 
 The mesh is neither copied nor modified; it must outlive the object and must not change meanwhile. A vertex that several fans
 of faces share is one point of the surface: paths pass through it from each fan into the others, whether the fans are open or
-closed. Lengths and distances are in the units of the mesh's points. Offset curves need a number type with at least the precision of `double`; distances
-are also available with `float`.
+closed. Lengths and distances are in the units of the mesh's points. Offset curves need a number type with at least the
+precision of `double`; distances are also available with `float`.
 
-Functions that propagate, and the constructors, take a concurrency tag, see \ref Surface_mesh_geodesic_distance_threads
-"Several Threads".
+\anchor Surface_mesh_geodesic_distance_callbacks
+\cgalHeading{Callbacks, Copies, Moves}
 
-\tparam Traits a model of `SurfaceMeshGeodesicOffsetTraits`
+The functions that are passed to a member function - visitors, callbacks that receive offset curves, output iterators, property
+maps - may call all member functions of the object, also those that add or remove sources and those that build. A query
+continues with the field with which it began; a build and an update continue with the sources that there were when they began,
+and their field replaces the last one when they return: of two builds, one within the other, the outer one remains. These
+functions must not assign to the object, move it or destroy it.
+
+Copies share the field of the last build; the next build of one of them does not change that of the other. An object that was
+moved from has no mesh and no field: `is_built()` is false, it can be destroyed and assigned to, and functions that need the
+mesh or a field throw `std::logic_error`.
+
+\anchor Surface_mesh_geodesic_distance_threads
+\cgalHeading{Several Threads}
+
+The constructor and the functions that propagate read the named parameter `concurrency_tag`, as in
+`build(parameters::concurrency_tag(Parallel_tag()))`:
+- `Sequential_tag`, the default: the calling thread works alone.
+- `Parallel_tag`: the threads work that TBB may use where the function is called, as limited by `tbb::global_control` and
+  `tbb::task_arena`. \cgal must be linked with TBB (`CGAL_LINKED_WITH_TBB`), otherwise the call does not compile.
+- `Parallel_if_available_tag`: `Parallel_tag` with TBB, `Sequential_tag` without.
+
+With `Parallel_tag` the results are the same to the last bit for any number of threads, one included, and in each run. They
+differ from the results with `Sequential_tag` by rounding alone: distances by no more than a relative \f$10^{-13}\f$ in all
+tests. The distance at which a build stops, at its targets or because the visitor cancels it, may differ, and so may the
+counts of the statistics; memory is larger by some percent. The calling thread alone calls the visitor and the callbacks that
+receive offset curves; TBB's threads remain occupied until the function returns.
+
+Several threads call the functors of the traits concurrently, and, during construction, the functions and maps that read the
+mesh. All this holds for `float`, `double` and `long double` only: with other number types, whose operations may share
+memory, `Parallel_tag` does what `Sequential_tag` does.
+
+\tparam Traits_ a model of `SurfaceMeshGeodesicOffsetTraits`
 \tparam VertexIndexMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and an unsigned integer type as
         value: indices from 0. %Default: the internal map of the mesh, or a map that the constructor makes.
 \tparam FaceIndexMap a model of `ReadablePropertyMap` with `face_descriptor` as key and an unsigned integer type as value:
         indices from 0. %Default: the internal map of the mesh, or a map that the constructor makes.
 \tparam VertexPointMap a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a 3D point as value.
         %Default: the `vertex_point` map of the mesh.
-
-\sa `Surface_mesh_geodesic_distance`, the base class with the functions for distances and paths
-\sa `Surface_mesh_geodesic_sources`, the base class with the functions for sources and locations
 */
-template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
+template <class Traits_, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_offset
-  : public Surface_mesh_geodesic_distance<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap>
 {
-  typedef Surface_mesh_geodesic_distance<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Base;
-  typedef typename Base::Build Build;
-  typedef typename Base::Index Index;
-  typedef typename Base::Number Number;
-  typedef typename Base::Policy Policy;
-  typedef typename Base::Surface Surface;
-  typedef Offset_levels<Number> Levels_inside;
-
-  using Base::m_built;
-  using Base::m_sources;
-  using Base::m_surface;
-  using Base::m_traits;
-  using Base::request;
-  using Base::unfolded;
-
-  template <class NamedParameters>
-  using If_no_selection = std::enable_if_t<!std::is_convertible<NamedParameters, Offset_selection>::value>;
-
 public:
   /// \name Types
   /// @{
 
-#ifdef DOXYGEN_RUNNING
+  /// the traits
+  typedef Traits_ Traits;
+  /// the mesh with what was set up of it
+  typedef Geodesic_mesh<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Mesh;
+  /// a set of sources
+  typedef typename Mesh::Source_set Source_set;
+  /// the distances of a build
+  typedef Geodesic_distance_field<Mesh> Field;
+
+  /// the mesh
+  typedef typename Mesh::Triangle_mesh Triangle_mesh;
+  /// a vertex of the mesh
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  /// a halfedge of the mesh
+  typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
+  /// an edge of the mesh
+  typedef typename Mesh::edge_descriptor edge_descriptor;
+  /// a face of the mesh
+  typedef typename Mesh::face_descriptor face_descriptor;
+
+  /// the number type of distances and of coordinates
+  typedef typename Mesh::FT FT;
+  /// a point in space
+  typedef typename Mesh::Point_3 Point_3;
+  /// a vector in space
+  typedef typename Mesh::Vector_3 Vector_3;
+  /// a ray in space
+  typedef typename Mesh::Ray_3 Ray_3;
+  /// a plane in space
+  typedef typename Mesh::Plane_3 Plane_3;
+
+  /// barycentric coordinates in a face
+  typedef typename Mesh::Barycentric_coordinates Barycentric_coordinates;
+  /// a point of the surface
+  typedef typename Mesh::Face_location Face_location;
+  /// a polyline on the surface
+  typedef typename Mesh::Polyline Polyline;
+  /// the result of `plane_section()`
+  typedef typename Mesh::Plane_section Plane_section;
+
+  /// the result of `nearest_source()`
+  typedef typename Field::Nearest_source Nearest_source;
+  /// counts and times of a build
+  typedef typename Field::Statistics Statistics;
   /// an offset curve
-  typedef Geodesic_offset_curve<unspecified_type> Offset_curve;
-#else
-  typedef typename Base::FT FT;
-  typedef Geodesic_offset_curve<Surface> Offset_curve;
-#endif
+  typedef typename Field::Offset_curve Offset_curve;
   /// @}
 
-#ifdef DOXYGEN_RUNNING
+private:
+  typedef Geodesic_offset::internal::Surface_of<Mesh> Surface;
+  typedef Geodesic_offset::internal::Geodesic_mesh_data<Surface> Data;
+  typedef typename Surface::Number Number;
+  typedef Geodesic_offset::internal::Build_request<Number> Request;
+  typedef Geodesic_offset::internal::Geodesic_build<typename Data::Computing_traits> Build;
+  typedef typename Source_set::Source Source;
+  typedef typename Source_set::Kind Kind;
+
+public:
   /// \name Construction
   /// @{
 
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  explicit Surface_mesh_geodesic_offset(const Triangle_mesh& tm, const Traits& traits = Traits(),
-                                        const ConcurrencyTag& tag = ConcurrencyTag());
-
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  Surface_mesh_geodesic_offset(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
-                               const ConcurrencyTag& tag = ConcurrencyTag());
-
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  Surface_mesh_geodesic_offset(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
-                               Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
-                               const ConcurrencyTag& tag = ConcurrencyTag());
-  /// @}
-#else
-  using Base::Base;
-#endif
-
-  /// \name Offset Curves
-  /// @{
-
-  /// builds the field as `build()` does and cuts the offset curves at the given levels in the same propagation.
-  ///
-  /// Curves come by increasing distance, as soon as the front has passed them: memory is that of the front and of the
-  /// curves that the front crosses. Without `distance_limit`, distances beyond the largest level are computed, too. With a
-  /// limit that is equal to the largest level, the curves are the same up to rounding, and nothing beyond is computed. Levels
-  /// beyond the distance limit give no curves. A selection by inside or outside takes one more propagation per closed
-  /// polyline: over the whole surface, on the calling thread, and with all windows in memory.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-  /// \param levels a distance, a range of distances, or an `Offset_levels` object
-  /// \param out an output iterator for `Offset_curve`
-  /// \param selection the side of polylines, and the form at their ends
-  /// \param np optional named parameters, as those of `build()`
-  /// \throws std::invalid_argument if a distance is not a positive finite number; if the spacing of unlimited levels is less
-  ///         than the rounding of distances; if the selection is inside or outside and a source is an open polyline, or a
-  ///         closed polyline that does not divide the surface; or if there is a tolerance; and the exceptions of `build()`.
-  ///         The last build is unchanged then.
-  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
-            class NamedParameters = parameters::Default_named_parameters>
-  OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out, const Offset_selection& selection,
-                                          const NamedParameters& np = parameters::default_values())
+  /// sets up the mesh.
+  /// \param tm the mesh
+  /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()`
+  /// \pre All faces of `tm` are triangles with three different vertices.
+  /// \throws std::invalid_argument and std::length_error as `Geodesic_mesh::Geodesic_mesh()`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Surface_mesh_geodesic_offset(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
+    : m_mesh(tm, np)
   {
-    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), selection, np);
-    return out;
   }
 
-  /// Overload without a selection: all curves.
-  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator,
-            class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-            , class = If_no_selection<NamedParameters>
-#endif
-            >
+  /// shares a mesh that is set up.
+  explicit Surface_mesh_geodesic_offset(const Mesh& mesh) : m_mesh(mesh) {}
+  /// @}
+
+  /// \name Parts
+  /// @{
+
+  /// the mesh with what was set up of it.
+  const Mesh& mesh() const { return m_mesh; }
+
+  /// the sources of the next build.
+  const Source_set& sources() const { return m_sources; }
+
+  /// the field of the last build.
+  /// \throws std::logic_error if `!is_built()`
+  const Field& field() const
+  {
+    if (!is_built()) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
+    return m_field;
+  }
+  /// @}
+
+  /// \name Sources
+  /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. If a function
+  /// throws, it has added nothing.
+  /// @{
+
+  /// adds a vertex.
+  /// \pre The vertex belongs to the mesh.
+  /// \throws std::invalid_argument if the vertex is null, or if its index is out of range.
+  std::size_t add_source_point(vertex_descriptor v) { return add(Source{Kind::VERTEX, v, {}, {}}); }
+
+  /// adds a point anywhere on the surface. The coordinates are divided by their sum. If one of them is zero up to round-off
+  /// (1e-13), the point is on the edge; if two are, it is at the vertex.
+  /// \throws std::invalid_argument if the coordinates are not finite, if they are outside the face, or if their sum is not
+  ///         positive.
+  std::size_t add_source_point(const Face_location& location)
+  {
+    return add(Source{Kind::LOCATION, no_vertex(), {location}, {}});
+  }
+
+  /// Overload for a location with the coordinates of another kernel, which are converted.
+  template <class Coordinate>
+  std::size_t add_source_point(const std::pair<face_descriptor, std::array<Coordinate, 3>>& location)
+  {
+    return add_source_point(Geodesic_offset::internal::converted_location<FT>(location));
+  }
+
+  /// adds each point of a range as a source of its own.
+  /// \return the ids of the sources, in the order of the range
+  /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type
+  /// \throws std::invalid_argument as `add_source_point()` does; no point has been added then.
+  template <class LocationRange>
+  std::vector<std::size_t> add_source_points(const LocationRange& locations)
+  {
+    for (const auto& l : locations) data().classified(l);
+    std::vector<std::size_t> ids;
+    for (const auto& l : locations) ids.push_back(add_source_point(l));
+    return ids;
+  }
+
+  /// adds a polyline whose vertices lie anywhere on the surface, and each of whose segments is straight within one closed
+  /// face. The polyline may cross itself and other sources. Repeated points are allowed; a polyline of one point is a point.
+  ///
+  /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
+  /// \param locations the vertices of the polyline
+  /// \param closed whether the last point is joined to the first one
+  /// \throws std::invalid_argument if the range is empty, or if two consecutive points have no face in common.
+  template <class FaceLocationRange>
+  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false)
+  {
+    Source s{closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE, no_vertex(), {}, {}};
+    for (const auto& l : locations) s.locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
+    return add(std::move(s));
+  }
+
+  /// adds a set of edges.
+  /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
+  /// \param edges the edges
+  /// \pre The edges belong to the mesh.
+  /// \throws std::invalid_argument if the range is empty, or if an edge has no face, or if an edge is null or of another mesh.
+  ///         An edge of another mesh that has the descriptor of an edge of this mesh, an index for instance, is that edge.
+  template <class EdgeRange>
+  std::size_t add_source_edges(const EdgeRange& edges)
+  {
+    return add(
+      Source{Kind::EDGES, no_vertex(), {}, std::vector<edge_descriptor>(std::begin(edges), std::end(edges))});
+  }
+
+  /// adds the sources of a set, in the order of their ids in the set.
+  /// \return the ids of the sources in this object
+  /// \throws std::invalid_argument if a source does not fit the mesh
+  std::vector<std::size_t> add_sources(const Source_set& set)
+  {
+    for (const auto& s : set.sources()) Geodesic_offset::internal::check_source(data(), s.second);
+    std::vector<std::size_t> ids;
+    for (const auto& s : set.sources()) ids.push_back(m_sources.add(s.second));
+    return ids;
+  }
+
+  /// adds the boundary of the surface: one source, a set of edges, per boundary cycle. Edges without a face are left out. Takes
+  /// time linear in the size of the mesh.
+  /// \return the ids of the sources; no ids if the surface has no boundary
+  std::vector<std::size_t> add_source_boundary()
+  {
+    std::vector<std::size_t> ids;
+    for (const std::vector<edge_descriptor>& cycle : m_mesh.boundary_edges()) ids.push_back(add_source_edges(cycle));
+    return ids;
+  }
+
+  /// adds one boundary cycle, that of a border halfedge: a set of edges. Edges without a face are left out.
+  /// \pre The halfedge belongs to the mesh.
+  /// \throws std::invalid_argument if the halfedge is not a border halfedge, or is null, or if no edge of the cycle has a face.
+  std::size_t add_source_boundary(halfedge_descriptor border) { return add_source_edges(m_mesh.boundary_edges(border)); }
+
+  /// adds the edges that `sharp_edges()` finds, as one source.
+  /// \return the id of the source; empty if there is no such edge
+  /// \throws std::invalid_argument as `sharp_edges()` does.
+  std::optional<std::size_t> add_source_sharp_edges(double angle)
+  {
+    std::vector<edge_descriptor> edges;
+    sharp_edges(angle, std::back_inserter(edges));
+    if (edges.empty()) return std::nullopt;
+    return add_source_edges(edges);
+  }
+
+  /// adds the section of the mesh by a plane: each polyline of the section; the edges that the plane only touches, as one set of
+  /// edges, which has no sides; and each vertex that the plane only touches.
+  /// \return the ids of these sources, in this order; no ids if the plane misses the mesh.
+  /// \throws std::invalid_argument as `plane_section()` does.
+  std::vector<std::size_t> add_source_plane_section(const Plane_3& plane)
+  {
+    const Plane_section section = plane_section(plane);
+    std::vector<std::size_t> ids;
+    for (const auto& polyline : section.polylines)
+      ids.push_back(add_source_polyline(polyline.locations, polyline.is_closed));
+    if (!section.touched_edges.empty()) ids.push_back(add_source_edges(section.touched_edges));
+    for (const vertex_descriptor v : section.touched_vertices) ids.push_back(add_source_point(v));
+    return ids;
+  }
+
+  /// removes a source.
+  /// \throws std::invalid_argument if there is no source with this id.
+  void remove_source(std::size_t id) { m_sources.remove(id); }
+
+  /// removes all sources.
+  void clear_sources() { m_sources.clear(); }
+
+  /// the number of sources.
+  std::size_t number_of_sources() const { return m_sources.size(); }
+  /// @}
+
+  /// \name Building
+  /// @{
+
+  /*!
+  propagates the distances from the sources over the surface. Without any source, all points are at infinity.
+
+  On most meshes of n vertices the number of windows that are propagated grows like n^1.5; in the worst case the lower
+  envelopes together have O(n^2) windows \cgalCite{MMP87}. A window takes constant time on average. All other work takes
+  time linear in the size of the mesh, also with a distance limit. Memory is that of the front, and some 40 bytes per
+  window if windows are kept.
+
+  With a tolerance, distances may be smaller than the exact ones, within the bounds that `statistics()` reports, but not
+  larger, and a few windows per vertex are propagated on smooth fine meshes, however fine; see \ref
+  SurfaceMeshGeodesicOffsetTolerance. A point whose exact distance exceeds the distance limit by no more than the bound
+  may then have a distance, too. Paths, nearest points, the farthest point and offset curves need an exact build, and
+  throw `std::logic_error`.
+
+  \tparam NamedParameters a sequence of named parameters
+  \param np an optional sequence of named parameters among those listed below
+  \return the field, which is also that of the object
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{distance_limit}
+      \cgalParamDescription{the largest distance that is computed, inclusive. Points farther away are at infinity.}
+      \cgalParamType{convertible to `FT`}
+      \cgalParamDefault{infinity}
+    \cgalParamNEnd
+    \cgalParamNBegin{keep_windows}
+      \cgalParamDescription{whether the windows are kept after the propagation, which queries at points other than vertices
+                            need}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
+    \cgalParamNBegin{compute_largest_distance}
+      \cgalParamDescription{whether the largest distance of the surface is computed while the front advances, for
+                            `largest_distance()` and `farthest_point()`. Takes little time, and memory for one face.}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`; these functions need kept windows then}
+    \cgalParamNEnd
+    \cgalParamNBegin{targets}
+      \cgalParamDescription{the points whose distances are requested: the propagation stops once all of these distances are
+                            final. An empty range has no effect.}
+      \cgalParamType{a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type, or a
+                     `std::reference_wrapper` of one}
+      \cgalParamDefault{none: all distances are requested}
+      \cgalParamExtra{Ranges are copied; `std::cref` avoids the copy.}
+    \cgalParamNEnd
+    \cgalParamNBegin{visitor}
+      \cgalParamDescription{called periodically with the completed fraction of the surface: a number from 0 to 1 that never
+                            decreases and is 1 at the end only. If the visitor returns `false`, the build is cancelled.}
+      \cgalParamType{a function object `bool(double)`, or a `std::reference_wrapper` of one}
+      \cgalParamDefault{none}
+      \cgalParamExtra{The function object is copied; `std::ref` passes an object with a state.}
+    \cgalParamNEnd
+    \cgalParamNBegin{relative_tolerance}
+      \cgalParamDescription{the largest relative amount by which a distance may be smaller than the exact distance: a number
+                            from 0 to 0.5, in practice from 1e-9 to 1e-3}
+      \cgalParamType{convertible to `FT`}
+      \cgalParamDefault{0: exact distances}
+      \cgalParamExtra{On smooth fine meshes a tolerance saves much time and memory: neighbouring windows are merged if all
+                      distances stay within the tolerance, so that a few windows per vertex are propagated. `statistics()`
+                      reports the error bound that was reached. Distances, signed distances, gradients and labels are available
+                      then. Needs a floating point number type.}
+    \cgalParamNEnd
+    \cgalParamNBegin{merging_tolerance}
+      \cgalParamDescription{the largest length by which a distance may be smaller than the exact distance, in the units of the
+                            mesh's points: finite, and not negative}
+      \cgalParamType{convertible to `FT`}
+      \cgalParamDefault{0}
+      \cgalParamExtra{A length far below the size of the faces merges windows that differ only by noise in the coordinates, for
+                      instance in the planes of a CAD model. Otherwise as `relative_tolerance`; if both are given, a distance
+                      may be smaller by the sum, but never by more than half of the exact distance.}
+    \cgalParamNEnd
+    \cgalParamNBegin{concurrency_tag}
+      \cgalParamDescription{whether several threads propagate, see \ref Surface_mesh_geodesic_distance_threads "Several
+                            Threads"}
+      \cgalParamType{`Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`}
+      \cgalParamDefault{`Sequential_tag`}
+    \cgalParamNEnd
+    \cgalParamNBegin{verbose}
+      \cgalParamDescription{whether a line with counts and times is written to `std::clog`}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throws std::invalid_argument if the distance limit is negative or not a number, or a target is not a valid location,
+          or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
+          number, or one of the tolerances is not 0 and the number type is exact.
+  \throws std::runtime_error if thousands of windows reach one edge of a small mesh, as in needle faces thinner than some
+          1e-9, where windows differ by less than rounding and their number grows without a bound.
+          After all these exceptions, and those of the visitor, the field of the object is unchanged.
+  */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Field build(const NamedParameters& np = parameters::default_values())
+  {
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Build_parameters, NamedParameters>();
+    const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>>(data().traits);
+    internal::report(fresh->statistics, np);
+    return m_field = field_of(fresh);
+  }
+
+  /// brings the field up to date with the sources. Only the distances that the sources added since the last build improve are
+  /// propagated. The result is that of `build()` with the parameters `distance_limit`, `keep_windows` and
+  /// `compute_largest_distance` of the last build. If sources were removed since then, or if the last build was cancelled,
+  /// stopped at its targets, had a tolerance, or computed the largest distance without kept windows, all distances are
+  /// computed anew, with that tolerance. During the update there are two fields in memory; kept windows of the last build are
+  /// copied, which takes time linear in their number. If the visitor cancels the update, the field of the object is unchanged.
+  /// \param np an optional sequence of the named parameters `visitor`, `concurrency_tag` and `verbose`, as in `build()`
+  /// \return the field of the object
+  /// \throws std::logic_error if `!is_built()`, and std::runtime_error as `build()`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Field update(const NamedParameters& np = parameters::default_values())
+  {
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Update_parameters, NamedParameters>();
+    const Field last = field();
+    const Build& b = *internal::Field_access::shared_build(last);
+    Request r = request(np);
+    r.maximum = b.request().maximum;
+    r.keeps_windows = b.kept;
+    r.tolerance = b.request().tolerance;
+    r.finds_farthest = b.request().finds_farthest;
+    const bool can_grow = b.is_whole() && !b.is_approximate() && (b.kept || !r.finds_farthest);
+    const auto sources = classified_sources();
+    const bool grows = can_grow && sources.extends(b.sources);
+    const auto fresh =
+      grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>>(data().traits);
+    internal::report(fresh->statistics, np);
+    if (!fresh->is_cancelled) m_field = field_of(fresh);
+    return m_field;
+  }
+
+  /*!
+  builds the field as `build()` does and cuts the offset curves at the given levels in the same propagation.
+
+  Curves come by increasing distance, as soon as the front has passed them: memory is that of the front and of the
+  curves that the front crosses. Without `distance_limit`, distances beyond the largest level are computed, too. With a
+  limit that is equal to the largest level, the curves are the same up to rounding, and nothing beyond is computed. Levels
+  beyond the distance limit give no curves. A selection by inside or outside takes one more propagation per closed
+  polyline: over the whole surface, on the calling thread, and with all windows in memory.
+
+  \param levels a distance, a range of distances, or an `Offset_levels` object
+  \param out an output iterator for `Offset_curve`
+  \param np an optional sequence of named parameters: those of `build()`, except for tolerances, and those listed below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{offset_side}
+      \cgalParamDescription{the side of polylines. Curves are cut where they leave it, so they may be open with ends inside the
+                            surface.}
+      \cgalParamType{`Offset_side`}
+      \cgalParamDefault{`Offset_side::BOTH`}
+    \cgalParamNEnd
+    \cgalParamNBegin{end_style}
+      \cgalParamDescription{the cap style at the ends of open polylines}
+      \cgalParamType{`Offset_end`}
+      \cgalParamDefault{`Offset_end::ROUND`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throws std::invalid_argument if a distance is not a positive finite number; if the spacing of unlimited levels is less
+          than the rounding of distances; if the side is inside or outside and a source is an open polyline, or a
+          closed polyline that does not divide the surface; or if there is a tolerance; and the exceptions of `build()`.
+          The field of the object is unchanged then.
+  */
+  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
   OutputIterator build_with_offset_curves(const Levels& levels, OutputIterator out,
                                           const NamedParameters& np = parameters::default_values())
   {
-    return build_with_offset_curves<ConcurrencyTag>(levels, out, Offset_selection(), np);
+    build_with_offset_curves_by_distance(levels, Geodesic_offset::internal::curve_writer<Offset_curve>(out), np);
+    return out;
   }
 
   /// builds the field and passes the offset curves to a callback, distance by distance.
@@ -163,135 +502,207 @@ public:
   /// `f(distance, curves)` is called once per distance, in increasing order, with a `const FT&` and a
   /// `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited, the last call is
   /// that of the largest level that has curves. All else is as in `build_with_offset_curves()`.
-  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
-            class NamedParameters = parameters::Default_named_parameters>
-  void build_with_offset_curves_by_distance(const Levels& levels, Function&& f, const Offset_selection& selection,
-                                            const NamedParameters& np = parameters::default_values())
-  {
-    const Levels_inside wanted(as_levels(levels));
-    const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
-    if (fresh->is_approximate())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
-    propagate_and_cut<ConcurrencyTag>(*fresh, wanted, selection, f);
-    m_built = fresh;
-  }
-
-  /// Overload without a selection: all curves.
-  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function,
-            class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-            , class = If_no_selection<NamedParameters>
-#endif
-            >
+  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, Function&& f,
                                             const NamedParameters& np = parameters::default_values())
   {
-    build_with_offset_curves_by_distance<ConcurrencyTag>(levels, f, Offset_selection(), np);
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Build_and_offset_parameters, NamedParameters>();
+    const auto wanted = internal::offset_levels<Surface>(levels);
+    const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
+    if (fresh->is_approximate())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
+    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>>(data(), *fresh, wanted,
+                                                                               internal::Offset_selection(np), f);
+    internal::report(fresh->statistics, np);
+    m_field = field_of(fresh);
   }
 
-  /// cuts the offset curves at one or several distances of the last build. The curves are cut from the kept windows; if none
-  /// were kept, one more propagation up to the largest level cuts all of them.
-  ///
-  /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
-  /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
-  /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the
-  /// distance limit of the build, give no curves.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-  /// \param levels a distance, a range of distances, or an `Offset_levels` object
-  /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
-  /// \param selection the side of polylines, and the form at their ends
-  /// \throws std::invalid_argument as `build_with_offset_curves()`
-  /// \throws std::logic_error if the build had a tolerance
-  template <class ConcurrencyTag = Sequential_tag, class Levels, class OutputIterator>
+  /// whether there is a field.
+  bool is_built() const { return m_field.is_built(); }
+  /// @}
+
+  /// \name Queries
+  /// These functions forward to the field, and throw `std::logic_error` if `!is_built()`. A `Location` is a `vertex_descriptor`
+  /// or a `Face_location`.
+  /// @{
+
+  /// forwards to `Geodesic_distance_field::is_cancelled()`.
+  bool is_cancelled() const { return field().is_cancelled(); }
+
+  /// forwards to `Geodesic_distance_field::covered_distance()`.
+  FT covered_distance() const { return field().covered_distance(); }
+
+  /// forwards to `Geodesic_distance_field::statistics()`. The reference is valid until the next build.
+  const Statistics& statistics() const { return field().statistics(); }
+
+  /// forwards to `Geodesic_distance_field::distance_to_sources()`.
+  template <class Location>
+  FT distance_to_sources(const Location& location) const { return field().distance_to_sources(location); }
+
+  /// forwards to `Geodesic_distance_field::signed_distance_to_sources()`.
+  template <class Location>
+  double signed_distance_to_sources(const Location& location) const
+  {
+    return field().signed_distance_to_sources(location);
+  }
+
+  /// forwards to `Geodesic_distance_field::nearest_source()`.
+  template <class Location>
+  std::optional<Nearest_source> nearest_source(const Location& location) const
+  {
+    return field().nearest_source(location);
+  }
+
+  /// forwards to `Geodesic_distance_field::gradient()`.
+  template <class Location>
+  Vector_3 gradient(const Location& location) const { return field().gradient(location); }
+
+  /// forwards to `Geodesic_distance_field::error_bound()`.
+  FT error_bound(vertex_descriptor v) const { return field().error_bound(v); }
+
+  /// forwards to `Geodesic_distance_field::vertex_distances()`.
+  template <class VertexDistanceMap>
+  void vertex_distances(VertexDistanceMap map) const { return Field(field()).vertex_distances(map); }
+
+  /// forwards to `Geodesic_distance_field::source_labels()`.
+  template <class VertexLabelMap>
+  void source_labels(VertexLabelMap map) const { return Field(field()).source_labels(map); }
+
+  /// forwards to `Geodesic_distance_field::largest_vertex_distance()`.
+  FT largest_vertex_distance() const { return field().largest_vertex_distance(); }
+
+  /// forwards to `Geodesic_distance_field::farthest_point()`.
+  std::pair<Face_location, FT> farthest_point() const { return field().farthest_point(); }
+
+  /// forwards to `Geodesic_distance_field::largest_distance()`.
+  FT largest_distance() const { return field().largest_distance(); }
+
+  /// forwards to `Geodesic_distance_field::shortest_path_to_sources()`.
+  template <class Location, class OutputIterator>
+  OutputIterator shortest_path_to_sources(const Location& location, OutputIterator out) const
+  {
+    return Field(field()).shortest_path_to_sources(location, out);
+  }
+
+  /// forwards to `Geodesic_distance_field::shortest_path_points_to_sources()`.
+  template <class Location, class OutputIterator>
+  OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
+  {
+    return Field(field()).shortest_path_points_to_sources(location, out);
+  }
+
+  /// forwards to `Geodesic_distance_field::shortest_path_sequence_to_sources()`.
+  template <class Location, class Visitor>
+  void shortest_path_sequence_to_sources(const Location& location, Visitor& visitor) const
+  {
+    return Field(field()).shortest_path_sequence_to_sources(location, visitor);
+  }
+
+  /// forwards to `Geodesic_distance_field::offset_curves()`.
+  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
-                               const Offset_selection& selection = Offset_selection()) const
+                               const NamedParameters& np = parameters::default_values()) const
   {
-    offset_curves_by_distance<ConcurrencyTag>(levels, writer_to(out), selection);
-    return out;
+    return Field(field()).offset_curves(levels, out, np);
   }
 
-  /// passes the offset curves of the last build to a callback as that of `build_with_offset_curves_by_distance()`.
-  /// All else is as in `offset_curves()`.
-  template <class ConcurrencyTag = Sequential_tag, class Levels, class Function>
+  /// forwards to `Geodesic_distance_field::offset_curves_by_distance()`.
+  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
   void offset_curves_by_distance(const Levels& levels, Function&& f,
-                                 const Offset_selection& selection = Offset_selection()) const
+                                 const NamedParameters& np = parameters::default_values()) const
   {
-    const Levels_inside wanted(as_levels(levels));
-    const std::shared_ptr<const Build> last = this->shared_exact_build();
-    const Build& b = *last;
-    if (b.kept)
-    {
-      const auto output = curve_output(b, wanted, selection, f);
-      b.template cut<ConcurrencyTag>(wanted, output);
-      output.finish();
-      return;
-    }
-    Number maximum = b.maximum;
-    if (!wanted.is_unlimited() && wanted.size() > 0) maximum = (std::min)(maximum, wanted[wanted.size() - 1]);
-    Build again(unfolded(), b.sources, {maximum, false, {}, {}, {}});
-    propagate_and_cut<ConcurrencyTag>(again, wanted, selection, f);
+    return Field(field()).offset_curves_by_distance(levels, f, np);
   }
 
+  /// forwards to `Geodesic_distance_field::infinity()`.
+  static FT infinity() { return Field::infinity(); }
+
+  /// forwards to `Geodesic_distance_field::no_source()`.
+  static constexpr std::size_t no_source() { return Field::no_source(); }
+  /// @}
+
+  /// \name Location, Polylines and Sections
+  /// These functions forward to the mesh.
+  /// @{
+
+  /// forwards to `Geodesic_mesh::locate()`.
+  Face_location locate(const Point_3& p) const { return m_mesh.locate(p); }
+
+  /// Overload with a tolerance.
+  Face_location locate(const Point_3& p, const FT& tolerance) const { return m_mesh.locate(p, tolerance); }
+
+  /// forwards to `Geodesic_mesh::locate()`.
+  Face_location locate(const Ray_3& r) const { return m_mesh.locate(r); }
+
+  /// Overload with a tolerance.
+  Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_mesh.locate(r, tolerance); }
+
+  /// forwards to `Geodesic_mesh::locate_with_distance()`.
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const { return m_mesh.locate_with_distance(p); }
+
+  /// Overload with a tolerance.
+  std::pair<Face_location, FT> locate_with_distance(const Point_3& p, const FT& tolerance) const
+  {
+    return m_mesh.locate_with_distance(p, tolerance);
+  }
+
+  /// forwards to `Geodesic_mesh::locate_polyline()`.
+  template <class PointRange>
+  Polyline locate_polyline(const PointRange& points, bool closed = false) const
+  {
+    return m_mesh.locate_polyline(points, closed);
+  }
+
+  /// forwards to `Geodesic_mesh::locate_polyline_with_distance()`.
+  template <class PointRange>
+  std::pair<Polyline, FT> locate_polyline_with_distance(const PointRange& points, bool closed = false) const
+  {
+    return m_mesh.locate_polyline_with_distance(points, closed);
+  }
+
+  /// forwards to `Geodesic_mesh::join_polyline()`.
+  template <class FaceLocationRange>
+  Polyline join_polyline(const FaceLocationRange& locations, bool closed = false) const
+  {
+    return m_mesh.join_polyline(locations, closed);
+  }
+
+  /// forwards to `Geodesic_mesh::plane_section()`.
+  Plane_section plane_section(const Plane_3& plane) const { return m_mesh.plane_section(plane); }
+
+  /// forwards to `Geodesic_mesh::sharp_edges()`.
+  template <class OutputIterator>
+  OutputIterator sharp_edges(double angle, OutputIterator out) const { return m_mesh.sharp_edges(angle, out); }
   /// @}
 
 private:
-  template <class Levels>
-  static Levels_inside as_levels(const Levels& levels)
+  const Data& data() const { return Geodesic_offset::internal::Mesh_access::data(m_mesh); }
+
+  static vertex_descriptor no_vertex() { return boost::graph_traits<Triangle_mesh>::null_vertex(); }
+
+  std::size_t add(Source source)
   {
-    if constexpr (std::is_convertible<Levels, FT>::value)
-      return Levels_inside(std::array<Number, 1>{Surface::imported(FT(levels))});
-    else
-      return as_levels_inside(levels);
+    Geodesic_offset::internal::check_source(data(), source);
+    return m_sources.add(std::move(source));
   }
 
-  template <class T>
-  static Levels_inside as_levels_inside(const Offset_levels<T>& levels)
+  auto classified_sources() const { return Geodesic_offset::internal::classified_sources(data(), m_sources); }
+
+  template <class NamedParameters>
+  Request request(const NamedParameters& np) const
   {
-    return levels.template converted<Number>([](const T& d) { return Surface::imported(FT(d)); });
+    return Request::read(np, [this](const auto& t) { return data().classified(t); });
   }
 
-  template <class Range>
-  static Levels_inside as_levels_inside(const Range& distances)
+  Field field_of(const std::shared_ptr<const Build>& build) const
   {
-    return Levels_inside(distances);
+    return Geodesic_offset::internal::Field_access::make<Field>(m_mesh, build);
   }
 
-  template <class OutputIterator>
-  static auto writer_to(OutputIterator& out)
-  {
-    return [&out](const FT&, std::vector<Offset_curve>&& curves) {
-      out = std::move(curves.begin(), curves.end(), out);
-    };
-  }
-
-  // Levels nearer to each other than rounding would never come to an end.
-  void check_spacing(const Levels_inside& levels) const
-  {
-    if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * unfolded().longest_edge())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
-                                  "distances");
-  }
-
-  template <class ConcurrencyTag, class Function>
-  void propagate_and_cut(Build& b, const Levels_inside& levels, const Offset_selection& selection,
-                         Function& f) const
-  {
-    const auto output = curve_output(b, levels, selection, f);
-    b.template propagate_and_cut<ConcurrencyTag>(m_traits, levels, output);
-    output.finish();
-  }
-
-  template <class Function>
-  auto curve_output(const Build& b, const Levels_inside& levels, const Offset_selection& selection,
-                    Function& f) const
-  {
-    check_spacing(levels);
-    const bool by_inside = selection.side == Offset_side::INSIDE || selection.side == Offset_side::OUTSIDE;
-    std::map<Index, Source_side> inside;
-    if (by_inside) inside = Geodesic_offset::internal::inner_sides(unfolded(), m_traits, b.sources);
-    return Geodesic_offset::internal::Curve_output<Surface, Function>(m_surface, b.initial.primitives, levels, selection,
-                                                                     std::move(inside), f);
-  }
+  Mesh m_mesh;
+  Source_set m_sources;
+  Field m_field;
 };
 
 } // namespace CGAL

@@ -20,22 +20,24 @@ namespace test {
 /// Geodesic object with access to the windows of its faces.
 class Open_geodesic : public Geodesic
 {
-  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh> Traits;
-  typedef CGAL::Surface_mesh_geodesic_distance<Traits> Distance;
-
 public:
   using Geodesic::Geodesic;
+
+  const auto& data() const { return CGAL::Geodesic_offset::internal::Mesh_access::data(Geodesic::mesh()); }
+  const auto& last_build() const
+  {
+    return *CGAL::Geodesic_offset::internal::Field_access::shared_build(Geodesic::field());
+  }
 
   /// \pre built with kept windows
   test::Face_field face_field() const
   {
-    return test::Face_field(Distance::unfolded(), Distance::built().initial,
-                            Distance::built().field);
+    return test::Face_field(data().unfolded(), last_build().initial, last_build().field);
   }
   /// Index of a face in `face_field()`.
   CGAL::Geodesic_offset::internal::Index field_index(face_descriptor f) const
   {
-    return Distance::classified(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}})).element;
+    return data().classified(Face_location(f, {{1. / 3, 1. / 3, 1. / 3}})).element;
   }
 };
 

@@ -242,7 +242,6 @@ struct Lengths_by_side
 inline Lengths_by_side lengths_by_side(const Geodesic& geodesic, double level)
 {
   using CGAL::Offset_end;
-  using CGAL::Offset_selection;
   using CGAL::Offset_side;
   Lengths_by_side result;
   const auto length = [&](Offset_side side, Offset_end end) {

@@ -49,15 +49,12 @@ struct Oracle_unit
 /// Geodesic object whose faces can be cut one by one.
 class Cut_geodesic : public Open_geodesic
 {
-  typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Surface_mesh> Traits;
-  typedef CGAL::Surface_mesh_geodesic_distance<Traits> Distance;
-
 public:
   using Open_geodesic::Open_geodesic;
 
-  const auto& mesh() const { return Distance::unfolded(); }
-  const auto& initial() const { return Distance::built().initial; }
-  const auto& field() const { return Distance::built().field; }
+  const auto& mesh() const { return data().unfolded(); }
+  const auto& initial() const { return last_build().initial; }
+  const auto& field() const { return last_build().field; }
 };
 
 /// The tracer's chains of single levels in single faces.

@@ -233,7 +233,7 @@ private:
       const CGAL::Source_side of_piece =
         side == CGAL::Offset_side::LEFT ? CGAL::Source_side::LEFT : CGAL::Source_side::RIGHT;
       const Offset_curves part =
-        offsets(geodesic, levels, CGAL::Offset_selection(side, CGAL::Offset_end::BUTT));
+        offsets(geodesic, levels, Offset_selection(side, CGAL::Offset_end::BUTT));
       for (std::size_t i = 0; i < levels.size(); ++i)
       {
         double expected = 0, actual = 0;

@@ -23,13 +23,28 @@ typedef Offset_curve::Piece Offset_piece;
 typedef Geodesic::Face_location Face_location;
 typedef std::vector<Offset_curve> Offset_curves;
 
+/// The part of an offset that is requested.
+struct Offset_selection
+{
+  CGAL::Offset_side side = CGAL::Offset_side::BOTH;
+  CGAL::Offset_end end = CGAL::Offset_end::ROUND;
+
+  Offset_selection() = default;
+  Offset_selection(CGAL::Offset_side which_side, CGAL::Offset_end which_end = CGAL::Offset_end::ROUND)
+    : side(which_side), end(which_end)
+  {
+  }
+
+  auto parameters() const { return CGAL::parameters::offset_side(side).end_style(end); }
+};
+
 /// Offset curves at one or several distances.
 template <class Levels>
 Offset_curves offsets(const Geodesic& geodesic, const Levels& levels,
-                      const CGAL::Offset_selection& selection = CGAL::Offset_selection())
+                      const Offset_selection& selection = Offset_selection())
 {
   Offset_curves result;
-  geodesic.offset_curves(levels, std::back_inserter(result), selection);
+  geodesic.offset_curves(levels, std::back_inserter(result), selection.parameters());
   return result;
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Code that must not compile: certified bounds with flags that change the arithmetic, and user traits with numbers of CORE.
-// ctest checks the messages.
+// Code that must not compile: certified bounds with flags that change the arithmetic, user traits with numbers of CORE, and
+// named parameters that a function does not read. ctest checks the messages.
 
 #ifdef REFUSED_TRAITS
 
@@ -32,6 +32,37 @@ struct Traits
 #endif
 
 typedef CGAL::Geodesic_offset::internal::Computation<Traits>::Computing_traits Computing_traits;
+
+#elif defined REFUSED_PARAMETER
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset.h>
+
+#include <iterator>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+
+namespace parameters = CGAL::parameters;
+
+void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_curve>& curves)
+{
+#if REFUSED_PARAMETER == 1 // of another function of CGAL, at the end of a chain
+  geodesic.build(parameters::keep_windows(true).number_of_iterations(3));
+#elif REFUSED_PARAMETER == 2 // of a mesh, at the start
+  geodesic.build(parameters::vertex_point_map(mesh.points()).keep_windows(true));
+#elif REFUSED_PARAMETER == 3 // of a build
+  Geodesic refused(mesh, parameters::keep_windows(true));
+#elif REFUSED_PARAMETER == 4 // of a build
+  geodesic.update(parameters::visitor([](double) { return true; }).distance_limit(1.));
+#else // of a build
+  geodesic.offset_curves(1., std::back_inserter(curves), parameters::distance_limit(1.));
+#endif
+  (void)mesh, (void)geodesic, (void)curves;
+}
 
 #else
 

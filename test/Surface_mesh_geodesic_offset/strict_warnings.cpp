@@ -10,6 +10,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 
 #if defined(__GNUC__)
@@ -23,6 +27,8 @@
 
 #include "test_certified_bounds.cpp"
 #include "test_exact_kernel.cpp"
+#include "test_free_functions.cpp"
+#include "test_graph_types.cpp"
 #include "test_kernels.cpp"
 #include "test_offset_curves.cpp"
 #include "test_offset_files.cpp"

@@ -26,7 +26,7 @@ namespace test_certified_bounds {
 using namespace test;
 
 typedef CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<CGAL::Gmpfr>, test::Surface_mesh> Long_traits;
-typedef CGAL::Surface_mesh_geodesic_distance<Long_traits> Long_distance;
+typedef CGAL::Surface_mesh_geodesic_offset<Long_traits> Long_distance;
 typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
   Enclosure;
 

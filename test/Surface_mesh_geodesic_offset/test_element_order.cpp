@@ -87,22 +87,27 @@ struct Ordered_mesh
 };
 
 /// Access to the flat arrays.
-struct Opened : CGAL::Surface_mesh_geodesic_distance<Traits>
+struct Opened : CGAL::Surface_mesh_geodesic_offset<Traits>
 {
-  using CGAL::Surface_mesh_geodesic_distance<Traits>::Surface_mesh_geodesic_distance;
+  using CGAL::Surface_mesh_geodesic_offset<Traits>::Surface_mesh_geodesic_offset;
 
-  bool is_renumbered(const Mesh& mesh) const
+  const auto& surface() const
+  {
+    return CGAL::Geodesic_offset::internal::Mesh_access::data(this->mesh()).surface();
+  }
+
+  bool is_renumbered(const ::test_element_order::Mesh& mesh) const
   {
     for (Vertex_index v : mesh.vertices())
-      if (this->m_surface->index_of(v) != v.idx()) return true;
+      if (this->surface().index_of(v) != v.idx()) return true;
     return false;
   }
 
   double mean_step() const
   {
     double sum = 0, count = 0;
-    for (unsigned h = 0; h < this->unfolded().number_of_halfedges(); ++h)
-      if (this->unfolded().twin(h) < h) sum += h / 3 - this->unfolded().twin(h) / 3, ++count;
+    for (unsigned h = 0; h < this->surface().unfolded.number_of_halfedges(); ++h)
+      if (this->surface().unfolded.twin(h) < h) sum += h / 3 - this->surface().unfolded.twin(h) / 3, ++count;
     return sum / count;
   }
 };
@@ -271,7 +276,7 @@ void shuffled_indices()
   for (Face_index f : good.mesh.faces()) face_index[f] = faces[f.idx()];
   typedef CGAL::Surface_mesh_geodesic_offset<Traits, decltype(vertex_index), decltype(face_index)> By_user;
   Geodesic g(good.mesh);
-  By_user h(good.mesh, vertex_index, face_index, good.mesh.points());
+  By_user h(good.mesh, CGAL::parameters::face_index_map(face_index).vertex_index_map(vertex_index));
   add_sources(g, good, soup());
   add_sources(h, good, soup());
   g.build(CGAL::parameters::keep_windows(true));

@@ -27,7 +27,7 @@ using namespace test;
 
 // The number type of computations with Exact_predicates_exact_constructions_kernel_with_sqrt.
 typedef CGAL::Geodesic_offset::internal::Radical_number Radical_number;
-typedef CGAL::Surface_mesh_geodesic_distance<
+typedef CGAL::Surface_mesh_geodesic_offset<
   CGAL::Surface_mesh_geodesic_offset_traits<CGAL::Simple_cartesian<Radical_number>, test::Surface_mesh>>
   Exact_geodesic;
 typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>

@@ -414,11 +414,12 @@ void custom_point_map()
   typedef test::Surface_mesh::Property_map<Vertex_index, Point_3> Point_map;
   typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh> Traits;
   CGAL::Surface_mesh_geodesic_offset<Traits, Vertex_index_map, Face_index_map, Point_map>
-    with_all_maps(data.mesh, get(boost::vertex_index, data.mesh),
-                  get(boost::face_index, data.mesh), points);
+    with_all_maps(data.mesh, CGAL::parameters::vertex_index_map(get(boost::vertex_index, data.mesh))
+                               .face_index_map(get(boost::face_index, data.mesh))
+                               .vertex_point_map(points));
   check_moved(data, soup, with_all_maps);
   CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, CGAL::Default, Point_map>
-    with_point_map(data.mesh, points);
+    with_point_map(data.mesh, CGAL::parameters::vertex_point_map(points));
   check_moved(data, soup, with_point_map);
 }
 

@@ -270,11 +270,11 @@ void check_without_inside(const test::Surface_mesh& mesh,
   { CHECK(!"a curve of a selection that is refused"); };
   for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
   {
-    const auto none = CGAL::parameters::default_values();
+    const auto np = CGAL::parameters::offset_side(side);
     check_refused(
-      [&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), side, none); },
+      [&] { geodesic.build_with_offset_curves(level, std::back_inserter(curves), np); },
       what);
-    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, side, none); },
+    check_refused([&] { geodesic.build_with_offset_curves_by_distance(level, never, np); },
                   what);
     CHECK(geodesic.distance_to_sources(v) == distance);
   }
@@ -283,8 +283,9 @@ void check_without_inside(const test::Surface_mesh& mesh,
     geodesic.build(CGAL::parameters::keep_windows(keep));
     for (const Offset_side side : {Offset_side::INSIDE, Offset_side::OUTSIDE})
     {
-      check_refused([&] { geodesic.offset_curves(level, std::back_inserter(curves), side); }, what);
-      check_refused([&] { geodesic.offset_curves_by_distance(level, never, side); }, what);
+      const auto np = CGAL::parameters::offset_side(side);
+      check_refused([&] { geodesic.offset_curves(level, std::back_inserter(curves), np); }, what);
+      check_refused([&] { geodesic.offset_curves_by_distance(level, never, np); }, what);
     }
     CHECK(curves.empty());
     const auto both =

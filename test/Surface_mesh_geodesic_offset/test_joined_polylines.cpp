@@ -200,7 +200,7 @@ void short_numbers()
 {
   typedef CGAL::Simple_cartesian<float> Short_kernel;
   typedef CGAL::Surface_mesh<Short_kernel::Point_3> Mesh;
-  typedef CGAL::Surface_mesh_geodesic_distance<CGAL::Surface_mesh_geodesic_offset_traits<Short_kernel, Mesh>> Short_geodesic;
+  typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Short_kernel, Mesh>> Short_geodesic;
   for (const float side : {0.1f, 0.3f, 1.7f})
   {
     Mesh mesh;

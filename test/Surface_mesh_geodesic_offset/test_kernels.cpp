@@ -247,7 +247,7 @@ void concept_archetype()
   const Data data(rotated(random_rectangle(2, 1, 30, 5, 4), 4));
   typename Archetype::Calls calls;
   const Archetype traits(calls);
-  Geodesic_here geodesic(data.mesh, traits);
+  Geodesic_here geodesic(data.mesh, CGAL::parameters::geom_traits(traits));
   Geodesic expected(data.mesh);
   const auto add_sources = [&](auto& g)
   {
@@ -287,7 +287,7 @@ void concept_archetype()
   const typename Geodesic_here::Ray_3 ray(Archetype::Point_3(0, 0, 9), Archetype::Point_3(p.x(), p.y(), p.z()));
   CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(ray)), geodesic.distance_to_sources(location));
   typename Archetype::Calls other_calls;
-  Geodesic_here borders(data.mesh, Archetype(other_calls));
+  Geodesic_here borders(data.mesh, CGAL::parameters::geom_traits(Archetype(other_calls)));
   CHECK(borders.add_source_boundary().size() == 1 && !borders.add_source_sharp_edges(1));
   borders.add_source_points(data.vertices);
   CHECK(borders.number_of_sources() == 1 + data.vertices.size());

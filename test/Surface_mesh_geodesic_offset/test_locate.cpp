@@ -411,8 +411,7 @@ void custom_point_map()
     CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>, CGAL::Default,
     CGAL::Default, Other_points>
     With_map;
-  const With_map with_map(data.mesh, get(boost::vertex_index, data.mesh),
-                          get(boost::face_index, data.mesh), Other_points(points));
+  const With_map with_map(data.mesh, CGAL::parameters::vertex_point_map(Other_points(points)));
   Random random(1);
   for (auto f : faces(data.mesh))
   {
@@ -443,16 +442,13 @@ void isolated_vertex()
 // The locator of the class, once with searches of all faces only, once with the tree only.
 template <class TriangleMesh>
 class Locators
-  : public CGAL::Surface_mesh_geodesic_sources<
-      CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>
 {
-  typedef CGAL::Surface_mesh_geodesic_sources<
-    CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>>
-    Base;
-  typedef CGAL::Geodesic_offset::internal::Surface_locator<typename Base::Surface> Locator;
+  typedef CGAL::Geodesic_mesh<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, TriangleMesh>> Base;
+  typedef CGAL::Geodesic_offset::internal::Mesh_access Access;
+  typedef CGAL::Geodesic_offset::internal::Surface_locator<CGAL::Geodesic_offset::internal::Surface_of<Base>> Locator;
 
 public:
-  explicit Locators(const TriangleMesh& mesh) : Base(mesh), tree_(this->m_surface)
+  explicit Locators(const TriangleMesh& mesh) : mesh_(mesh), tree_(Access::data(mesh_).shared_surface)
   {
     tree_.expect(1000000);
   }
@@ -461,7 +457,7 @@ public:
   template <class Query>
   typename Base::Face_location operator()(const Query& q, double tolerance)
   {
-    if (number_of_searches_++ % 50 == 0) search_ = std::make_unique<Locator>(this->m_surface);
+    if (number_of_searches_++ % 50 == 0) search_ = std::make_unique<Locator>(Access::data(mesh_).shared_surface);
     const auto result = tree_.locate(q, tolerance);
     CHECK(search_->locate(q, tolerance) == result);
     return result;
@@ -469,6 +465,7 @@ public:
   double default_tolerance() const { return tree_.default_tolerance(); }
 
 private:
+  Base mesh_;
   Locator tree_;
   std::unique_ptr<Locator> search_; // replaced before it builds a tree
   std::size_t number_of_searches_ = 0;

@@ -123,14 +123,13 @@ void unset_indices()
   typedef Unset_index<test::Surface_mesh::Vertex_index> Unset_vertex_index;
   typedef Unset_index<test::Surface_mesh::Face_index> Unset_face_index;
   const test::Surface_mesh mesh = Generated_mesh<test::Surface_mesh>(icosphere(1)).mesh;
-  const auto points = get(CGAL::vertex_point, mesh);
   const auto no_faces = [&] {
-    CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, Unset_face_index>(mesh, get(boost::vertex_index, mesh),
-                                                                              Unset_face_index(), points);
+    CGAL::Surface_mesh_geodesic_offset<Traits, CGAL::Default, Unset_face_index>(
+      mesh, CGAL::parameters::face_index_map(Unset_face_index()));
   };
   const auto no_vertices = [&] {
-    CGAL::Surface_mesh_geodesic_offset<Traits, Unset_vertex_index>(mesh, Unset_vertex_index(),
-                                                                   get(boost::face_index, mesh), points);
+    CGAL::Surface_mesh_geodesic_offset<Traits, Unset_vertex_index>(
+      mesh, CGAL::parameters::vertex_index_map(Unset_vertex_index()));
   };
   CHECK_THROWS(no_faces(), std::length_error);
   CHECK_THROWS(no_vertices(), std::length_error);

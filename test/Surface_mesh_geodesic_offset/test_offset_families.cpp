@@ -390,7 +390,8 @@ void streaming()
   geodesic.add_source_polyline(std::vector<Counted::Face_location>{
     {strip.faces[0], {{0.4, 0.3, 0.3}}}, {strip.faces[0], {{0.3, 0.4, 0.3}}}});
   std::vector<Counted::Offset_curve> none;
-  CHECK_THROWS(geodesic.build_with_offset_curves(1., std::back_inserter(none), CGAL::Offset_side::INSIDE),
+  CHECK_THROWS(geodesic.build_with_offset_curves(1., std::back_inserter(none),
+                                                 CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE)),
                std::invalid_argument);
   CHECK(none.empty() && geodesic.distance_to_sources(right) == distance);
 }

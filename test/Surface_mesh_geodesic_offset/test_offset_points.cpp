@@ -145,7 +145,7 @@ void squares()
       geodesic.build();
       Curves curves;
       geodesic.offset_curves(std::vector<double>{inner * width}, std::back_inserter(curves),
-                             CGAL::Offset_selection(CGAL::Offset_side::INSIDE));
+                             CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE));
       if (!CHECK(curves.size() == 1)) continue;
       CHECK(curves[0].number_of_pieces() > 20);
       for (double tolerance : {1e-2, 1e-4, 1e-6, 1e-9})

@@ -17,7 +17,6 @@ namespace test_offset_sides {
 
 using namespace test;
 using CGAL::Offset_end;
-using CGAL::Offset_selection;
 using CGAL::Offset_side;
 using CGAL::Source_side;
 

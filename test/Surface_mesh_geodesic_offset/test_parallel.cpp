@@ -58,7 +58,8 @@ class Builds
 {
 public:
   Builds(Query_case& c, unsigned seed, bool checks_paths, Outcome& outcome)
-    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome), m_geodesic(c.mesh, Traits(), Tag())
+    : m_case(c), m_random(seed), m_checks_paths(checks_paths), m_out(outcome),
+      m_geodesic(c.mesh, CGAL::parameters::concurrency_tag(Tag()))
   {
   }
 
@@ -66,44 +67,44 @@ public:
   {
     m_points = m_case.random_points(m_random, points);
     add(1);
-    m_geodesic.template build<Tag>(CGAL::parameters::compute_largest_distance(true));
+    m_geodesic.build(CGAL::parameters::compute_largest_distance(true).concurrency_tag(Tag()));
     m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     compare_with_envelopes();
     add(2); // including polylines
-    m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true));
+    m_geodesic.build(CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
     take_down(true);
     m_out.distances.push_back(m_geodesic.largest_distance());
     const double largest = largest_vertex_distance(m_geodesic, m_case.mesh);
     const std::vector<double> levels = {0.07 * largest, 0.31 * largest, 0.66 * largest};
-    take_curves([&](auto out) { m_geodesic.template offset_curves<Tag>(levels, out); });
+    take_curves([&](auto out) { m_geodesic.offset_curves(levels, out, CGAL::parameters::concurrency_tag(Tag())); });
     add(3);
-    m_geodesic.template update<Tag>();
+    m_geodesic.update(CGAL::parameters::concurrency_tag(Tag()));
     take_down(true);
     add(1);
-    m_geodesic.template build<Tag>(CGAL::parameters::distance_limit(0.37 * largest).compute_largest_distance(true));
+    m_geodesic.build(CGAL::parameters::distance_limit(0.37 * largest).compute_largest_distance(true).concurrency_tag(Tag()));
     m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
-    m_geodesic.template update<Tag>();
+    m_geodesic.update(CGAL::parameters::concurrency_tag(Tag()));
     m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
-    take_curves([&](auto out) { m_geodesic.template offset_curves<Tag>(0.2 * largest, out); });
+    take_curves([&](auto out) { m_geodesic.offset_curves(0.2 * largest, out, CGAL::parameters::concurrency_tag(Tag())); });
     const auto largest_too = CGAL::parameters::compute_largest_distance(true);
-    take_curves([&](auto out) { m_geodesic.template build_with_offset_curves<Tag>(levels, out, largest_too); });
+    take_curves([&](auto out) { m_geodesic.build_with_offset_curves(levels, out, largest_too.concurrency_tag(Tag())); });
     m_out.distances.push_back(m_geodesic.largest_distance());
     take_down(false);
     const auto equal = CGAL::Offset_levels<double>::equally_spaced(0.05 * largest, 12);
     take_curves(
       [&](auto out)
       {
-        m_geodesic.template build_with_offset_curves_by_distance<Tag>(
+        m_geodesic.build_with_offset_curves_by_distance(
           equal,
           [&](double d, Offset_curves&& curves)
           {
             m_out.distances.push_back(d);
             std::move(curves.begin(), curves.end(), out);
           },
-          CGAL::parameters::keep_windows(true));
+          CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
       });
     take_down(true);
     targets_and_visitors();
@@ -119,7 +120,7 @@ private:
   void compare_with_envelopes()
   {
     Geodesic whole(m_geodesic);
-    whole.template build<Tag>(CGAL::parameters::keep_windows(true));
+    whole.build(CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
     Worst_error worst(bound, m_case.checker.scale);
     for (Vertex_index v : vertices(m_case.mesh))
       CHECK_CLOSE(worst, m_geodesic.distance_to_sources(v), whole.distance_to_sources(v));
@@ -129,13 +130,13 @@ private:
   void targets_and_visitors()
   {
     const std::vector<Vertex_index> targets = {used_vertices(m_case.mesh).front()};
-    m_geodesic.template build<Tag>(CGAL::parameters::targets(targets));
+    m_geodesic.build(CGAL::parameters::targets(targets).concurrency_tag(Tag()));
     m_out.distances.push_back(m_geodesic.distance_to_sources(targets.front()));
     m_out.rest.push_back(m_geodesic.covered_distance());
-    m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true).visitor([](double f) { return f < 0.3; }));
+    m_geodesic.build(CGAL::parameters::keep_windows(true).visitor([](double f) { return f < 0.3; }).concurrency_tag(Tag()));
     m_out.rest.push_back(m_geodesic.covered_distance());
     for (Vertex_index v : vertices(m_case.mesh)) m_out.rest.push_back(m_geodesic.distance_to_sources(v));
-    m_geodesic.template update<Tag>();
+    m_geodesic.update(CGAL::parameters::concurrency_tag(Tag()));
     take_down(true);
     const std::size_t windows = m_geodesic.statistics().windows_propagated;
     const auto gives_up = [](double f) -> bool
@@ -143,7 +144,8 @@ private:
       if (f > 0.2) throw std::runtime_error("the visitor gives up");
       return true;
     };
-    CHECK_THROWS(m_geodesic.template build<Tag>(CGAL::parameters::keep_windows(true).visitor(gives_up)), std::runtime_error);
+    CHECK_THROWS(m_geodesic.build(CGAL::parameters::keep_windows(true).visitor(gives_up).concurrency_tag(Tag())),
+                 std::runtime_error);
     CHECK(m_geodesic.statistics().windows_propagated == windows);
   }
 
@@ -261,7 +263,7 @@ void same_pieces(Query_case& c)
   Random random(5);
   Geodesic geodesic(c.mesh);
   for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
-  geodesic.build<CGAL::Parallel_tag>(CGAL::parameters::keep_windows(true));
+  geodesic.build(CGAL::parameters::keep_windows(true).concurrency_tag(CGAL::Parallel_tag()));
   const double largest = largest_vertex_distance(geodesic, c.mesh);
   for (const std::size_t n : {1, 3, 60})
   {
@@ -274,7 +276,10 @@ void same_pieces(Query_case& c)
     {
       Offset_curves parallel;
       with_threads(threads,
-                   [&] { geodesic.offset_curves<CGAL::Parallel_tag>(levels, std::back_inserter(parallel)); });
+                   [&] {
+                     geodesic.offset_curves(levels, std::back_inserter(parallel),
+                                            CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
+                   });
       CHECK_DETAIL(pieces_of(parallel) == expected, std::to_string(threads) + " threads, " + std::to_string(n) + " levels");
     }
   }
@@ -299,7 +304,9 @@ void same_set_up(Query_case& c)
   for (const int threads : {1, 2, 3})
   {
     std::unique_ptr<Geodesic> geodesic;
-    with_threads(threads, [&] { geodesic = std::make_unique<Geodesic>(c.mesh, Traits(), CGAL::Parallel_tag()); });
+    with_threads(threads, [&] {
+      geodesic = std::make_unique<Geodesic>(c.mesh, CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
+    });
     CHECK_DETAIL(distances(*geodesic) == expected, std::to_string(threads) + " threads");
     CHECK(geodesic->statistics().windows_propagated == alone.statistics().windows_propagated);
   }
@@ -312,7 +319,7 @@ void same_set_up(Query_case& c)
   {
     try
     {
-      Geodesic geodesic(bad, Traits(), tag);
+      Geodesic geodesic(bad, CGAL::parameters::concurrency_tag(tag));
     }
     catch (const std::invalid_argument& e)
     {
@@ -339,7 +346,7 @@ void up_to_maximum(Query_case& c)
     const auto maximum = CGAL::parameters::distance_limit(part * largest);
     geodesic.build(maximum);
     const double created = double(geodesic.statistics().windows_created);
-    geodesic.build<CGAL::Parallel_tag>(maximum);
+    geodesic.build(maximum.concurrency_tag(CGAL::Parallel_tag()));
     CHECK_DETAIL(double(geodesic.statistics().windows_created) <= 1.001 * created + 4,
                  values(double(geodesic.statistics().windows_created), created));
   }
@@ -354,7 +361,7 @@ void several_at_once(Query_case& c)
     Random random(seed);
     Geodesic geodesic(c.mesh);
     for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
-    geodesic.template build<decltype(tag)>();
+    geodesic.build(CGAL::parameters::concurrency_tag(tag));
     std::vector<double> result;
     for (Vertex_index v : vertices(c.mesh)) result.push_back(geodesic.distance_to_sources(v));
     return result;
@@ -385,7 +392,7 @@ void rounding_of_the_caller(const test::Surface_mesh& mesh)
                    std::fesetround(mode);
                    Geodesic geodesic(mesh);
                    geodesic.add_source_point(*vertices(mesh).begin());
-                   geodesic.build<CGAL::Parallel_tag>();
+                   geodesic.build(CGAL::parameters::concurrency_tag(CGAL::Parallel_tag()));
                    for (Vertex_index v : vertices(mesh)) result.push_back(geodesic.distance_to_sources(v));
                    std::fesetround(before);
                  });
@@ -440,7 +447,7 @@ void within_tasks(Query_case& c)
     Random random(seed);
     Geodesic geodesic(c.mesh);
     for (int i = 0; i < 3; ++i) c.random_source(random).add_to(geodesic);
-    geodesic.build<CGAL::Parallel_if_available_tag>();
+    geodesic.build(CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
     std::vector<double> result;
     for (Vertex_index v : vertices(c.mesh)) result.push_back(geodesic.distance_to_sources(v));
     return result;

@@ -8,6 +8,7 @@
 #include "flat_paths.h"
 #include "generated_meshes.h"
 #include "geodesic_types.h"
+#include "offset_tools.h"
 #include "planar_offset.h"
 #include "test_check.h"
 #include "unfolded_curves.h"
@@ -27,7 +28,6 @@ typedef Generator::Path Path;
 typedef Geodesic::Offset_curve Offset_curve;
 typedef std::vector<Offset_curve> Curves;
 using CGAL::Offset_end;
-using CGAL::Offset_selection;
 using CGAL::Offset_side;
 using CGAL::Source_side;
 
@@ -161,7 +161,7 @@ public:
       if (path.locations.size() == 1) geodesic.add_source_point(path.locations[0]);
       else geodesic.add_source_polyline(path.locations, closed);
       Curves curves;
-      geodesic.build_with_offset_curves(level, std::back_inserter(curves), selection);
+      geodesic.build_with_offset_curves(level, std::back_inserter(curves), selection.parameters());
       double length = 0;
       std::size_t n_closed = 0;
       for (const Offset_curve& curve : curves)

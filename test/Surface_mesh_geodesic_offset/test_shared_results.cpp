@@ -93,7 +93,7 @@ std::vector<std::pair<const char*, Query>> queries_with_callbacks()
   return {{"offset curves", [=](const Geodesic& g, const Record& r) { g.offset_curves_by_distance(levels, curves(r)); }},
           {"offset curves, parallel",
            [=](const Geodesic& g, const Record& r) {
-             g.offset_curves_by_distance<CGAL::Parallel_if_available_tag>(levels, curves(r));
+             g.offset_curves_by_distance(levels, curves(r), CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
            }},
           {"vertex distances", [](const Geodesic& g, const Record& r) { g.vertex_distances(Recording_map<double>{&r}); }},
           {"source labels", [](const Geodesic& g, const Record& r) { g.source_labels(Recording_map<std::size_t>{&r}); }},
@@ -158,7 +158,7 @@ void builds()
   const auto distances_from = [&](std::initializer_list<Vertex_index> sources) {
     Geodesic geodesic(data.mesh);
     for (const Vertex_index v : sources) geodesic.add_source_point(v);
-    geodesic.template build<Tag>();
+    geodesic.build(CGAL::parameters::concurrency_tag(Tag()));
     Answers result;
     for (const Vertex_index v : vertices(data.mesh)) result.push_back(geodesic.distance_to_sources(v));
     return result;
@@ -177,14 +177,14 @@ void builds()
     if (++calls != 2) return;
     geodesic.clear_sources();
     geodesic.add_source_point(b);
-    geodesic.template build<Tag>(CGAL::parameters::keep_windows(true));
+    geodesic.build(CGAL::parameters::keep_windows(true).concurrency_tag(Tag()));
     CHECK(distances_of(geodesic) == from_b);
   };
   const auto visitor = [&](double) {
     disturb();
     return true;
   };
-  geodesic.template build<Tag>(CGAL::parameters::visitor(visitor));
+  geodesic.build(CGAL::parameters::visitor(visitor).concurrency_tag(Tag()));
   CHECK(calls > 2);
   CHECK(distances_of(geodesic) == from_a);
 
@@ -194,20 +194,20 @@ void builds()
   geodesic.add_source_point(c);
   std::size_t received = 0;
   Offset_curves curves;
-  geodesic.template build_with_offset_curves_by_distance<Tag>(
+  geodesic.build_with_offset_curves_by_distance(
     levels,
     [&](double, Offset_curves&& some) {
       ++received;
       disturb();
       std::move(some.begin(), some.end(), std::back_inserter(curves));
     },
-    CGAL::parameters::visitor(visitor));
+    CGAL::parameters::visitor(visitor).concurrency_tag(Tag()));
   CHECK(calls > 2 && received == levels.size());
   CHECK(distances_of(geodesic) == from_c);
   Geodesic alone(data.mesh);
   alone.add_source_point(c);
   Offset_curves expected;
-  alone.template build_with_offset_curves<Tag>(levels, std::back_inserter(expected));
+  alone.build_with_offset_curves(levels, std::back_inserter(expected), CGAL::parameters::concurrency_tag(Tag()));
   CHECK(answers_of(curves) == answers_of(expected));
 
   // an update, which starts from the last build
@@ -215,10 +215,10 @@ void builds()
   {
     geodesic.clear_sources();
     geodesic.add_source_point(a);
-    geodesic.template build<Tag>(CGAL::parameters::keep_windows(keeps));
+    geodesic.build(CGAL::parameters::keep_windows(keeps).concurrency_tag(Tag()));
     geodesic.add_source_point(c);
     calls = 0;
-    geodesic.template update<Tag>(CGAL::parameters::visitor(visitor));
+    geodesic.update(CGAL::parameters::visitor(visitor).concurrency_tag(Tag()));
     CHECK(calls > 2);
     const Answers from_both = distances_from({a, c});
     Worst_error worst(1e-13, 1);
@@ -235,7 +235,7 @@ void builds()
     if (calls > 2) throw std::domain_error("enough");
     return true;
   };
-  CHECK_THROWS(geodesic.template build<Tag>(CGAL::parameters::visitor(throwing)), std::domain_error);
+  CHECK_THROWS(geodesic.build(CGAL::parameters::visitor(throwing).concurrency_tag(Tag())), std::domain_error);
   CHECK(distances_of(geodesic) == from_b);
 }
 
@@ -260,18 +260,39 @@ void copies()
   CHECK(second.distance_to_sources(b) == first.distance_to_sources(b));
 }
 
+// Functions of a mesh, or of an object with a mesh, that need it throw.
+template <class Object>
+void check_moved_mesh(const Object& object, Geodesic::halfedge_descriptor h)
+{
+  const Point_3 p(0, 0, 0);
+  const std::vector<Point_3> points{p};
+  const std::vector<Face_location> locations{Face_location(Face_index(0), {{0.2, 0.3, 0.5}})};
+  const Geodesic::Plane_3 plane(1, 0, 0, 0);
+  std::vector<Geodesic::edge_descriptor> sharp;
+  CHECK_THROWS(object.sharp_edges(30, std::back_inserter(sharp)), std::logic_error);
+  CHECK_THROWS(object.plane_section(plane), std::logic_error);
+  CHECK_THROWS(object.locate(p), std::logic_error);
+  CHECK_THROWS(object.locate(p, 1e-3), std::logic_error);
+  CHECK_THROWS(object.locate(Geodesic::Ray_3(p, Point_3(1, 0, 0))), std::logic_error);
+  CHECK_THROWS(object.locate_with_distance(p), std::logic_error);
+  CHECK_THROWS(object.locate_polyline(points), std::logic_error);
+  CHECK_THROWS(object.join_polyline(locations), std::logic_error);
+  if constexpr (std::is_same<Object, Geodesic::Mesh>::value)
+  {
+    CHECK_THROWS(object.boundary_edges(), std::logic_error);
+    CHECK_THROWS(object.boundary_edges(h), std::logic_error);
+    CHECK_THROWS(object.triangle_mesh(), std::logic_error);
+  }
+}
+
 // Functions that need a mesh or a result throw; the object can be assigned.
 template <class Object>
 void check_moved_from(Object& object, const test::Surface_mesh& mesh, const Vertex_index v)
 {
   const Face_location l(Face_index(0), {{0.2, 0.3, 0.5}});
-  const Point_3 p(0, 0, 0);
   const std::vector<Vertex_index> no_vertices{v};
   const std::vector<Face_location> locations{l};
   const std::vector<typename Object::edge_descriptor> some_edges{*edges(mesh).begin()};
-  const std::vector<Point_3> points{p};
-  const typename Object::Plane_3 plane(1, 0, 0, 0);
-  std::vector<typename Object::edge_descriptor> sharp;
   CHECK(!object.is_built());
   CHECK(object.number_of_sources() == 0);
   CHECK_THROWS(object.build(), std::logic_error);
@@ -280,18 +301,7 @@ void check_moved_from(Object& object, const test::Surface_mesh& mesh, const Vert
   CHECK_THROWS(object.add_source_points(no_vertices), std::logic_error);
   CHECK_THROWS(object.add_source_polyline(locations), std::logic_error);
   CHECK_THROWS(object.add_source_edges(some_edges), std::logic_error);
-  CHECK_THROWS(object.add_source_boundary(), std::logic_error);
-  CHECK_THROWS(object.add_source_boundary(halfedge(some_edges[0], mesh)), std::logic_error);
-  CHECK_THROWS(object.add_source_sharp_edges(30), std::logic_error);
-  CHECK_THROWS(object.sharp_edges(30, std::back_inserter(sharp)), std::logic_error);
-  CHECK_THROWS(object.add_source_plane_section(plane), std::logic_error);
-  CHECK_THROWS(object.plane_section(plane), std::logic_error);
-  CHECK_THROWS(object.locate(p), std::logic_error);
-  CHECK_THROWS(object.locate(p, 1e-3), std::logic_error);
-  CHECK_THROWS(object.locate(typename Object::Ray_3(p, Point_3(1, 0, 0))), std::logic_error);
-  CHECK_THROWS(object.locate_with_distance(p), std::logic_error);
-  CHECK_THROWS(object.locate_polyline(points), std::logic_error);
-  CHECK_THROWS(object.join_polyline(locations), std::logic_error);
+  check_moved_mesh(object.mesh(), halfedge(some_edges[0], mesh));
   CHECK_THROWS(object.remove_source(0), std::logic_error);
   object.clear_sources();
 }
@@ -309,6 +319,13 @@ void moved_from()
   CHECK(second.distance_to_sources(b) == distance && second.number_of_sources() == 1);
   const auto check_queries = [&](Geodesic& g) {
     check_moved_from(g, data.mesh, a);
+    const auto h = halfedge(*edges(data.mesh).begin(), data.mesh);
+    check_moved_mesh(g, h);
+    CHECK_THROWS(g.add_source_boundary(), std::logic_error);
+    CHECK_THROWS(g.add_source_boundary(h), std::logic_error);
+    CHECK_THROWS(g.add_source_sharp_edges(30), std::logic_error);
+    CHECK_THROWS(g.add_source_plane_section(Geodesic::Plane_3(1, 0, 0, 0)), std::logic_error);
+    CHECK_THROWS(g.field(), std::logic_error);
     Offset_curves curves;
     std::vector<Point_3> points;
     std::map<Vertex_index, double> distances;

@@ -330,7 +330,7 @@ void along_edges_of_grids()
     if (!closed) continue;
     const double level = 0.4, width = static_cast<double>(last - first);
     Offset_curves inside;
-    geodesic.offset_curves(level, std::back_inserter(inside), Offset_side::INSIDE);
+    geodesic.offset_curves(level, std::back_inserter(inside), CGAL::parameters::offset_side(Offset_side::INSIDE));
     CHECK(inside.size() == 1);
     for (const Offset_curve& curve : inside)
       CHECK_CLOSE(totals.error, curve.length(), 4 * (width - 2 * level));

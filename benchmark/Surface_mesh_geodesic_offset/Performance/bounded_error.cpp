@@ -31,7 +31,7 @@ namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef CGAL::Surface_mesh_geodesic_distance<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
 typedef benchmark::Wavy_torus<Mesh> Shape;
 
 const std::vector<double> tolerances = {0, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3};

@@ -63,11 +63,11 @@ void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& f
     return std::chrono::duration<double>(start - last).count();
   };
   double step[number_of_steps];
-  Geodesic geodesic(mesh, Traits(), Tag());
+  Geodesic geodesic(mesh, CGAL::parameters::concurrency_tag(Tag()));
   step[SETTING_UP] = seconds();
   for (Mesh::Vertex_index v : sources) geodesic.add_source_point(v);
   seconds();
-  geodesic.build<Tag>();
+  geodesic.build(CGAL::parameters::concurrency_tag(Tag()));
   step[BUILD] = seconds();
   for (Mesh::Vertex_index v : mesh.vertices()) figures.push_back(geodesic.distance_to_sources(v));
   windows = geodesic.statistics().windows_propagated;
@@ -75,7 +75,8 @@ void run_steps(const Mesh& mesh, const Vertices& sources, std::vector<double>& f
   for (const double d : figures)
     if (std::isfinite(d)) largest = (std::max)(largest, d);
   const auto levels = CGAL::Offset_levels<double>::equally_spaced(largest / (number_of_levels + 1.), number_of_levels);
-  geodesic.build_with_offset_curves_by_distance<Tag>(levels, [](double, std::vector<Geodesic::Offset_curve>&&) {});
+  geodesic.build_with_offset_curves_by_distance(
+    levels, [](double, std::vector<Geodesic::Offset_curve>&&) {}, CGAL::parameters::concurrency_tag(Tag()));
   step[CUTTING] = geodesic.statistics().offset_seconds;
   figures.insert(figures.end(), step, step + number_of_steps);
 }

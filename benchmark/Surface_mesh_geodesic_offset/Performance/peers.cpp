@@ -50,7 +50,7 @@ namespace {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef CGAL::Surface_mesh_geodesic_distance<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
 typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> Shortest_path;
 typedef benchmark::Initial_distances<Mesh> Initial_distances;
 typedef Geodesic::Face_location Face_location;

@@ -56,9 +56,9 @@ Measured_run our_run(const Mesh& mesh, Mesh::Vertex_index source, std::size_t re
   return median_run(repetitions,
                     [&](std::vector<double>& distances, std::uint64_t& windows)
                     {
-                      Geodesic geodesic(mesh, Traits(), Concurrency_tag());
+                      Geodesic geodesic(mesh, CGAL::parameters::concurrency_tag(Concurrency_tag()));
                       geodesic.add_source_point(source);
-                      geodesic.build<Concurrency_tag>();
+                      geodesic.build(CGAL::parameters::concurrency_tag(Concurrency_tag()));
                       for (Mesh::Vertex_index v : vertices(mesh))
                         distances.push_back(geodesic.distance_to_sources(v));
                       windows = geodesic.statistics().windows_propagated;

@@ -36,7 +36,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Enclosure;
 template <class K>
-using Distance = CGAL::Surface_mesh_geodesic_distance<CGAL::Surface_mesh_geodesic_offset_traits<K, Mesh>>;
+using Distance = CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<K, Mesh>>;
 
 // Builds, and updates the shortest time.
 template <class Solver>

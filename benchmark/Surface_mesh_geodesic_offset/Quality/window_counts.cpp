@@ -30,7 +30,7 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
-typedef CGAL::Surface_mesh_geodesic_distance<Traits> Geodesic;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Geodesic;
 
 namespace internal = CGAL::Geodesic_offset::internal;
 typedef internal::Window<double> Window;
@@ -56,11 +56,11 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
 {
   internal::Single_worker alone;
   const Surface surface(mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh), get(boost::vertex_point, mesh),
-                        Traits(), alone);
+                        internal::No_lengths(), Traits(), alone);
   const internal::Unfolded_mesh<double>& unfolded = surface.unfolded;
   internal::Source_set<double> sources;
   const Mesh::Vertex_index v(static_cast<Mesh::size_type>(source));
-  sources.add(unfolded, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, sources.POINT);
+  sources.insert(0, {sources.POINT, {internal::Surface_point<double>::at_vertex(surface.index_of(v))}, {}});
   internal::Build_request<double> request;
   request.keeps_windows = true;
   internal::Geodesic_build<Traits> build(unfolded, sources, request);

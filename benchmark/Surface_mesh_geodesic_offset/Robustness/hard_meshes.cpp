@@ -41,7 +41,7 @@ using test::Kernel;
 using test::Soup;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Traits;
-typedef CGAL::Surface_mesh_geodesic_distance<Traits> Distance;
+typedef CGAL::Surface_mesh_geodesic_offset<Traits> Distance;
 typedef CGAL::Surface_mesh_geodesic_enclosure<Traits> Enclosure;
 typedef test::Section<Mesh> Section;
 

@@ -5,7 +5,7 @@
 \ingroup PkgSurfaceMeshGeodesicOffsetConcepts
 
 \brief The concept `SurfaceMeshGeodesicOffsetTraits` describes the types, predicates and constructions that
-`CGAL::Surface_mesh_geodesic_offset` and its base classes need.
+`CGAL::Surface_mesh_geodesic_offset` and the functions of the package need.
 
 All geometry is in the plane, in the frame of a halfedge: the origin is the source of the halfedge, the \f$x\f$ axis points to
 its target, and the face, with its apex \f$(a_x, a_y)\f$, is above the axis. The image of a window's source is \f$(X : Y : W)\f$: the point

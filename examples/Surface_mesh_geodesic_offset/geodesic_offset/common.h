@@ -21,8 +21,7 @@ using Mesh     = CGAL::Surface_mesh<Point>;
 using Traits   = CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>;
 using Geodesic = CGAL::Surface_mesh_geodesic_offset<Traits>;
 
-// base class for adding sources and locating points
-using Geodesic_sources = CGAL::Surface_mesh_geodesic_sources<Traits>;
+using Geodesic_mesh = Geodesic::Mesh; // locates points
 
 using Vertex        = Mesh::Vertex_index;
 using Halfedge      = Mesh::Halfedge_index;

@@ -16,6 +16,15 @@
 
 namespace geodesic_offset {
 
+// The part of an offset that is written.
+struct Selection
+{
+  CGAL::Offset_side side = CGAL::Offset_side::BOTH;
+  CGAL::Offset_end  end = CGAL::Offset_end::ROUND;
+
+  bool is_everything() const { return side == CGAL::Offset_side::BOTH && end == CGAL::Offset_end::ROUND; }
+};
+
 struct Level_options
 {
   std::vector<double>        distances;
@@ -25,7 +34,7 @@ struct Level_options
   std::optional<double>      maximum_distance;
   std::string                side; // empty: not given
   std::string                end; // empty: not given
-  CGAL::Offset_selection     selection;
+  Selection                  selection;
 
   bool has_levels() const { return !distances.empty() || spacing; }
 
@@ -52,11 +61,11 @@ inline po::options_description level_options_description()
   return levels;
 }
 
-inline CGAL::Offset_selection selection(const std::string& side, const std::string& end)
+inline Selection selection(const std::string& side, const std::string& end)
 {
   using CGAL::Offset_end;
   using CGAL::Offset_side;
-  CGAL::Offset_selection result;
+  Selection result;
   if(side == "left")
     result.side = Offset_side::LEFT;
   else if(side == "right")

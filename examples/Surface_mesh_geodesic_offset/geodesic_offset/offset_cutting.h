@@ -128,13 +128,15 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
     internal::Solving_bar(levels, collector, limit, progress));
   if(levels.empty())
   {
-    geodesic.build<Concurrency_tag>(parameters);
+    geodesic.build(parameters.concurrency_tag(Concurrency_tag()));
     return offsets;
   }
   try
   {
-    geodesic.build_with_offset_curves_by_distance<Concurrency_tag>(
-      levels.distances(), collector, options.selection, parameters);
+    geodesic.build_with_offset_curves_by_distance(levels.distances(), collector,
+                                                  parameters.offset_side(options.selection.side)
+                                                    .end_style(options.selection.end)
+                                                    .concurrency_tag(Concurrency_tag()));
   }
   catch(const std::invalid_argument&)
   {

@@ -60,9 +60,9 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
     progress.show("distances inside faces", done);
     return true;
   };
-  geodesic.build<Concurrency_tag>(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
+  geodesic.build(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
                                     .keep_windows(true)
-                                    .visitor(show));
+                                    .visitor(show).concurrency_tag(Concurrency_tag()));
   return distances;
 }
 

@@ -71,7 +71,7 @@ class Sources
 {
   const Mesh_input&       m_input;
   const Mesh&             m_mesh;
-  const Geodesic_sources& m_geodesic; // for locating points
+  const Geodesic_mesh&    m_geodesic; // for locating points
 
   std::vector<Vertex>           m_vertices;
   std::vector<Face_location>    m_points;
@@ -83,7 +83,7 @@ class Sources
   Moved_points                  m_moved;
 
 public:
-  Sources(const Mesh_input& input, const Source_options& options, const Geodesic_sources& geodesic)
+  Sources(const Mesh_input& input, const Source_options& options, const Geodesic_mesh& geodesic)
     : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic)
   {
     for(std::size_t i : options.source_vertices)
@@ -103,14 +103,17 @@ public:
       add_sharp_edges(degrees, options.mesh);
   }
 
-  void add_to(Geodesic_sources& geodesic) const
+  // Adds the sources to a Geodesic object, or to one for certified bounds.
+  template <class Target>
+  void add_to(Target& geodesic) const
   {
     geodesic.add_source_points(m_vertices);
     geodesic.add_source_points(m_points);
     for(const Surface_polyline& polyline : m_polylines)
       geodesic.add_source_polyline(polyline.locations, polyline.is_closed);
     if(!m_boundary.empty())
-      geodesic.add_source_boundary();
+      for(const std::vector<Edge>& cycle : m_geodesic.boundary_edges())
+        geodesic.add_source_edges(cycle);
     for(const std::vector<Edge>& edges : m_edges)
       geodesic.add_source_edges(edges);
   }
@@ -153,8 +156,7 @@ public:
       try
       {
         alone.build_with_offset_curves_by_distance(std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
-                                                   CGAL::Offset_selection(CGAL::Offset_side::INSIDE),
-                                                   CGAL::parameters::distance_limit(0.));
+                                                   CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE).distance_limit(0.));
       }
       catch(const std::invalid_argument&)
       {

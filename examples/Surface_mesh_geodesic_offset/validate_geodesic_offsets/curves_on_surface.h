@@ -21,7 +21,7 @@ namespace geodesic_offset {
 
 class Curves_on_surface
 {
-  const Geodesic_sources&       m_geodesic;
+  const Geodesic_mesh&          m_geodesic;
   std::vector<Surface_polyline> m_curves;
   std::vector<std::size_t>      m_lines; // of the file
   std::size_t                   m_points = 0;
@@ -29,7 +29,7 @@ class Curves_on_surface
   std::string                   m_farthest;
 
 public:
-  Curves_on_surface(const Geodesic_sources& geodesic, const std::string& file) : m_geodesic(geodesic)
+  Curves_on_surface(const Geodesic_mesh& geodesic, const std::string& file) : m_geodesic(geodesic)
   {
     for(const File_polyline& polyline : read_polylines(file))
       add(polyline, quoted(file) + ", line " + std::to_string(polyline.line));

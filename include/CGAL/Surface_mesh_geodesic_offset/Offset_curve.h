@@ -27,9 +27,9 @@ namespace CGAL {
 
 \brief represents an offset curve: an ordered, oriented chain of circular arcs and straight segments, each inside one face.
 
-The curve is closed, or its ends lie on the border of the mesh; an `Offset_selection` may cut it, so that it ends inside the
-surface. The smaller distances are on the left of the direction of travel, seen from the outside of the surface. No curve
-meets itself or another one of the same distance.
+The curve is closed, or its ends lie on the border of the mesh; a curve of one side of the sources is cut where it leaves this
+side, and may end inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside
+of the surface. No curve meets itself or another one of the same distance.
 
 The curve is exact up to the rounding of its number type; it becomes a polyline only on output. Points on arcs, angles and
 lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
@@ -62,7 +62,7 @@ public:
   typedef typename Surface_::FT FT;
   /// a point in space
   typedef typename Surface_::Point_3 Point_3;
-  /// a point of the surface, see `Surface_mesh_geodesic_sources::Face_location`
+  /// a point of the surface, see `Geodesic_mesh::Face_location`
   typedef typename Surface_::Face_location Face_location;
   /// a piece of the curve
   typedef Geodesic_offset_piece<Surface_> Piece;

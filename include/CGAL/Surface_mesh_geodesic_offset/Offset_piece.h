@@ -53,7 +53,7 @@ public:
   typedef typename Surface_::Kernel::Line_2 Line_2;
   /// a point in space
   typedef typename Surface_::Point_3 Point_3;
-  /// a point of the surface, see `Surface_mesh_geodesic_sources::Face_location`
+  /// a point of the surface, see `Geodesic_mesh::Face_location`
   typedef typename Surface_::Face_location Face_location;
   /// the mesh
   typedef typename Surface_::Triangle_mesh Triangle_mesh;

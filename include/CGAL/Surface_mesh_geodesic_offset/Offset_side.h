@@ -41,26 +41,6 @@ enum class Offset_end : unsigned char
   BUTT   ///< points beyond an end do not belong to the offset; the curve is open there
 };
 
-/*!
-\ingroup PkgSurfaceMeshGeodesicOffsetClasses
-\brief selects a part of the offset of polylines: one side, and the cap style at the ends. By default the whole offset.
-
-Curves are cut where they leave the selected part, so they may be open with ends inside the surface.
-*/
-struct Offset_selection
-{
-  Offset_side side = Offset_side::BOTH; ///< the side of polylines
-  Offset_end end = Offset_end::ROUND;   ///< the cap style at the ends of open polylines
-
-  /// the whole offset.
-  Offset_selection() = default;
-  /// the part on one side, with a cap style.
-  Offset_selection(Offset_side which_side, Offset_end which_end = Offset_end::ROUND) : side(which_side), end(which_end) {}
-
-  /// whether the selection is the whole offset.
-  bool is_everything() const { return side == Offset_side::BOTH && end == Offset_end::ROUND; }
-};
-
 } // namespace CGAL
 
 #endif

@@ -7,11 +7,12 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Arithmetic_check.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <cstddef>
@@ -36,50 +37,139 @@ type. The location of a source or of a query is classified first: barycentric co
 and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for paths that cross
 fewer than 2^16 faces without a bend; if there may be others, the build ends with an exception.
 
-The computation takes about twice the time of `Surface_mesh_geodesic_distance` for the same sources. It relies on IEEE 754
+The computation takes about twice the time of `Surface_mesh_geodesic_offset` for the same sources. It relies on IEEE 754
 arithmetic with round to nearest, where every operation rounds to `double`: the header does not compile with `-ffast-math`,
 nor with `-ffinite-math-only`, `-freciprocal-math` or `-fassociative-math` alone, nor where x87 registers are used, be it for
 some operations only (`-mfpmath=both`). Builds check the arithmetic, too, as not all compilers tell their options, and builds
 and queries check the rounding mode.
 
-The template parameters are those of `Surface_mesh_geodesic_sources`; the `FT` of the traits must be `double`.
+The template parameters are those of `Surface_mesh_geodesic_offset`; the `FT` of the traits must be `double`.
 */
-template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
+template <class Traits_, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
 class Surface_mesh_geodesic_enclosure
-  : public Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap>
 {
-  typedef Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Base;
-  static_assert(std::is_same<typename Traits::FT, double>::value,
+  static_assert(std::is_same<typename Traits_::FT, double>::value,
                 "Surface_mesh_geodesic_enclosure: the FT of the traits must be double, the type of the bounds");
 
 public:
-#ifdef DOXYGEN_RUNNING
+  /// \name Types
+  /// @{
+
+  /// the traits
+  typedef Traits_ Traits;
+  /// the mesh with what was set up of it
+  typedef Geodesic_mesh<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Mesh;
+  /// a set of sources
+  typedef typename Mesh::Source_set Source_set;
+  /// the mesh
+  typedef typename Mesh::Triangle_mesh Triangle_mesh;
+  /// a vertex of the mesh
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  /// an edge of the mesh
+  typedef typename Mesh::edge_descriptor edge_descriptor;
+  /// a point of the surface
+  typedef typename Mesh::Face_location Face_location;
+  /// a polyline on the surface
+  typedef typename Mesh::Polyline Polyline;
+  /// @}
+
+private:
+  typedef Geodesic_offset::internal::Geodesic_mesh_data<Geodesic_offset::internal::Surface_of<Mesh>> Data;
+  typedef typename Data::Surface_point Surface_point;
+  typedef Geodesic_offset::internal::Offset_certification Certification;
+  typedef Geodesic_offset::internal::Certified_mesh Certified_mesh;
+
+public:
   /// \name Construction
   /// @{
 
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, const Traits& traits = Traits(),
-                                           const ConcurrencyTag& tag = ConcurrencyTag());
+  /// sets up the mesh.
+  /// \param tm the mesh
+  /// \param np an optional sequence of named parameters, those of `Geodesic_mesh::Geodesic_mesh()` except for `edge_length_map`
+  /// \throws std::invalid_argument and std::length_error as `Geodesic_mesh::Geodesic_mesh()`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, const NamedParameters& np = parameters::default_values())
+    : m_mesh(tm, np)
+  {
+  }
 
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, Vertex_point_map vertex_point_map,
-                                  const Traits& traits = Traits(), const ConcurrencyTag& tag = ConcurrencyTag());
-
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  Surface_mesh_geodesic_enclosure(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
-                                  Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
-                                  const ConcurrencyTag& tag = ConcurrencyTag());
+  /// shares a mesh that is set up.
+  explicit Surface_mesh_geodesic_enclosure(const Mesh& mesh) : m_mesh(mesh) {}
   /// @}
-#else
-  typedef typename Base::vertex_descriptor vertex_descriptor;
-  typedef typename Base::Face_location Face_location;
-  typedef typename Base::Triangle_mesh Triangle_mesh;
 
-  using Base::Base;
-#endif
+  /// \name Mesh and Sources
+  /// The functions that add a source are those of `Surface_mesh_geodesic_offset`, with the same exceptions.
+  /// @{
+
+  /// the mesh with what was set up of it.
+  const Mesh& mesh() const { return m_mesh; }
+
+  /// the sources of the next build.
+  const Source_set& sources() const { return m_sources; }
+
+  /// adds a vertex.
+  std::size_t add_source_point(vertex_descriptor v)
+  {
+    data().classified(v);
+    return m_sources.add_vertex(v);
+  }
+
+  /// adds a point anywhere on the surface.
+  std::size_t add_source_point(const Face_location& location)
+  {
+    data().classified(location);
+    return m_sources.add_location(location);
+  }
+
+  /// adds each point of a range as a source of its own.
+  /// \return the ids of the sources, in the order of the range
+  template <class LocationRange>
+  std::vector<std::size_t> add_source_points(const LocationRange& locations)
+  {
+    for (const auto& l : locations) data().classified(l);
+    std::vector<std::size_t> ids;
+    for (const auto& l : locations) ids.push_back(add_source_point(l));
+    return ids;
+  }
+
+  /// adds a polyline.
+  template <class FaceLocationRange>
+  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false)
+  {
+    Source_set set;
+    set.add_polyline(locations, closed);
+    return add_sources(set).front();
+  }
+
+  /// adds a set of edges.
+  template <class EdgeRange>
+  std::size_t add_source_edges(const EdgeRange& edges)
+  {
+    Source_set set;
+    set.add_edges(edges);
+    return add_sources(set).front();
+  }
+
+  /// adds the sources of a set, in the order of their ids in the set.
+  /// \return the ids of the sources in this object
+  std::vector<std::size_t> add_sources(const Source_set& set)
+  {
+    for (const auto& s : set.sources()) Geodesic_offset::internal::check_source(data(), s.second);
+    std::vector<std::size_t> ids;
+    for (const auto& s : set.sources()) ids.push_back(m_sources.add(s.second));
+    return ids;
+  }
+
+  /// removes a source.
+  /// \throws std::invalid_argument if there is no source with this id.
+  void remove_source(std::size_t id) { m_sources.remove(id); }
+
+  /// removes all sources.
+  void clear_sources() { m_sources.clear(); }
+
+  /// the number of sources.
+  std::size_t number_of_sources() const { return m_sources.size(); }
+  /// @}
 
   /// \name Building
   /// @{
@@ -102,11 +192,16 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    Geodesic_offset::internal::check_named_parameters<
+      Geodesic_offset::internal::Parameter_tags<internal_np::geodesic_keep_windows_t>, NamedParameters>();
     Geodesic_offset::internal::check_rounding_mode();
     Geodesic_offset::internal::check_arithmetic();
     const bool keeps = choose_parameter(get_parameter(np, internal_np::geodesic_keep_windows), false);
-    if (!m_mesh) m_mesh = std::make_shared<Mesh>(this->unfolded(), [&](auto v) { return coordinates(v); });
-    m_built = std::make_shared<Build>(*m_mesh, this->m_sources.initial_windows(this->unfolded()), keeps);
+    data().surface_with_points();
+    const auto sources = Geodesic_offset::internal::classified_sources(data(), m_sources);
+    if (!m_certified_mesh)
+      m_certified_mesh = std::make_shared<Certified_mesh>(data().unfolded(), [&](auto v) { return coordinates(v); });
+    m_built = std::make_shared<Build>(*m_certified_mesh, sources.initial_windows(data().unfolded()), keeps);
   }
 
   /// whether bounds have been computed.
@@ -129,12 +224,12 @@ public:
   std::pair<double, double> distance_bounds(const Location& location) const
   {
     Geodesic_offset::internal::check_rounding_mode();
-    const Surface_point p = this->classified(location);
+    const Surface_point p = data().classified(location);
     const Build& b = built();
     if (p.kind != Surface_point::VERTEX && !b.field.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: this query needs build(parameters::keep_windows(true))");
-    const std::pair<double, double> d = Geodesic_offset::internal::Certified_query(*m_mesh, b.sources, b.field)(p);
-    return {m_mesh->from_unit(d.first), m_mesh->from_unit(d.second)};
+    const std::pair<double, double> d = Geodesic_offset::internal::Certified_query(*m_certified_mesh, b.sources, b.field)(p);
+    return {m_certified_mesh->from_unit(d.first), m_certified_mesh->from_unit(d.second)};
   }
   /// @}
 
@@ -171,7 +266,7 @@ public:
       throw std::logic_error("Surface_mesh_geodesic_enclosure: certify_offset() needs build(parameters::keep_windows(true))");
     if (!(distance >= 0) || !Geodesic_offset::internal::Number_policy<double>::is_finite(distance))
       throw std::invalid_argument("Surface_mesh_geodesic_enclosure: the distance of an offset is negative or not finite");
-    Certification certification(*m_mesh, b.sources, b.field, m_mesh->to_unit(distance));
+    Certification certification(*m_certified_mesh, b.sources, b.field, m_certified_mesh->to_unit(distance));
     for (const auto& curve : curves)
       if (!add_curve(certification, curve, 0)) break;
     return exported(certification());
@@ -179,13 +274,10 @@ public:
   /// @}
 
 private:
-  typedef typename Base::Surface_point Surface_point;
-  typedef Geodesic_offset::internal::Offset_certification Certification;
-  typedef Geodesic_offset::internal::Certified_mesh Mesh;
 
   struct Build
   {
-    Build(const Mesh& mesh, const Geodesic_offset::internal::Initial_windows<double>& initial, bool keeps)
+    Build(const Certified_mesh& mesh, const Geodesic_offset::internal::Initial_windows<double>& initial, bool keeps)
       : sources(mesh, initial)
     {
       Geodesic_offset::internal::Certified_front(mesh, keeps, field).run(sources);
@@ -199,13 +291,13 @@ private:
   auto add_curve(Certification& certification, const Offset_curve& curve, int) const -> decltype(curve.pieces(), true)
   {
     const auto unit = [&](const auto& p) {
-      return Geodesic_offset::internal::Point_in_face<double>{m_mesh->to_unit(p.x()), m_mesh->to_unit(p.y())};
+      return Geodesic_offset::internal::Point_in_face<double>{m_certified_mesh->to_unit(p.x()), m_certified_mesh->to_unit(p.y())};
     };
     std::vector<Certification::Arc> arcs;
     for (const auto& piece : curve.pieces())
-      arcs.push_back({this->surface().index_of(piece.face()), this->classified(piece.start()), this->classified(piece.end()),
+      arcs.push_back({data().surface().index_of(piece.face()), data().classified(piece.start()), data().classified(piece.end()),
                       unit(piece.start_2()), unit(piece.end_2()), unit(piece.is_arc() ? piece.center() : piece.start_2()),
-                      piece.is_arc() ? m_mesh->to_unit(piece.radius()) : 0.});
+                      piece.is_arc() ? m_certified_mesh->to_unit(piece.radius()) : 0.});
     return certification.add_arcs(arcs, curve.is_closed());
   }
 
@@ -213,7 +305,7 @@ private:
   bool add_curve(Certification& certification, const Curve& polyline, long) const
   {
     std::vector<Surface_point> points;
-    for (const auto& l : polyline.locations) points.push_back(this->classified(l));
+    for (const auto& l : polyline.locations) points.push_back(data().classified(l));
     return certification.add_polyline(points, polyline.is_closed);
   }
 
@@ -221,12 +313,13 @@ private:
   {
     Geodesic_offset_certificate<Face_location> c;
     c.bounds_region = r.bounds_region;
-    c.tolerance = m_mesh->from_unit(r.excess);
+    c.tolerance = m_certified_mesh->from_unit(r.excess);
     c.limit = r.limit;
     c.location.first = boost::graph_traits<Triangle_mesh>::null_face();
     if (r.face != Geodesic_offset::internal::no_index)
-      c.location = this->surface().location(r.face, {m_mesh->from_unit(r.place.x), m_mesh->from_unit(r.place.y)});
-    c.distance_bounds = {m_mesh->from_unit(r.bounds.first), m_mesh->from_unit(r.bounds.second)};
+      c.location = data().surface().location(
+        r.face, {m_certified_mesh->from_unit(r.place.x), m_certified_mesh->from_unit(r.place.y)});
+    c.distance_bounds = {m_certified_mesh->from_unit(r.bounds.first), m_certified_mesh->from_unit(r.bounds.second)};
     c.curve = r.curve;
     c.number_of_reversed_curves = r.reversed.size();
     if (!r.reversed.empty()) c.first_reversed_curve = r.reversed.front();
@@ -239,13 +332,17 @@ private:
     return *m_built;
   }
 
-  typename Mesh::Coordinates coordinates(Geodesic_offset::internal::Index v) const
+  Certified_mesh::Coordinates coordinates(Geodesic_offset::internal::Index v) const
   {
-    const auto p = this->surface().position(this->surface().vertex_of[v]);
+    const auto p = data().surface().position(data().surface().vertex_of[v]);
     return {p.x(), p.y(), p.z()};
   }
 
-  std::shared_ptr<const Mesh> m_mesh;
+  const Data& data() const { return Geodesic_offset::internal::Mesh_access::data(m_mesh); }
+
+  Mesh m_mesh;
+  Source_set m_sources;
+  std::shared_ptr<const Certified_mesh> m_certified_mesh;
   std::shared_ptr<const Build> m_built;
 };
 

@@ -24,7 +24,7 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetTraitsClasses
 
-\brief provides the types, predicates and constructions of `Surface_mesh_geodesic_offset` and its base classes.
+\brief provides the types, predicates and constructions of `Surface_mesh_geodesic_offset`.
 
 All constructions use the arithmetic of the kernel's `FT`: they are rounded for a floating point type, and exact for an exact
 number type with square roots, such as that of `Exact_predicates_exact_constructions_kernel_with_sqrt`.

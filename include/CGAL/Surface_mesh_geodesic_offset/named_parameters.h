@@ -8,159 +8,91 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <functional>
-
-namespace CGAL {
-namespace internal_np {
-
-enum geodesic_distance_limit_t { geodesic_distance_limit };
-enum geodesic_keep_windows_t { geodesic_keep_windows };
-enum geodesic_compute_largest_distance_t { geodesic_compute_largest_distance };
-enum geodesic_targets_t { geodesic_targets };
-enum geodesic_relative_tolerance_t { geodesic_relative_tolerance };
-enum geodesic_merging_tolerance_t { geodesic_merging_tolerance };
-
-} // namespace internal_np
-
-namespace parameters {
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicOffsetParameters
-
-\brief holds the named parameters of a build: any number of the functions below, in any order, joined by dots, as in
-`parameters::distance_limit(2.).keep_windows(true)`.
-*/
-template <class T, class Tag, class Base = internal_np::No_property>
-struct Geodesic_parameters : Named_function_parameters<T, Tag, Base>
-{
-#ifndef DOXYGEN_RUNNING
-  typedef Named_function_parameters<T, Tag, Base> Named_parameters;
-  using Named_parameters::Named_parameters;
+#ifndef CGAL_GEODESIC_OFFSET_NAMED_PARAMETERS_ARE_REGISTERED
+#error "The include path must have the folder of Surface_mesh_geodesic_offset before that of CGAL."
 #endif
 
-  /// the largest distance that is computed, inclusive. Points farther away are at infinity. %Default: infinity.
-  template <class FT>
-  auto distance_limit(const FT& d) const
-  {
-    return and_also<internal_np::geodesic_distance_limit_t>(d);
-  }
+#include <type_traits>
 
-  /// whether the windows are kept after the propagation, which queries at points other than vertices need.
-  /// %Default: `false`.
-  auto keep_windows(bool keep) const { return and_also<internal_np::geodesic_keep_windows_t>(keep); }
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
 
-  /// whether the largest distance of the surface is computed while the front advances, for `largest_distance()` and
-  /// `farthest_point()`. Takes little time, and memory for one face. %Default: `false`; these functions need kept windows then.
-  auto compute_largest_distance(bool compute) const
-  {
-    return and_also<internal_np::geodesic_compute_largest_distance_t>(compute);
-  }
+// List of the tags of named parameters.
+template <class... Tags>
+struct Parameter_tags
+{
+  template <class... More>
+  static Parameter_tags<Tags..., More...> joined_with(Parameter_tags<More...>);
 
-  /// the points whose distances are requested: the propagation stops once all of these distances are final.
-  /// \tparam Range a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type. The range is not copied,
-  ///         and must outlive the build. An empty range has no effect.
-  template <class Range>
-  auto targets(const Range& range) const
-  {
-    return and_also<internal_np::geodesic_targets_t>(std::cref(range));
-  }
-
-  /// a function object `bool(double)`, called periodically with the completed fraction of the surface: a number from 0 to 1
-  /// that never decreases and is 1 at the end only. If the visitor returns `false`, the build is cancelled. The function object
-  /// is copied; `std::ref` passes an object with a state. A chain of parameters cannot begin with a visitor:
-  /// `parameters::visitor(f)` is \cgal's, and none of the functions of this class can follow it.
-  template <class Visitor>
-  auto visitor(const Visitor& function) const
-  {
-    return and_also<internal_np::visitor_t>(function);
-  }
-
-  /// the largest relative amount by which a distance may be smaller than the exact distance: a number from 0 to 0.5, in
-  /// practice from 1e-9 to 1e-3. %Default: 0, exact distances.
-  ///
-  /// On smooth fine meshes a tolerance saves much time and memory: neighbouring windows are merged if all distances stay within
-  /// the tolerance, so that a few windows per vertex are propagated. `statistics()` reports the error bound that was reached.
-  /// Distances, signed distances, gradients and labels are available then; paths, offset curves, nearest points and the
-  /// farthest point are not. Needs a floating point number type.
-  template <class FT>
-  auto relative_tolerance(const FT& t) const
-  {
-    return and_also<internal_np::geodesic_relative_tolerance_t>(t);
-  }
-
-  /// the largest length by which a distance may be smaller than the exact distance, in the units of the mesh's points: finite,
-  /// and not negative. %Default: 0.
-  ///
-  /// A length far below the size of the faces merges windows that differ only by noise in the coordinates, for instance in the
-  /// planes of a CAD model. Otherwise as `relative_tolerance()`; if both are given, a distance may be smaller by the sum, but
-  /// never by more than half of the exact distance.
-  template <class FT>
-  auto merging_tolerance(const FT& t) const
-  {
-    return and_also<internal_np::geodesic_merging_tolerance_t>(t);
-  }
-
-private:
-  template <class New_tag, class U>
-  auto and_also(const U& value) const
-  {
-    return Geodesic_parameters<U, New_tag, Geodesic_parameters>(value, *this);
-  }
+  template <class Tag>
+  static constexpr bool contains = std::is_same<Tag, internal_np::all_default_t>::value ||
+                                   (std::is_same<Tag, Tags>::value || ...);
 };
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// sets the largest distance that is computed, see `Geodesic_parameters::distance_limit()`.
-/// \param d a distance, not negative
-template <class FT>
-auto distance_limit(const FT& d)
+template <class First, class Second>
+using Joined_tags = decltype(First::joined_with(Second()));
+
+typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geodesic_edge_length_map_t, internal_np::geom_traits_t,
+                       internal_np::vertex_index_t, internal_np::face_index_t, internal_np::concurrency_tag_t>
+  Mesh_parameters;
+typedef Parameter_tags<internal_np::visitor_t, internal_np::verbose_t, internal_np::concurrency_tag_t> Update_parameters;
+typedef Joined_tags<Update_parameters,
+                    Parameter_tags<internal_np::geodesic_distance_limit_t, internal_np::geodesic_keep_windows_t,
+                                   internal_np::geodesic_compute_largest_distance_t, internal_np::geodesic_targets_t,
+                                   internal_np::geodesic_relative_tolerance_t, internal_np::geodesic_merging_tolerance_t>>
+  Build_parameters;
+typedef Parameter_tags<internal_np::geodesic_offset_side_t, internal_np::geodesic_end_style_t> Selection_parameters;
+typedef Joined_tags<Selection_parameters, Parameter_tags<internal_np::concurrency_tag_t>> Offset_parameters;
+typedef Joined_tags<Selection_parameters, Build_parameters> Build_and_offset_parameters;
+typedef Joined_tags<Joined_tags<Mesh_parameters, Update_parameters>, Parameter_tags<internal_np::geodesic_distance_limit_t>>
+  Path_call_parameters;
+typedef Joined_tags<Selection_parameters, Path_call_parameters> Offset_call_parameters;
+typedef Joined_tags<Path_call_parameters,
+                    Parameter_tags<internal_np::geodesic_targets_t, internal_np::geodesic_relative_tolerance_t,
+                                   internal_np::geodesic_merging_tolerance_t>>
+  Distance_call_parameters;
+typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::geodesic_length_unit_t> Writing_parameters;
+
+// Whether all parameters of a sequence are in a list of tags; not so for what is no sequence.
+template <class>
+constexpr bool are_read(const void*)
 {
-  return Geodesic_parameters<FT, internal_np::geodesic_distance_limit_t>(d);
+  return false;
+}
+template <class Tags, class T, class Tag>
+constexpr bool are_read(const Named_function_parameters<T, Tag>*)
+{
+  return Tags::template contains<Tag>;
+}
+template <class Tags, class T, class Tag, class Base>
+constexpr bool are_read(const Named_function_parameters<T, Tag, Base>*)
+{
+  return Tags::template contains<Tag> && are_read<Tags>(static_cast<const Base*>(nullptr));
 }
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// sets whether the windows are kept after the propagation, see `Geodesic_parameters::keep_windows()`.
-/// \param keep whether the windows are kept
-inline auto keep_windows(bool keep)
+// Stops the compilation if a function does not read a parameter that it is given.
+template <class Tags, class NamedParameters>
+constexpr void check_named_parameters()
 {
-  return Geodesic_parameters<bool, internal_np::geodesic_keep_windows_t>(keep);
+  static_assert(are_read<Tags>(static_cast<const NamedParameters*>(nullptr)),
+                "Surface_mesh_geodesic_offset: this function does not read one of the named parameters that it is given, or the "
+                "argument is not a sequence of named parameters");
 }
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// sets whether the largest distance of the surface is computed, see `Geodesic_parameters::compute_largest_distance()`.
-/// \param compute whether the largest distance is computed
-inline auto compute_largest_distance(bool compute)
-{
-  return Geodesic_parameters<bool, internal_np::geodesic_compute_largest_distance_t>(compute);
-}
+// The type of the value of a parameter; D if the parameter is missing.
+template <class Tag, class NamedParameters, class D>
+using Parameter_type = typename internal_np::Lookup_named_param_def<Tag, NamedParameters, D>::type;
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// sets the points whose distances are requested, see `Geodesic_parameters::targets()`.
-/// \param range a range of `vertex_descriptor` or `Face_location`, which must outlive the build
-template <class Range>
-auto targets(const Range& range)
-{
-  return Geodesic_parameters<std::reference_wrapper<const Range>, internal_np::geodesic_targets_t>(std::cref(range));
-}
+template <class Tag, class NamedParameters>
+constexpr bool has_parameter = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// sets the relative tolerance of distances, see `Geodesic_parameters::relative_tolerance()`.
-/// \param t a number from 0 to 0.5
-template <class FT>
-auto relative_tolerance(const FT& t)
-{
-  return Geodesic_parameters<FT, internal_np::geodesic_relative_tolerance_t>(t);
-}
+// The concurrency tag of a sequence of parameters.
+template <class NamedParameters>
+using Concurrency_tag_of = Parameter_type<internal_np::concurrency_tag_t, NamedParameters, Sequential_tag>;
 
-/// \ingroup PkgSurfaceMeshGeodesicOffsetParameters
-/// sets the absolute tolerance of distances, see `Geodesic_parameters::merging_tolerance()`.
-/// \param t a length, finite and not negative
-template <class FT>
-auto merging_tolerance(const FT& t)
-{
-  return Geodesic_parameters<FT, internal_np::geodesic_merging_tolerance_t>(t);
-}
-
-} // namespace parameters
+} // namespace internal
+} // namespace Geodesic_offset
 } // namespace CGAL
 
 #endif

@@ -9,12 +9,12 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/IO/named_parameters.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <algorithm>
 #include <cctype>
@@ -82,8 +82,9 @@ public:
       m_unit(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_length_unit),
                                           Length_unit::NONE))
   {
-    typedef std::decay_t<decltype(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance))> Given;
-    if (std::is_same<Given, internal_np::Param_not_found>::value) m_tolerance = default_tolerance();
+    using namespace Geodesic_offset::internal;
+    check_named_parameters<Writing_parameters, NamedParameters>();
+    if (!has_parameter<internal_np::geodesic_chord_tolerance_t, NamedParameters>) m_tolerance = default_tolerance();
     Geodesic_offset::internal::check_chord_tolerance(m_tolerance);
     if (format == Offset_file_format::SVG) Plane_of_curves<CurveRange>{curves};
   }
@@ -130,7 +131,23 @@ private:
 \param os the stream
 \param format the format
 \param curves the curves
-\param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of polylines in the file from their curves, in the units of the mesh's points.
+                          The polylines have few points, see `Geodesic_offset_curve::points()`. The parameter does not affect
+                          arcs, which SVG files have everywhere and DXF files in horizontal planes.}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{1e-4 of the diagonal of the bounding box of the end points of all pieces}
+  \cgalParamNEnd
+  \cgalParamNBegin{unit}
+    \cgalParamDescription{the unit of the mesh, for DXF and SVG; other formats have no unit}
+    \cgalParamType{`IO::Length_unit`}
+    \cgalParamDefault{`IO::Length_unit::NONE`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return whether the stream is still good.
 \throws std::invalid_argument if the chord tolerance is not positive, or if the format is SVG and the curves do not lie in one
         plane; then nothing has been written
@@ -151,7 +168,23 @@ bool write_offset_curves(std::ostream& os, Offset_file_format format, const Offs
 \tparam NamedParameters a sequence of named parameters
 \param file_name the name of the file, which is overwritten
 \param curves the curves
-\param np optional named parameters, see `parameters::Offset_writing_parameters`: `chord_tolerance(d)`, `unit(u)`
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of polylines in the file from their curves, in the units of the mesh's points.
+                          The polylines have few points, see `Geodesic_offset_curve::points()`. The parameter does not affect
+                          arcs, which SVG files have everywhere and DXF files in horizontal planes.}
+    \cgalParamType{a number type, convertible to `double`; positive}
+    \cgalParamDefault{1e-4 of the diagonal of the bounding box of the end points of all pieces}
+  \cgalParamNEnd
+  \cgalParamNBegin{unit}
+    \cgalParamDescription{the unit of the mesh, for DXF and SVG; other formats have no unit}
+    \cgalParamType{`IO::Length_unit`}
+    \cgalParamDefault{`IO::Length_unit::NONE`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return `false` if the file cannot be opened, or if writing fails.
 \throws std::invalid_argument as `offset_file_format()` and the overload for streams; then the file is unchanged
 */

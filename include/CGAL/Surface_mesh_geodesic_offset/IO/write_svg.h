@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_pieces.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_type_config.h>
 
@@ -113,13 +113,22 @@ Takes linear time.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of named parameters
 \param tm the mesh; all its faces are triangles
-\param np an optional named parameter, `vertex_point_map`: a model of `ReadablePropertyMap` with `vertex_descriptor` as key
-       and a 3D point as value. %Default: the mesh's `vertex_point`.
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a 3D point as value}
+    \cgalParamDefault{`get(boost::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 */
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 bool can_write_offset_SVG(const TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
+  Geodesic_offset::internal::check_named_parameters<Geodesic_offset::internal::Parameter_tags<internal_np::vertex_point_t>,
+                                                    NamedParameters>();
   const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(vertex_point, tm));
   const auto for_each_face = [&](const auto& f) {

@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <array>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -36,7 +35,7 @@ struct Build_request
 
   // Reads the named parameters; locate(target) is the location of a target on the surface.
   // \throws std::invalid_argument if a number is out of range
-  template <class Target, class NamedParameters, class Locate>
+  template <class NamedParameters, class Locate>
   static Build_request read(const NamedParameters& np, const Locate& locate)
   {
     using parameters::choose_parameter;
@@ -51,9 +50,11 @@ struct Build_request
                     std::is_invocable_r<bool, Visitor&, double>::value,
                   "the visitor of a geodesic build must be a function object bool(double)");
     r.goes_on = choose_parameter(get_parameter(np, internal_np::visitor), std::function<bool(double)>());
-    static const std::array<Target, 0> none{};
-    const auto targets = choose_parameter(get_parameter(np, internal_np::geodesic_targets), std::cref(none));
-    for (const auto& t : targets.get()) r.targets.push_back(locate(t));
+    if constexpr (has_parameter<internal_np::geodesic_targets_t, NamedParameters>)
+    {
+      const auto targets = get_parameter(np, internal_np::geodesic_targets); // maybe a reference wrapper
+      for (const auto& t : internal_np::get_reference(targets)) r.targets.push_back(locate(t));
+    }
     r.tolerance.relative = choose_parameter(get_parameter(np, internal_np::geodesic_relative_tolerance), FT(0));
     r.tolerance.absolute = choose_parameter(get_parameter(np, internal_np::geodesic_merging_tolerance), FT(0));
     require(r.tolerance.relative >= FT(0) && r.tolerance.relative <= FT(0.5),

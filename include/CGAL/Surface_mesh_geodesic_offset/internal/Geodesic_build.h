@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run of the pipeline: the sources as they were, the field that came of them, and the offsets cut on the way or
-// afterwards.
+// One run of the pipeline: the sources as they were, and the field that came of them.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_BUILD_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_BUILD_H
@@ -10,11 +9,9 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
@@ -52,7 +49,7 @@ public:
     field.start_from(before.field);
   }
 
-  // Without offsets.
+  // Propagates without a consumer of finished faces.
   template <class Concurrency_tag = Sequential_tag>
   void propagate(const Traits& traits)
   {
@@ -60,119 +57,8 @@ public:
     run<Concurrency_tag>(traits, nothing);
   }
 
-  // Calls out(level index, Level_curves) for each level that has curves, as soon as it is finished.
-  template <class Concurrency_tag, class Function>
-  void propagate_and_cut(const Traits& traits, const Offset_levels<FT>& levels, const Function& out)
-  {
-    Cutter<Function> cutter{Offset_extraction<FT>(m_mesh, initial, field, levels, maximum), out};
-    run<Concurrency_tag>(traits, cutter);
-    cutter.extraction.release_all(maximum, out);
-    statistics.propagation_seconds -= cutter.seconds_within_propagation;
-    statistics.offset_seconds = cutter.seconds;
-    statistics.pieces = cutter.extraction.number_of_pieces();
-    statistics.forced_joints = cutter.extraction.number_of_forced_joints();
-  }
-
-  // The same from kept windows.
-  template <class Concurrency_tag, class Function>
-  void cut(const Offset_levels<FT>& levels, const Function& out) const
-  {
-    Offset_extraction<FT> extraction(m_mesh, initial, field, levels, maximum);
-    cut_all_faces<Concurrency_tag>(extraction);
-    extraction.release_all(maximum, out);
-  }
-
-  const Build_request<FT>& request() const { return m_request; }
-
-  bool is_approximate() const { return !m_request.tolerance.is_zero(); }
-
-  // Whether it went on until nothing within the wanted distance was left.
-  bool is_whole() const { return !is_cancelled && !has_all_targets; }
-
-  const Source_set<FT> sources;
-  const Initial_windows<FT> initial;
-  FT maximum; // all points up to this distance are final
-  const bool kept;
-  bool is_cancelled = false, has_all_targets = false;
-  Geodesic_field<FT> field;
-  std::optional<Farthest<FT>> farthest; // if it was asked for, and there is one
-  Geodesic_offset_statistics statistics;
-  // of the paths that were asked for
-  mutable Path_legs<FT, Path_crossing<FT>> legs;
-  mutable Path_legs<FT, typename Traits::Point_3> legs_in_space;
-
-private:
-  typedef std::chrono::steady_clock Clock;
-  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
-
-  // Consumers of finished faces.
-  struct Nothing
-  {
-    static constexpr bool reads_lists = false;
-    template <class Team>
-    void take(const std::vector<Index>&, Team&)
-    {
-    }
-    void settle(const FT&) {}
-  };
-
-  template <class Function>
-  struct Cutter
-  {
-    static constexpr bool reads_lists = true;
-    Offset_extraction<FT> extraction;
-    const Function& out;
-    double seconds = 0, seconds_within_propagation = 0;
-
-    template <class Team>
-    void take(const std::vector<Index>& faces, Team& team)
-    {
-      const Clock::time_point start = Clock::now();
-      extraction.cut(faces, team);
-      const double time = seconds_since(start);
-      seconds += time;
-      seconds_within_propagation += time;
-    }
-    void settle(const FT& distance)
-    {
-      const Clock::time_point start = Clock::now();
-      extraction.release(distance, out);
-      seconds_within_propagation += seconds_since(start);
-    }
-  };
-
-  // Searches finished faces for the farthest point, if there is a search, and hands them on.
-  template <class Consumer>
-  struct Searching_consumer
-  {
-    static constexpr bool reads_lists = Consumer::reads_lists;
-    Farthest_point<FT>* search;
-    Consumer& consumer;
-
-    template <class Team>
-    void take(const std::vector<Index>& faces, Team& team)
-    {
-      if (search != nullptr) search->add(faces);
-      consumer.take(faces, team);
-    }
-    void settle(const FT& distance) { consumer.settle(distance); }
-  };
-
-  template <class Concurrency_tag>
-  void cut_all_faces(Offset_extraction<FT>& extraction) const
-  {
-    constexpr std::size_t at_once = 1 << 12;
-    auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
-    std::vector<Index> faces;
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-    {
-      if (m_mesh.source(3 * f) != no_index) faces.push_back(f);
-      if (faces.size() < at_once && f + 1 < m_mesh.number_of_faces()) continue;
-      extraction.cut(faces, team);
-      faces.clear();
-    }
-  }
-
+  // Propagates and hands finished faces to a consumer: consumer.take(faces, team), and then consumer.settle(distance), where
+  // the distances up to `distance` are final. The lists of the faces are there if Consumer::reads_lists.
   template <class Concurrency_tag, class Consumer>
   void run(const Traits& traits, Consumer& consumer)
   {
@@ -214,6 +100,58 @@ private:
     statistics.propagation_seconds = seconds_since(start);
     if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);
   }
+
+  const Build_request<FT>& request() const { return m_request; }
+
+  bool is_approximate() const { return !m_request.tolerance.is_zero(); }
+
+  // Whether it went on until nothing within the wanted distance was left.
+  bool is_whole() const { return !is_cancelled && !has_all_targets; }
+
+  const Source_set<FT> sources;
+  const Initial_windows<FT> initial;
+  FT maximum; // all points up to this distance are final
+  const bool kept;
+  bool is_cancelled = false, has_all_targets = false;
+  Geodesic_field<FT> field;
+  std::optional<Farthest<FT>> farthest; // if it was asked for, and there is one
+  Geodesic_offset_statistics statistics;
+  // of the paths that were asked for
+  mutable Path_legs<FT, Path_crossing<FT>> legs;
+  mutable Path_legs<FT, typename Traits::Point_3> legs_in_space;
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  // Consumer that ignores finished faces.
+  struct Nothing
+  {
+    static constexpr bool reads_lists = false;
+    template <class Team>
+    void take(const std::vector<Index>&, Team&)
+    {
+    }
+    void settle(const FT&) {}
+  };
+
+  // Searches finished faces for the farthest point, if there is a search, and hands them on.
+  template <class Consumer>
+  struct Searching_consumer
+  {
+    static constexpr bool reads_lists = Consumer::reads_lists;
+    Farthest_point<FT>* search;
+    Consumer& consumer;
+
+    template <class Team>
+    void take(const std::vector<Index>& faces, Team& team)
+    {
+      if (search != nullptr) search->add(faces);
+      consumer.take(faces, team);
+    }
+    void settle(const FT& distance) { consumer.settle(distance); }
+  };
 
   // Directions at vertices are those of the paths from there, also where rounding is in the way of the straight ones.
   void follow_ways_back()

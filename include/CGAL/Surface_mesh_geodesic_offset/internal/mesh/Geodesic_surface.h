@@ -29,9 +29,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class Traits, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
+// Instead of a map of lengths: the mesh has points.
+struct No_lengths
+{
+};
+
+template <class Traits_, class VertexIndexMap, class FaceIndexMap, class VertexPointMap>
 struct Geodesic_surface
 {
+  typedef Traits_ Traits;
   typedef typename Computation<Traits>::Computing_traits Computing_traits;
   typedef typename Computing_traits::FT Number; // number type of the unfolded mesh
   typedef typename Traits::Kernel Kernel;
@@ -47,10 +53,11 @@ struct Geodesic_surface
   typedef std::array<FT, 3> Barycentric_coordinates;
   typedef std::pair<face_descriptor, Barycentric_coordinates> Face_location;
 
-  template <class Team>
+  // lengths: a map of the lengths of edges, or No_lengths
+  template <class LengthMap, class Team>
   Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                   const VertexPointMap& points, const Traits& traits, Team& team)
-    : Geodesic_surface(mesh, vim, fim, points,
+                   const VertexPointMap& points, const LengthMap& lengths, const Traits& traits, Team& team)
+    : Geodesic_surface(mesh, vim, fim, points, lengths,
                        std::vector<vertex_descriptor>(vertices(mesh).begin(), vertices(mesh).end()),
                        std::vector<face_descriptor>(faces(mesh).begin(), faces(mesh).end()), traits, team)
   {
@@ -68,8 +75,19 @@ struct Geodesic_surface
     return {imported(w[0]), imported(w[1]), imported(w[2])};
   }
 
+  // \throws std::logic_error if the mesh has lengths instead of points
+  void check_points() const
+  {
+    if (!has_points)
+      throw std::logic_error("Surface_mesh_geodesic_offset: this needs points, but the mesh has lengths instead of points");
+  }
+
   // Converts the mesh's point to the traits' kernel.
-  Point_3 position(vertex_descriptor v) const { return converted_point<Point_3, FT>(get(vpm, v)); }
+  Point_3 position(vertex_descriptor v) const
+  {
+    check_points();
+    return converted_point<Point_3, FT>(get(vpm, v));
+  }
 
   // Indices in the unfolded mesh.
   Index index_of(vertex_descriptor v) const { return numbers.of(v); }
@@ -157,6 +175,7 @@ struct Geodesic_surface
   // The point on the segment from vertex a to vertex b at parameter t.
   Point_3 between(Index a, Index b, const FT& t) const
   {
+    check_points();
     const auto &at_a = get(vpm, vertex_of[a]), &at_b = get(vpm, vertex_of[b]); // no copy if the map returns references
     const Point_3 &p = converted_point<Point_3, FT>(at_a), &q = converted_point<Point_3, FT>(at_b);
     const FT s = FT(1) - t;
@@ -197,6 +216,7 @@ struct Geodesic_surface
   }
 
   const Triangle_mesh& tm;
+  const bool has_points;
   VertexPointMap vpm;
   Index_renumbering<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
@@ -216,16 +236,17 @@ private:
   }
 
   // all_vertices, all_faces: in the order of the mesh
-  template <class Team>
+  template <class LengthMap, class Team>
   Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& point_map,
-                   const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
-                   const Traits& traits, Team& team)
-    : tm(mesh), vpm(point_map), numbers(mesh, vim, fim, all_vertices, all_faces)
+                   const LengthMap& length_map, const std::vector<vertex_descriptor>& all_vertices,
+                   const std::vector<face_descriptor>& all_faces, const Traits& traits, Team& team)
+    : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vpm(point_map),
+      numbers(mesh, vim, fim, all_vertices, all_faces)
   {
     const All_face_links links = numbers.face_links(all_faces, team);
     // coordinates of other than built-in types may share memory, so one thread reads them
     auto&& readers_of_points = team_or_alone(team);
-    numbers.renumber_if_scattered(links, all_vertices, vpm, readers_of_points);
+    if (has_points) numbers.renumber_if_scattered(links, all_vertices, vpm, readers_of_points);
     face_of.resize(numbers.faces_end());
     std::vector<Index> face_at(numbers.faces_end(), no_index);
     Blocks(all_faces.size(), team.size()).for_each(team, [&](Index, std::size_t begin, std::size_t end) {
@@ -237,19 +258,34 @@ private:
       }
     });
     vertex_of.resize(numbers.vertices_end());
-    std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
-    Blocks(all_vertices.size(), readers_of_points.size()).for_each(readers_of_points, [&](Index, auto begin, auto end) {
-      for (std::size_t k = begin; k < end; ++k)
+    if constexpr (std::is_same<LengthMap, No_lengths>::value)
+    {
+      std::vector<typename Computing_traits::Point_3> points(numbers.vertices_end());
+      Blocks(all_vertices.size(), readers_of_points.size()).for_each(readers_of_points, [&](Index, auto begin, auto end) {
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          const vertex_descriptor v = all_vertices[k];
+          const Index i = index_of(v);
+          vertex_of[i] = v;
+          // isolated vertices may have coordinates that are not convertible, such as NaN
+          if (halfedge(v, tm) != Graph_traits::null_halfedge())
+            points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
+        }
+      });
+      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits), team);
+    }
+    else
+    {
+      for (const vertex_descriptor v : all_vertices) vertex_of[index_of(v)] = v;
+      std::vector<Number> lengths(3 * face_of.size(), Number(0)); // by halfedge
+      for (const face_descriptor f : all_faces)
       {
-        const vertex_descriptor v = all_vertices[k];
-        const Index i = index_of(v);
-        vertex_of[i] = v;
-        // isolated vertices may have coordinates that are not convertible, such as NaN
-        if (halfedge(v, tm) != Graph_traits::null_halfedge())
-          points[i] = converted_point<typename Computing_traits::Point_3, Number>(get(vpm, v));
+        halfedge_descriptor h = halfedge(f, tm);
+        for (Index k = 0; k < 3; ++k, h = next(h, tm))
+          lengths[3 * index_of(f) + k] = imported(FT(get(length_map, edge(h, tm))));
       }
-    });
-    unfolded = Unfolded_mesh<Number>(numbers, links, face_at, points, Computation<Traits>::computing_traits(traits), team);
+      unfolded = Unfolded_mesh<Number>(numbers, links, face_at, vertex_of.size(), Layout_by_lengths<Number>(lengths), team);
+    }
     if (!unfolded.has_usable_scale())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the longest edge is too long or too short for the number "
                                   "type: the mesh must be scaled");
@@ -280,7 +316,9 @@ private:
     for (face_descriptor f : faces(tm))
       if (!unfolded.has_area(index_of(f)))
         throw std::invalid_argument("Surface_mesh_geodesic_offset: face " + std::to_string(numbers.index_in_mesh(f)) +
-                                    " is degenerate or has a coordinate that is not finite");
+                                    (has_points ? " is degenerate or has a coordinate that is not finite"
+                                                : ": the lengths of its edges do not satisfy the triangle inequality, or are "
+                                                  "not finite"));
   }
 };
 

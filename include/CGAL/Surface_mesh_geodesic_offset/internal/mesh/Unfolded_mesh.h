@@ -12,6 +12,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_layout.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -67,17 +68,25 @@ public:
   template <class Numbers, class Traits, class Team>
   Unfolded_mesh(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
                 const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team)
-    : m_corner(points.size(), no_index), m_can_bend(points.size(), 0)
+    : Unfolded_mesh(numbers, links, face_at, points.size(), Layout_by_points<Traits>(points, traits), team)
+  {
+  }
+
+  // With another layout of faces, see Face_layout.h.
+  template <class Numbers, class Layout, class Team>
+  Unfolded_mesh(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
+                std::size_t number_of_vertices, const Layout& layout, Team& team)
+    : m_corner(number_of_vertices, no_index), m_can_bend(number_of_vertices, 0)
   {
     if constexpr (Number_policy<FT>::is_inexact) m_halfedges.resize(3 * face_at.size(), boost::container::default_init);
     else m_halfedges.resize(3 * face_at.size());
     if constexpr (std::is_same<Team, Single_worker>::value)
-      set_up<Traits>(numbers, links, face_at, points, traits, team, m_corner);
+      set_up(numbers, links, face_at, layout, team, m_corner);
     else
     {
-      std::vector<std::atomic<Index>> first_corners(points.size());
+      std::vector<std::atomic<Index>> first_corners(number_of_vertices);
       for (auto& corner : first_corners) corner.store(no_index, std::memory_order_relaxed);
-      set_up<Traits>(numbers, links, face_at, points, traits, team, first_corners);
+      set_up(numbers, links, face_at, layout, team, first_corners);
     }
   }
 
@@ -207,16 +216,15 @@ private:
   };
 
   // first_corners: initially no_index; receives the lowest corner at each vertex.
-  template <class Traits, class Numbers, class Team, class First_corners>
-  void set_up(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at,
-              const std::vector<typename Traits::Point_3>& points, const Traits& traits, Team& team,
-              First_corners& first_corners)
+  template <class Numbers, class Layout, class Team, class First_corners>
+  void set_up(const Numbers& numbers, const All_face_links& links, const std::vector<Index>& face_at, const Layout& layout,
+              Team& team, First_corners& first_corners)
   {
     const Blocks blocks(face_at.size(), team.size());
     std::vector<Laid_out_faces> laid_out(blocks.number());
     std::vector<double> lengths(face_at.size() / Blocks::step + 1, 0.); // sums per step, independent of the number of blocks
     blocks.for_each(team, [&](Index block, std::size_t begin, std::size_t end) {
-      laid_out[block] = lay_out_faces(begin, end, numbers, links, face_at, points, traits, first_corners, lengths);
+      laid_out[block] = lay_out_faces(begin, end, numbers, links, face_at, layout, first_corners, lengths);
     });
     std::size_t number_of_faces = 0; // without unused indices
     for (const Laid_out_faces& l : laid_out)
@@ -248,14 +256,13 @@ private:
     return true;
   }
 
-  template <class Numbers, class Traits, class First_corners>
+  template <class Numbers, class Layout, class First_corners>
   Laid_out_faces lay_out_faces(std::size_t begin, std::size_t end, const Numbers& numbers,
-                               const All_face_links& links, const std::vector<Index>& face_at,
-                               const std::vector<typename Traits::Point_3>& points, const Traits& traits,
+                               const All_face_links& links, const std::vector<Index>& face_at, const Layout& layout,
                                First_corners& first_corners, std::vector<double>& lengths)
   {
     constexpr std::size_t ahead = 32;
-    const auto construct_apices = traits.construct_apices_2_object();
+    const auto lay_out = layout.functor();
     Laid_out_faces result;
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -269,7 +276,7 @@ private:
       const Face_links& l = links[f];
       const Index v[3] = {numbers.of_vertex(l.source[0]), numbers.of_vertex(l.source[1]), numbers.of_vertex(l.source[2])};
       FT length[3] = {FT(0), FT(0), FT(0)}, x[3] = {FT(0), FT(0), FT(0)}, y[3] = {FT(0), FT(0), FT(0)};
-      construct_apices(points[v[0]], points[v[1]], points[v[2]], length, x, y);
+      lay_out(Index(i), v, length, x, y);
       for (int k = 0; k < 3; ++k)
       {
         result.have_area &= has_area(length[k], y[k]);

@@ -99,7 +99,7 @@ private:
     void trace(const Located_point& from, const Located_point& to, const Function& out) const
     {
       Source_set<Number> sources;
-      sources.add(m_mesh, {here(to)}, Source_set<Number>::POINT);
+      sources.insert(0, {Source_set<Number>::POINT, {here(to)}, {}});
       Build_request<Number> request;
       request.keeps_windows = true;
       const Located_point start = here(from);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sources as the user added them.
+// The sources of a build, as classified points and halfedges.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_SET_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_SET_H
@@ -11,9 +11,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_start.h>
 
+#include <cstddef>
 #include <map>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,27 +26,21 @@ class Source_set
 public:
   enum Kind { POINT, OPEN_POLYLINE, CLOSED_POLYLINE, EDGES };
 
-  // Throws if the points do not make a source on this mesh; then nothing is added.
-  std::size_t add(const Unfolded_mesh<FT>& mesh, std::vector<Surface_point<FT>> points, Kind kind)
+  struct Source
   {
-    if (points.empty()) throw std::invalid_argument("Surface_mesh_geodesic_offset: a polyline without points");
-    return add(mesh, Source{kind, std::move(points), {}});
-  }
+    Kind kind;
+    std::vector<Surface_point<FT>> points;
+    std::vector<Index> halfedges;
+  };
 
-  std::size_t add_edges(const Unfolded_mesh<FT>& mesh, std::vector<Index> halfedges)
+  void insert(std::size_t id, Source source) { m_sources.emplace(id, std::move(source)); }
+
+  // \throws std::invalid_argument if rays cannot start from the source
+  static void check(const Unfolded_mesh<FT>& mesh, const Source& source)
   {
-    if (halfedges.empty()) throw std::invalid_argument("Surface_mesh_geodesic_offset: an empty set of edges");
-    return add(mesh, Source{EDGES, {}, std::move(halfedges)});
+    Initial_windows<FT> trial(mesh);
+    start(mesh, source, 0, trial);
   }
-
-  void remove(std::size_t id)
-  {
-    if (m_sources.erase(id) == 0)
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no source " + std::to_string(id));
-  }
-
-  void clear() { m_sources.clear(); }
-  std::size_t size() const { return m_sources.size(); }
 
   // Whether this is another set and some later sources.
   bool extends(const Source_set& before) const
@@ -80,21 +73,6 @@ public:
   }
 
 private:
-  struct Source
-  {
-    Kind kind;
-    std::vector<Surface_point<FT>> points;
-    std::vector<Index> halfedges;
-  };
-
-  std::size_t add(const Unfolded_mesh<FT>& mesh, Source&& source)
-  {
-    Initial_windows<FT> trial(mesh);
-    start(mesh, source, 0, trial);
-    m_sources.emplace(m_next, std::move(source));
-    return m_next++;
-  }
-
   static void start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial)
   {
     switch (s.kind)
@@ -107,7 +85,6 @@ private:
   }
 
   std::map<std::size_t, Source> m_sources;
-  std::size_t m_next = 0;
 };
 
 } // namespace internal

@@ -1,214 +1,125 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_DISTANCE_H
-#define CGAL_SURFACE_MESH_GEODESIC_DISTANCE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_DISTANCE_FIELD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_DISTANCE_FIELD_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_nearest_source.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetClasses
 
-\brief computes exact geodesic distances and shortest paths on a triangle mesh, from any number of points, polylines and
-edges, by the extended Xin-Wang algorithm \cgalCite{XYH11}.
+\brief represents the geodesic distances from a set of sources: distances, shortest paths, nearest sources and offset curves.
 
-The distance of a point of the surface is the length of the shortest path on the surface from the point to the nearest
-source. The use has three steps: add the sources, call `build()`, which propagates the distances, and call the const member
-functions. With floating point numbers the const member functions may be called from several threads at once. Points that no
-path reaches are at `infinity()`. Lengths and distances are in the units of the mesh's points.
+`Surface_mesh_geodesic_offset::build()` makes fields. A field is an immutable value: copies are cheap and share the data, later
+builds do not change it, and with floating point numbers its member functions may be called from several threads at once. It
+may outlive the object that has built it, but not the triangle mesh. The functions of a default-constructed field, and of one
+that was moved from, throw `std::logic_error`.
 
-Adding or removing sources does not change the result of the last build; only `build()` and `update()` replace it.
+The functions that are passed to a member function - callbacks that receive offset curves, output iterators, property maps -
+may build other fields and query this one. They must not assign to the field, move it or destroy it.
 
-\anchor Surface_mesh_geodesic_distance_callbacks
-\cgalHeading{Callbacks, Copies, Moves}
+Points that no path reaches are at `infinity()`. Lengths and distances are in the units of the mesh's points.
 
-The functions that are passed to a member function - visitors, callbacks that receive offset curves, output iterators, property
-maps - may call all member functions of the object, also those that add or remove sources and those that build. A query
-continues with the result with which it began, of which it holds a share; a build and an update continue with the sources that
-there were when they began, and their result replaces the last one when they return: of two builds, one within the other, the
-outer one remains. These functions must not assign to the object, move it or destroy it.
-
-Copies share the result of the last build, which is immutable; the next build of one of them does not change that of the other.
-An object that was moved from has no mesh and no result: `is_built()` is false, it can be destroyed and assigned to, and
-functions that need the mesh or a result throw `std::logic_error`.
-
-\anchor Surface_mesh_geodesic_distance_threads
-\cgalHeading{Several Threads}
-
-Functions that propagate take a concurrency tag as their first template parameter, as in `build<CGAL::Parallel_tag>()`:
-- `Sequential_tag`, the default: the calling thread works alone.
-- `Parallel_tag`: the threads work that TBB may use where the function is called, as limited by `tbb::global_control` and
-  `tbb::task_arena`. \cgal must be linked with TBB (`CGAL_LINKED_WITH_TBB`), otherwise the call does not compile.
-- `Parallel_if_available_tag`: `Parallel_tag` with TBB, `Sequential_tag` without.
-
-Constructors, which set up the mesh, take such a tag as their last argument, as in
-`geodesic(mesh, Traits(), CGAL::Parallel_tag())`; what they set up does not depend on the tag.
-
-With `Parallel_tag` the results are the same to the last bit for any number of threads, one included, and in each run. They
-differ from the results with `Sequential_tag` by rounding alone: distances by no more than a relative \f$10^{-13}\f$ in all
-tests. The distance at which a build stops, at its targets or because the visitor cancels it, may differ, and so may the
-counts of the statistics; memory is larger by some percent. The calling thread alone calls the visitor and the callbacks that
-receive offset curves; TBB's threads remain occupied until the function returns.
-
-Several threads call the functors of the traits concurrently, and, during construction, the functions and maps that read the
-mesh. All this holds for `float`, `double` and `long double` only: with other number types, whose operations may share
-memory, `Parallel_tag` does what `Sequential_tag` does.
-
-The template parameters are those of `Surface_mesh_geodesic_sources`.
+\tparam GeodesicMesh an instance of `Geodesic_mesh`
 */
-template <class Traits, class VertexIndexMap = Default, class FaceIndexMap = Default, class VertexPointMap = Default>
-class Surface_mesh_geodesic_distance
-  : public Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap>
+template <class GeodesicMesh>
+class Geodesic_distance_field
 {
-  typedef Surface_mesh_geodesic_sources<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Base;
-
 public:
   /// \name Types
   /// @{
 
-#ifndef DOXYGEN_RUNNING // documented in the base class
-  typedef typename Base::vertex_descriptor vertex_descriptor;
-  typedef typename Base::halfedge_descriptor halfedge_descriptor;
-  typedef typename Base::face_descriptor face_descriptor;
-  typedef typename Base::FT FT;
-  typedef typename Base::Point_3 Point_3;
-  typedef typename Base::Vector_3 Vector_3;
-  typedef typename Base::Face_location Face_location;
-#endif
+  /// the mesh with what was set up of it
+  typedef GeodesicMesh Mesh;
+  /// a vertex of the mesh
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  /// the number type of distances and of coordinates
+  typedef typename Mesh::FT FT;
+  /// a point in space
+  typedef typename Mesh::Point_3 Point_3;
+  /// a vector in space
+  typedef typename Mesh::Vector_3 Vector_3;
+  /// a point of the surface
+  typedef typename Mesh::Face_location Face_location;
 
   /// the result of `nearest_source()`
   typedef Geodesic_nearest_source<FT, Face_location> Nearest_source;
 
   /// counts and times of a build
   typedef Geodesic_offset_statistics Statistics;
+
+#ifdef DOXYGEN_RUNNING
+  /// an offset curve
+  typedef Geodesic_offset_curve<unspecified_type> Offset_curve;
+#else
+  typedef Geodesic_offset_curve<Geodesic_offset::internal::Surface_of<Mesh>> Offset_curve;
+#endif
   /// @}
 
-protected:
-  typedef typename Base::Surface Surface;
-  typedef typename Base::Surface_point Surface_point;
-  typedef typename Base::Located_point Located_point;
-  typedef typename Base::Index Index;
-  typedef typename Base::Number Number;
+private:
+  typedef Geodesic_offset::internal::Surface_of<Mesh> Surface;
+  typedef Geodesic_offset::internal::Geodesic_mesh_data<Surface> Data;
+  typedef typename Data::Surface_point Surface_point;
+  typedef typename Data::Located_point Located_point;
+  typedef typename Surface::Number Number;
+  typedef Geodesic_offset::internal::Index Index;
   typedef Geodesic_offset::internal::Number_policy<Number> Policy;
-  typedef Geodesic_offset::internal::Build_request<Number> Request;
-  typedef Geodesic_offset::internal::Geodesic_build<typename Base::Computing_traits> Build;
+  typedef Geodesic_offset::internal::Geodesic_build<typename Data::Computing_traits> Build;
   typedef Geodesic_offset::internal::Path_start<Number> Path_start;
 
-  using Base::classified;
-  using Base::m_sources;
-  using Base::m_traits;
-  using Base::surface;
-  using Base::unfolded;
+  friend struct Geodesic_offset::internal::Field_access;
+
+  Geodesic_distance_field(const Mesh& mesh, std::shared_ptr<const Build> build) : m_mesh(mesh), m_build(std::move(build)) {}
 
 public:
-#ifdef DOXYGEN_RUNNING
   /// \name Construction
   /// @{
 
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  explicit Surface_mesh_geodesic_distance(const Triangle_mesh& tm, const Traits& traits = Traits(),
-                                          const ConcurrencyTag& tag = ConcurrencyTag());
-
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_point_map, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  Surface_mesh_geodesic_distance(const Triangle_mesh& tm, Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
-                                 const ConcurrencyTag& tag = ConcurrencyTag());
-
-  /// \copydoc CGAL::Surface_mesh_geodesic_sources::Surface_mesh_geodesic_sources(const Triangle_mesh&, Vertex_index_map, Face_index_map, Vertex_point_map, const Traits&, const ConcurrencyTag&)
-  template <class ConcurrencyTag = Sequential_tag>
-  Surface_mesh_geodesic_distance(const Triangle_mesh& tm, Vertex_index_map vertex_index_map, Face_index_map face_index_map,
-                                 Vertex_point_map vertex_point_map, const Traits& traits = Traits(),
-                                 const ConcurrencyTag& tag = ConcurrencyTag());
+  /// constructs a field without distances.
+  Geodesic_distance_field() = default;
   /// @}
-#else
-  using Base::Base;
-#endif
 
-  /// \name Building
+  /// \name The Build
+  /// These functions, and all queries, throw `std::logic_error` if the field has no distances.
   /// @{
 
-  /// propagates the distances from the sources over the surface. Without any source, all points are at infinity.
-  ///
-  /// On most meshes of n vertices the number of windows that are propagated grows like n^1.5; in the worst case the lower
-  /// envelopes together have O(n^2) windows \cgalCite{MMP87}. A window takes constant time on average. All other work takes
-  /// time linear in the size of the mesh, also with a distance limit. Memory is that of the front, and some 40 bytes per
-  /// window if windows are kept.
-  ///
-  /// With a tolerance, distances may be smaller than the exact ones, within the bounds that `statistics()` reports, but not
-  /// larger, and a few windows per vertex are propagated on smooth fine meshes, however fine; see \ref
-  /// SurfaceMeshGeodesicOffsetTolerance. A point whose exact distance exceeds the distance limit by no more than the bound
-  /// may then have a distance, too. Paths, nearest points, the farthest point and offset curves need an exact build, and
-  /// throw `std::logic_error`.
-  ///
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-  /// \param np optional named parameters, see `parameters::Geodesic_parameters`: `distance_limit(d)`, `keep_windows(b)`,
-  ///        `compute_largest_distance(b)`, `targets(range)`, `visitor(f)`, `relative_tolerance(t)`, `merging_tolerance(t)`
-  /// \throws std::invalid_argument if the distance limit is negative or not a number, or a target is not a valid location,
-  ///         or the relative tolerance is not a number from 0 to 0.5, or the merging tolerance is negative or not a finite
-  ///         number, or one of the tolerances is not 0 and the number type is exact.
-  /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh, as in needle faces thinner than some
-  ///         1e-9, where windows differ by less than rounding and their number grows without a bound.
-  ///         After all these exceptions, and those of the visitor, the last build is unchanged.
-  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
-  void build(const NamedParameters& np = parameters::default_values())
+  /// whether the field has distances: it is neither default-constructed nor moved from.
+  bool is_built() const { return m_build != nullptr; }
+
+  /// the mesh.
+  const Mesh& mesh() const
   {
-    const auto fresh = std::make_shared<Build>(unfolded(), m_sources, request(np));
-    fresh->template propagate<ConcurrencyTag>(m_traits);
-    m_built = fresh;
+    built();
+    return *m_mesh;
   }
 
-  /// brings the last build up to date with the sources. Only the distances that the sources added since then improve are
-  /// propagated. The result is that of `build()` with the parameters `distance_limit`, `keep_windows` and
-  /// `compute_largest_distance` of the last build. If sources were removed since then, or if the last build was cancelled,
-  /// stopped at its targets, had a tolerance, or computed the largest distance without kept windows, all distances are
-  /// computed anew, with that tolerance. During the update there are two fields in memory; kept windows of the last build are
-  /// copied, which takes time linear in their number. If the visitor cancels the update, the last build is unchanged.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-  /// \param np an optional named parameter, `visitor(f)`
-  /// \throws std::logic_error if `!is_built()`, and std::runtime_error as `build()`
-  template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
-  void update(const NamedParameters& np = parameters::default_values())
-  {
-    const std::shared_ptr<const Build> before = shared_build();
-    const Build& b = *before;
-    Request r = request(np);
-    r.targets.clear();
-    r.maximum = b.request().maximum;
-    r.keeps_windows = b.kept;
-    r.tolerance = b.request().tolerance;
-    r.finds_farthest = b.request().finds_farthest;
-    const bool can_grow = b.is_whole() && !b.is_approximate() && (b.kept || !r.finds_farthest);
-    const bool grows = can_grow && m_sources.extends(b.sources);
-    const auto fresh = grows ? std::make_shared<Build>(b, m_sources, r) : std::make_shared<Build>(unfolded(), m_sources, r);
-    fresh->template propagate<ConcurrencyTag>(m_traits);
-    if (!fresh->is_cancelled) m_built = fresh;
-  }
-
-  /// whether distances have been computed.
-  bool is_built() const { return m_built != nullptr; }
-
-  /// whether the visitor has cancelled the last build. Distances up to `covered_distance()` are valid nevertheless.
-  /// \throws std::logic_error if `!is_built()`, like all queries.
+  /// whether the visitor has cancelled the build. Distances up to `covered_distance()` are valid nevertheless.
   bool is_cancelled() const { return built().is_cancelled; }
 
   /// the distance up to which the distances were computed, inclusive: the distance limit, or less if the build was
@@ -216,7 +127,7 @@ public:
   /// infinity.
   FT covered_distance() const { return Surface::exported(built().maximum); }
 
-  /// counts and times of the last build.
+  /// counts and times of the build.
   const Statistics& statistics() const { return built().statistics; }
   /// @}
 
@@ -250,8 +161,8 @@ public:
   /// the distance, rounded to `double`, with a sign: negative on the left of polylines, which is the inside of
   /// counterclockwise ones, and positive on their right. Infinity if the point is unreachable or farther than
   /// `covered_distance()`. Not a number if the nearest source is a point or a set of edges, which have no sides, or if the
-  /// nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build had
-  /// a tolerance.
+  /// nearest point is an end of an open polyline. The side is that of `nearest_source()`, and so is the time, unless the build
+  /// had a tolerance.
   template <class Location>
   double signed_distance_to_sources(const Location& location) const
   {
@@ -304,9 +215,7 @@ public:
   template <class VertexDistanceMap>
   void vertex_distances(VertexDistanceMap map) const
   {
-    const std::shared_ptr<const Build> b = shared_build();
-    for (vertex_descriptor v : vertices(surface().tm))
-      put(map, v, FT(Surface::exported(b->field.distance[surface().index_of(v)])));
+    Geodesic_offset::internal::write_vertex_distances(data(), built(), map);
   }
 
   /// writes the id of the nearest source of each vertex to a map: the geodesic Voronoi diagram of the sources.
@@ -314,13 +223,7 @@ public:
   template <class VertexLabelMap>
   void source_labels(VertexLabelMap map) const
   {
-    const std::shared_ptr<const Build> b = shared_build();
-    for (vertex_descriptor v : vertices(surface().tm))
-    {
-      const Index i = surface().index_of(v);
-      const bool has_distance = Policy::is_finite(b->field.distance[i]);
-      put(map, v, has_distance ? std::size_t(b->initial.source_of[b->field.root[i].primitive()]) : no_source());
-    }
+    Geodesic_offset::internal::write_source_labels(data(), built(), map);
   }
 
   /// the largest distance of the vertices that have a distance. Points between vertices may be farther, see
@@ -358,6 +261,44 @@ public:
   FT largest_distance() const { return Surface::exported(farthest().distance); }
   /// @}
 
+  /// \name Offset Curves
+  /// @{
+
+  /// cuts the offset curves at one or several distances. The curves are cut from the kept windows; if none
+  /// were kept, one more propagation up to the largest level cuts all of them.
+  ///
+  /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
+  /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
+  /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the
+  /// distance limit of the build, give no curves.
+  /// \param levels a distance, a range of distances, or an `Offset_levels` object
+  /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
+  /// \param np optional named parameters: `offset_side`, `end_style` and `concurrency_tag` as in
+  ///        `Surface_mesh_geodesic_offset::build_with_offset_curves()`
+  /// \throws std::invalid_argument as `Surface_mesh_geodesic_offset::build_with_offset_curves()`
+  /// \throws std::logic_error if the build had a tolerance
+  template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+  OutputIterator offset_curves(const Levels& levels, OutputIterator out,
+                               const NamedParameters& np = parameters::default_values()) const
+  {
+    offset_curves_by_distance(levels, Geodesic_offset::internal::curve_writer<Offset_curve>(out), np);
+    return out;
+  }
+
+  /// passes the offset curves to a callback as that of
+  /// `Surface_mesh_geodesic_offset::build_with_offset_curves_by_distance()`. All else is as in `offset_curves()`.
+  template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
+  void offset_curves_by_distance(const Levels& levels, Function&& f,
+                                 const NamedParameters& np = parameters::default_values()) const
+  {
+    namespace internal = Geodesic_offset::internal;
+    internal::check_named_parameters<internal::Offset_parameters, NamedParameters>();
+    const auto wanted = internal::offset_levels<Surface>(levels);
+    internal::cut_offset_curves<internal::Concurrency_tag_of<NamedParameters>>(data(), built_exactly(), wanted,
+                                                                               internal::Offset_selection(np), f);
+  }
+  /// @}
+
   /// \name Special Values
   /// @{
 
@@ -366,16 +307,16 @@ public:
   static FT infinity() { return Surface::exported(Policy::infinity()); }
 
   /// the label that `source_labels()` gives to vertices that have no distance.
-  static constexpr std::size_t no_source() { return (std::numeric_limits<std::size_t>::max)(); }
+  static constexpr std::size_t no_source() { return Geodesic_offset::internal::no_source_label; }
   /// @}
 
   /// \name Shortest Paths
   /// A path from a `Location`, a `vertex_descriptor` or a `Face_location`, to its nearest source consists of the point
   /// itself, a point on each edge that it crosses, the vertices through which it passes, and the source point. It is empty if
   /// the point has no distance, and only the point if the point lies on a source. Two consecutive points are different and have a
-  /// face in common. The path ends at the nearest point of `nearest_source()`. The time is linear in the number of points, and the exceptions are those of the queries. The straight parts from
-  /// vertex to vertex, which many paths have in common, are cached: in up to 264 bytes per vertex of the mesh for paths as
-  /// points, and as many for the other forms.
+  /// face in common. The path ends at the nearest point of `nearest_source()`. The time is linear in the number of points, and
+  /// the exceptions are those of the queries. The straight parts from vertex to vertex, which many paths have in common, are
+  /// cached: in up to 264 bytes per vertex of the mesh for paths as points, and as many for the other forms.
   /// @{
 
   /// writes a shortest path to the nearest source as locations.
@@ -394,12 +335,12 @@ public:
   template <class Location, class OutputIterator>
   OutputIterator shortest_path_points_to_sources(const Location& location, OutputIterator out) const
   {
-    const std::shared_ptr<const Build> b = shared_exact_build();
-    if constexpr (decltype(b->legs_in_space)::keeps)
+    const Build& b = built_exactly();
+    if constexpr (decltype(b.legs_in_space)::keeps)
     {
       Geodesic_offset::internal::Path_points<Surface, OutputIterator> points(surface(), out);
       const Located_point p = classified(location);
-      tracing(*b)(p, start_at(p), b->legs_in_space, points);
+      tracing(b)(p, start_at(p), b.legs_in_space, points);
       return points.out();
     }
     else
@@ -421,38 +362,25 @@ public:
   }
   /// @}
 
-protected:
+private:
   const Build& built() const
   {
-    if (!m_built) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
-    return *m_built;
+    if (!m_build) throw std::logic_error("Surface_mesh_geodesic_offset: build() has not been called");
+    return *m_build;
   }
 
   const Build& built_exactly() const
   {
     if (built().is_approximate())
       throw std::logic_error("Surface_mesh_geodesic_offset: this query needs a build without a tolerance");
-    return *m_built;
-  }
-
-  // Shares for functions that call those of the user, which may replace the last build. All others borrow it.
-  std::shared_ptr<const Build> shared_build() const
-  {
-    built();
-    return m_built;
-  }
-
-  std::shared_ptr<const Build> shared_exact_build() const
-  {
-    built_exactly();
-    return m_built;
+    return *m_build;
   }
 
   const Build& built_with_windows() const
   {
     if (!built().kept)
       throw std::logic_error("Surface_mesh_geodesic_offset: this query needs build(parameters::keep_windows(true))");
-    return *m_built;
+    return *m_build;
   }
 
   Geodesic_offset::internal::Farthest<Number> farthest() const
@@ -514,18 +442,27 @@ protected:
   template <class Location, class Function>
   void trace_from(const Location& location, const Function& out) const
   {
-    const std::shared_ptr<const Build> b = shared_exact_build();
+    built_exactly();
     const Located_point p = classified(location);
     trace(p, start_at(p), out);
   }
 
-  template <class NamedParameters>
-  Request request(const NamedParameters& np) const
+  const Data& data() const
   {
-    return Request::template read<vertex_descriptor>(np, [this](const auto& t) { return this->classified(t); });
+    built();
+    return Geodesic_offset::internal::Mesh_access::data(*m_mesh);
+  }
+  const Surface& surface() const { return data().surface(); }
+  const Geodesic_offset::internal::Unfolded_mesh<Number>& unfolded() const { return data().unfolded(); }
+
+  template <class Location>
+  Located_point classified(const Location& location) const
+  {
+    return data().classified(location);
   }
 
-  std::shared_ptr<const Build> m_built;
+  std::optional<Mesh> m_mesh;
+  std::shared_ptr<const Build> m_build;
 };
 
 } // namespace CGAL

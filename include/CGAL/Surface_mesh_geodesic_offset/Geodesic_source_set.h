@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_SOURCE_SET_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_SOURCE_SET_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief holds sources on a triangle mesh: vertices, locations, polylines and sets of edges, each with an id.
+
+A source set is data alone: it refers to no mesh, and its functions check nothing that only the mesh can tell. The functions
+that compute distances check all sources, and throw `std::invalid_argument` for one that does not fit the mesh.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam FT_ the number type of barycentric coordinates
+*/
+template <class TriangleMesh, class FT_ = double>
+class Geodesic_source_set
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the number type of barycentric coordinates
+  typedef FT_ FT;
+  /// a vertex of the mesh
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  /// an edge of the mesh
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  /// a face of the mesh
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  /// a point of the surface, the same type as `Polygon_mesh_processing::Face_location`: a face, and the barycentric
+  /// coordinates of the point with respect to the source of the face's halfedge, its target, and the third vertex
+  typedef std::pair<face_descriptor, std::array<FT, 3>> Face_location;
+
+  /// the kinds of sources
+  enum class Kind : unsigned char
+  {
+    VERTEX,          ///< a vertex
+    LOCATION,        ///< a point anywhere on the surface
+    OPEN_POLYLINE,   ///< a polyline from its first point to its last one
+    CLOSED_POLYLINE, ///< a polyline whose last point is joined to the first one
+    EDGES            ///< a set of edges
+  };
+
+  /// a source
+  struct Source
+  {
+    Kind kind;                            ///< the kind, which says which of the other members has values
+    vertex_descriptor vertex;             ///< the vertex of `VERTEX`
+    std::vector<Face_location> locations; ///< the point of `LOCATION`, and the points of a polyline
+    std::vector<edge_descriptor> edges;   ///< the edges of `EDGES`
+  };
+  /// @}
+
+  /// \name Modification
+  /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. Constant or
+  /// linear time in the size of the source, and logarithmic time in the number of sources.
+  /// @{
+
+  /// adds a vertex.
+  std::size_t add_vertex(vertex_descriptor v) { return add({Kind::VERTEX, v, {}, {}}); }
+
+  /// adds a point of the surface.
+  std::size_t add_location(const Face_location& location)
+  {
+    return add({Kind::LOCATION, boost::graph_traits<TriangleMesh>::null_vertex(), {location}, {}});
+  }
+
+  /// adds a polyline. Each of its segments is straight within one closed face.
+  /// \tparam FaceLocationRange a model of `ConstRange` with values that are convertible to `Face_location`
+  /// \param locations the vertices of the polyline, at least one
+  /// \param closed whether the last point is joined to the first one
+  template <class FaceLocationRange>
+  std::size_t add_polyline(const FaceLocationRange& locations, bool closed = false)
+  {
+    return add({closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE, boost::graph_traits<TriangleMesh>::null_vertex(),
+                std::vector<Face_location>(std::begin(locations), std::end(locations)), {}});
+  }
+
+  /// adds a set of edges.
+  /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
+  /// \param edges the edges, at least one
+  template <class EdgeRange>
+  std::size_t add_edges(const EdgeRange& edges)
+  {
+    return add({Kind::EDGES, boost::graph_traits<TriangleMesh>::null_vertex(), {},
+                std::vector<edge_descriptor>(std::begin(edges), std::end(edges))});
+  }
+
+  /// adds a source.
+  std::size_t add(Source source)
+  {
+    m_sources.emplace(m_next, std::move(source));
+    return m_next++;
+  }
+
+  /// removes a source.
+  /// \throws std::invalid_argument if there is no source with this id.
+  void remove(std::size_t id)
+  {
+    if (m_sources.erase(id) == 0)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: there is no source " + std::to_string(id));
+  }
+
+  /// removes all sources.
+  void clear() { m_sources.clear(); }
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// the number of sources.
+  std::size_t size() const { return m_sources.size(); }
+
+  /// whether there is no source.
+  bool empty() const { return m_sources.empty(); }
+
+  /// the sources by their ids.
+  const std::map<std::size_t, Source>& sources() const { return m_sources; }
+  /// @}
+
+private:
+  std::map<std::size_t, Source> m_sources;
+  std::size_t m_next = 0;
+};
+
+} // namespace CGAL
+
+#endif

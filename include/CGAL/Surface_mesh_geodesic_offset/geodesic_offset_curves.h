@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_OFFSET_CURVES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_OFFSET_CURVES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <algorithm>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetFunctions
+
+\brief is the type of the curves that `geodesic_offset_curves()` writes.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam NamedParameters the type of the named parameters of the call
+*/
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+using Geodesic_offset_curve_type = unspecified_type;
+#else
+using Geodesic_offset_curve_type =
+  Geodesic_offset_curve<Geodesic_offset::internal::Surface_of<Geodesic_mesh_type<TriangleMesh, NamedParameters>>>;
+#endif
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetFunctions
+
+\brief computes the exact offset curves of sources at one or several distances.
+
+Curves come by increasing distance. Nothing is computed beyond the largest level, or beyond a distance limit that is less.
+The time is that of setting up the mesh, linear in its size, and of
+`Surface_mesh_geodesic_offset::build_with_offset_curves()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Sources the type of the sources, see `sources`
+\tparam Levels a number type, a model of `ConstRange` with numbers as values, or an instance of `Offset_levels`
+\tparam OutputIterator an output iterator for `Geodesic_offset_curve_type<TriangleMesh, NamedParameters>`
+\tparam NamedParameters a sequence of named parameters
+\param tm the mesh, which must outlive the curves
+\param sources the sources:
+       a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
+       space, the vertices of one polyline, which is closed if its last point is the first one; a range of edges, which are one
+       source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its own.
+       Locations may have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order.
+\param levels a distance, a range of distances, or an `Offset_levels` object
+\param out the output iterator
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D point as value}
+    \cgalParamDefault{`get(boost::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{the traits}
+    \cgalParamType{a model of `SurfaceMeshGeodesicOffsetTraits`}
+    \cgalParamDefault{`Surface_mesh_geodesic_offset_traits` with the kernel of the points, or with
+                       `Exact_predicates_inexact_constructions_kernel` if the number type of this kernel has no square roots}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_length_map, vertex_index_map, face_index_map}
+    \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{distance_limit, visitor, concurrency_tag, verbose}
+    \cgalParamDescription{as in `Surface_mesh_geodesic_offset::build()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{offset_side, end_style}
+    \cgalParamDescription{as in `Surface_mesh_geodesic_offset::build_with_offset_curves()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre All faces of `tm` are triangles with three different vertices.
+\throws std::invalid_argument and other exceptions as `geodesic_distances()` and
+        `Surface_mesh_geodesic_offset::build_with_offset_curves()`
+*/
+template <class TriangleMesh, class Sources, class Levels, class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator geodesic_offset_curves(const TriangleMesh& tm, const Sources& sources, const Levels& levels, OutputIterator out,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Geodesic_offset::internal;
+  typedef internal::One_call<TriangleMesh, NamedParameters> Call;
+  internal::check_named_parameters<internal::Offset_call_parameters, NamedParameters>();
+  const auto wanted = internal::offset_levels<typename Call::Surface>(levels);
+  const Call call(tm, sources, np);
+  auto request = call.request();
+  if (!wanted.is_unlimited() && wanted.size() > 0)
+    request.maximum = (std::min)(request.maximum, wanted[wanted.size() - 1]);
+  auto build = call.build(request);
+  const auto write = internal::curve_writer<Geodesic_offset_curve_type<TriangleMesh, NamedParameters>>(out);
+  internal::propagate_and_cut<typename Call::Concurrency_tag>(call.data(), build, wanted, internal::Offset_selection(np), write);
+  internal::report(build.statistics, np);
+  return out;
+}
+
+} // namespace CGAL
+
+#endif

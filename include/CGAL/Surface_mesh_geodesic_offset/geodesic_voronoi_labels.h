@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_VORONOI_LABELS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_VORONOI_LABELS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetFunctions
+
+\brief computes the nearest source of each vertex: the geodesic Voronoi diagram of the sources.
+
+The label of a vertex is the id of its nearest source. Vertices that no path reaches have the label
+`Geodesic_distance_field::no_source()`. The time is that of `geodesic_distances()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Sources the type of the sources, see `sources`
+\tparam VertexLabelMap a model of `WritablePropertyMap` with the vertex descriptor as key and `std::size_t` as value
+\tparam NamedParameters a sequence of named parameters
+\param tm the mesh
+\param sources the sources:
+       a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
+       space, the vertices of one polyline, which is closed if its last point is the first one; a range of edges, which are one
+       source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its own.
+       Locations may have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order.
+\param labels the map that receives the labels
+\param np an optional sequence of named parameters, those of `geodesic_distances()`
+\pre All faces of `tm` are triangles with three different vertices.
+\throws std::invalid_argument and other exceptions as `geodesic_distances()`
+*/
+template <class TriangleMesh, class Sources, class VertexLabelMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void geodesic_voronoi_labels(const TriangleMesh& tm, const Sources& sources, VertexLabelMap labels,
+                             const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Geodesic_offset::internal;
+  internal::check_named_parameters<internal::Distance_call_parameters, NamedParameters>();
+  const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
+  auto build = call.build(call.request());
+  call.propagate(build);
+  internal::write_source_labels(call.data(), build, labels);
+}
+
+} // namespace CGAL
+
+#endif

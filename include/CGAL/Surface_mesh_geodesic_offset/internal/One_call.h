@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The free functions: the mesh, the sources and the build of one call.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_ONE_CALL_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_ONE_CALL_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A vertex, a location or a point in space, classified on the mesh.
+template <class Mesh, class From>
+auto classified_start(const Mesh& mesh, const From& from)
+{
+  if constexpr (is_point_in_space<From>)
+    return Mesh_access::data(mesh).classified(mesh.locate(converted_point<typename Mesh::Point_3, typename Mesh::FT>(from)));
+  else return Mesh_access::data(mesh).classified(from);
+}
+
+template <class TriangleMesh, class NamedParameters>
+class One_call
+{
+public:
+  typedef Geodesic_mesh_type<TriangleMesh, NamedParameters> Mesh;
+  typedef Surface_of<Mesh> Surface;
+  typedef typename Surface::Number Number;
+  typedef typename Surface::vertex_descriptor vertex_descriptor;
+  typedef Geodesic_build<typename Surface::Computing_traits> Build;
+  typedef Build_request<Number> Request;
+  typedef Concurrency_tag_of<NamedParameters> Concurrency_tag;
+
+  template <class Sources>
+  One_call(const TriangleMesh& tm, const Sources& sources, const NamedParameters& np)
+    : m_mesh(Mesh_access::make<Mesh>(tm, np)), m_np(np)
+  {
+    Source_argument<Mesh>(m_mesh, m_sources).add(sources);
+  }
+
+  const Mesh& mesh() const { return m_mesh; }
+  const auto& data() const { return Mesh_access::data(m_mesh); }
+
+  Request request() const
+  {
+    return Request::read(m_np, [this](const auto& t) { return data().classified(t); });
+  }
+
+  // The build before its propagation.
+  Build build(const Request& request) const
+  {
+    return Build(data().unfolded(), classified_sources(data(), m_sources), request);
+  }
+
+  void propagate(Build& build) const
+  {
+    build.template propagate<Concurrency_tag>(data().traits);
+    report(build.statistics, m_np);
+  }
+
+private:
+  Mesh m_mesh;
+  typename Mesh::Source_set m_sources;
+  const NamedParameters& m_np;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The data that copies of a Geodesic_mesh share: surface, locator and traits; classification of locations.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_MESH_DATA_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_GEODESIC_MESH_DATA_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_surface.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_locator.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <CGAL/NT_converter.h>
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The location with coordinates of type FT; the given object if it has these already.
+template <class FT, class Face, class Coordinate>
+decltype(auto) converted_location(const std::pair<Face, std::array<Coordinate, 3>>& l)
+{
+  if constexpr (std::is_same<FT, Coordinate>::value) return (l);
+  else
+  {
+    const CGAL::NT_converter<Coordinate, FT> convert{};
+    return std::pair<Face, std::array<FT, 3>>(l.first, {convert(l.second[0]), convert(l.second[1]), convert(l.second[2])});
+  }
+}
+
+// The map as the type that the class has for it.
+template <class Map, class Given>
+Map converted_map(const Given& map)
+{
+  static_assert(std::is_convertible<const Given&, Map>::value,
+                "Surface_mesh_geodesic_offset: the type of a map must be given as a template parameter of the class");
+  return map;
+}
+
+template <class Surface_>
+struct Geodesic_mesh_data
+{
+  typedef Surface_ Surface;
+  typedef typename Surface::Traits Traits;
+  typedef typename Surface::Computing_traits Computing_traits;
+  typedef typename Surface::Number Number;
+  typedef internal::Surface_point<Number> Surface_point;
+  typedef internal::Located_point<Number> Located_point;
+  typedef internal::Surface_locator<Surface> Locator;
+  typedef typename Surface::Graph_traits Graph_traits;
+  typedef typename Surface::vertex_descriptor vertex_descriptor;
+  typedef typename Surface::face_descriptor face_descriptor;
+
+  template <class VertexIndexMap, class FaceIndexMap, class VertexPointMap, class NamedParameters>
+  Geodesic_mesh_data(const typename Surface::Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                     const VertexPointMap& vpm, const NamedParameters& np)
+    : Geodesic_mesh_data(tm, vim, fim, vpm, traits_of(np), np)
+  {
+  }
+
+  Geodesic_mesh_data(const Geodesic_mesh_data&) = delete;
+  Geodesic_mesh_data& operator=(const Geodesic_mesh_data&) = delete;
+
+  const Surface& surface() const { return *shared_surface; }
+
+  // \throws std::logic_error if the mesh has lengths instead of points
+  const Surface& surface_with_points() const
+  {
+    surface().check_points();
+    return *shared_surface;
+  }
+
+  const Locator& locator() const
+  {
+    surface_with_points();
+    std::call_once(m_locator_once, [this] { m_locator = std::make_shared<Locator>(shared_surface); });
+    return *static_cast<const Locator*>(m_locator.get());
+  }
+
+  const Unfolded_mesh<Number>& unfolded() const { return surface().unfolded; }
+
+  Located_point classified(vertex_descriptor v) const
+  {
+    const bool is_null = v == Graph_traits::null_vertex();
+    const Index i = is_null ? no_index : surface().index_of(v);
+    if (!(i < unfolded().number_of_vertices()))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a vertex that is not of this mesh");
+    return Surface_point::at_vertex(i);
+  }
+
+  // Coordinates of another number type are converted.
+  template <class Coordinate>
+  Located_point classified(const std::pair<face_descriptor, std::array<Coordinate, 3>>& l) const
+  {
+    const auto name = [&] { return surface().numbers.index_in_mesh(l.first); };
+    return classify<Number>(unfolded(), surface().index_of(l.first), name,
+                            Surface::imported(converted_location<typename Surface::FT>(l).second));
+  }
+
+  Computing_traits traits;
+  std::shared_ptr<const Surface> shared_surface;
+
+private:
+  template <class NamedParameters>
+  static Traits traits_of(const NamedParameters& np)
+  {
+    if constexpr (has_parameter<internal_np::geom_traits_t, NamedParameters>)
+      return parameters::get_parameter(np, internal_np::geom_traits);
+    else return (void)np, Traits();
+  }
+
+  template <class VertexIndexMap, class FaceIndexMap, class VertexPointMap, class NamedParameters>
+  Geodesic_mesh_data(const typename Surface::Triangle_mesh& tm, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                     const VertexPointMap& vpm, const Traits& user_traits, const NamedParameters& np)
+    : traits(Computation<Traits>::computing_traits(user_traits))
+  {
+    typedef Concurrency_tag_of<NamedParameters> Tag;
+    static_assert(std::is_convertible<Tag, Sequential_tag>::value,
+                  "Surface_mesh_geodesic_offset: concurrency_tag() needs a concurrency tag");
+    {
+      auto&& team = Concurrency<Tag, Number>::Team::make();
+      shared_surface = std::make_shared<Surface>(
+        tm, vim, fim, vpm,
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_edge_length_map), No_lengths()),
+        user_traits, team);
+    }
+  }
+
+  // Made by the first location, so that the locator is compiled only where it is used.
+  mutable std::once_flag m_locator_once;
+  mutable std::shared_ptr<const void> m_locator; // a Locator
+};
+
+// Tag: the named parameters may be more than those of a mesh.
+struct More_parameters
+{
+};
+
+// Access of the other classes of the package to the data of a mesh.
+struct Mesh_access
+{
+  template <class Mesh, class NamedParameters>
+  static Mesh make(const typename Mesh::Triangle_mesh& tm, const NamedParameters& np)
+  {
+    return Mesh(tm, np, More_parameters());
+  }
+
+  template <class Mesh>
+  static const typename Mesh::Data& data(const Mesh& mesh)
+  {
+    return mesh.data();
+  }
+
+  template <class Mesh>
+  static typename Mesh::Surface surface_type(const Mesh*);
+};
+
+template <class Mesh>
+using Surface_of = decltype(Mesh_access::surface_type(static_cast<const Mesh*>(nullptr)));
+
+// Access of the other classes of the package to the build of a field.
+struct Field_access
+{
+  template <class Field, class Mesh, class Build>
+  static Field make(const Mesh& mesh, Build&& build)
+  {
+    return Field(mesh, std::forward<Build>(build));
+  }
+
+  template <class Field>
+  static const auto& shared_build(const Field& field)
+  {
+    return field.m_build;
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

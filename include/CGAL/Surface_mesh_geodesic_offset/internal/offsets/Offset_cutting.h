@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Offset curves of a build, as the public classes pass them on: during the propagation, or afterwards.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_CUTTING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_CUTTING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_selection.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Levels from a distance, a range of distances, or an Offset_levels object.
+template <class Surface, class Levels>
+Offset_levels<typename Surface::Number> offset_levels(const Levels& levels)
+{
+  typedef typename Surface::Number Number;
+  if constexpr (std::is_convertible<Levels, typename Surface::FT>::value)
+    return Offset_levels<Number>(std::array<Number, 1>{Surface::imported(typename Surface::FT(levels))});
+  else return Offset_levels<Number>(levels);
+}
+
+template <class Surface, class T>
+Offset_levels<typename Surface::Number> offset_levels(const Offset_levels<T>& levels)
+{
+  return levels.template converted<typename Surface::Number>(
+    [](const T& d) { return Surface::imported(typename Surface::FT(d)); });
+}
+
+// Callback that writes the curves of all levels to an output iterator, which must outlive the callback.
+template <class Curve, class OutputIterator>
+auto curve_writer(OutputIterator& out)
+{
+  return [&out](const auto&, std::vector<Curve>&& curves) { out = std::move(curves.begin(), curves.end(), out); };
+}
+
+template <class Surface, class Build, class Function>
+auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& build,
+                       const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
+{
+  typedef Number_policy<typename Surface::Number> Policy;
+  // levels nearer to each other than rounding would never end
+  if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * mesh.unfolded().longest_edge())
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
+                                "distances");
+  std::map<Index, Source_side> inside;
+  if (selection.needs_inner_sides()) inside = inner_sides(mesh.unfolded(), mesh.traits, build.sources);
+  return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, levels, selection, std::move(inside), f);
+}
+
+// Consumer of finished faces that cuts the levels in them. Calls out(level index, Level_curves) for each level that has curves,
+// as soon as it is finished.
+template <class FT, class Function>
+class Level_cutter
+{
+public:
+  static constexpr bool reads_lists = true;
+
+  template <class Build>
+  Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
+    : m_extraction(mesh, build.initial, build.field, levels, build.maximum), m_out(out)
+  {
+  }
+
+  template <class Team>
+  void take(const std::vector<Index>& faces, Team& team)
+  {
+    const Clock::time_point start = Clock::now();
+    m_extraction.cut(faces, team);
+    const double time = seconds_since(start);
+    m_seconds += time;
+    m_seconds_within_propagation += time;
+  }
+
+  void settle(const FT& distance)
+  {
+    const Clock::time_point start = Clock::now();
+    m_extraction.release(distance, m_out);
+    m_seconds_within_propagation += seconds_since(start);
+  }
+
+  // Releases the curves up to the distance that the propagation has reached.
+  void finish(const FT& distance, Geodesic_offset_statistics& statistics)
+  {
+    m_extraction.release_all(distance, m_out);
+    statistics.propagation_seconds -= m_seconds_within_propagation;
+    statistics.offset_seconds = m_seconds;
+    statistics.pieces = m_extraction.number_of_pieces();
+    statistics.forced_joints = m_extraction.number_of_forced_joints();
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  Offset_extraction<FT> m_extraction;
+  const Function& m_out;
+  double m_seconds = 0, m_seconds_within_propagation = 0;
+};
+
+// Cuts the levels in all faces, from kept windows.
+template <class Concurrency_tag, class FT, class Build, class Function>
+void cut_all_faces(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
+{
+  constexpr std::size_t at_once = 1 << 12;
+  Offset_extraction<FT> extraction(mesh, build.initial, build.field, levels, build.maximum);
+  {
+    auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
+    std::vector<Index> faces;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      if (mesh.source(3 * f) != no_index) faces.push_back(f);
+      if (faces.size() < at_once && f + 1 < mesh.number_of_faces()) continue;
+      extraction.cut(faces, team);
+      faces.clear();
+    }
+  }
+  extraction.release_all(build.maximum, out);
+}
+
+// Propagates, and calls f(distance, curves) for each level.
+template <class Concurrency_tag, class Surface, class Build, class Function>
+void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
+                       const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
+{
+  const auto output = make_curve_output(mesh, build, levels, selection, f);
+  Level_cutter<typename Surface::Number, std::decay_t<decltype(output)>> cutter(mesh.unfolded(), build, levels, output);
+  build.template run<Concurrency_tag>(mesh.traits, cutter);
+  cutter.finish(build.maximum, build.statistics);
+  output.finish();
+}
+
+// Calls f(distance, curves) for each level of a finished build.
+template <class Concurrency_tag, class Surface, class Build, class Function>
+void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& build,
+                       const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
+{
+  if (build.kept)
+  {
+    const auto output = make_curve_output(mesh, build, levels, selection, f);
+    cut_all_faces<Concurrency_tag>(mesh.unfolded(), build, levels, output);
+    output.finish();
+    return;
+  }
+  typename Surface::Number maximum = build.maximum;
+  if (!levels.is_unlimited() && levels.size() > 0) maximum = (std::min)(maximum, levels[levels.size() - 1]);
+  Build again(mesh.unfolded(), build.sources, {maximum, false, {}, {}, {}});
+  propagate_and_cut<Concurrency_tag>(mesh, again, levels, selection, f);
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

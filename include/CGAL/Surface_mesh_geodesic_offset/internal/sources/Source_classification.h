@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Classification of the user's sources on a mesh.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_CLASSIFICATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_CLASSIFICATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// \throws std::invalid_argument if the source is empty, or a location or an edge is not one of the mesh
+template <class Surface, class Source>
+auto classified_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
+{
+  typedef Source_set<typename Surface::Number> Sources;
+  typedef decltype(source.kind) Kind;
+  typename Sources::Source result{Sources::POINT, {}, {}};
+  switch (source.kind)
+  {
+  case Kind::VERTEX: result.points.push_back(mesh.classified(source.vertex)); break;
+  case Kind::LOCATION: break;
+  case Kind::OPEN_POLYLINE: result.kind = Sources::OPEN_POLYLINE; break;
+  case Kind::CLOSED_POLYLINE: result.kind = Sources::CLOSED_POLYLINE; break;
+  case Kind::EDGES: result.kind = Sources::EDGES; break;
+  }
+  for (const auto& l : source.locations) result.points.push_back(mesh.classified(l));
+  for (const auto e : source.edges)
+    result.halfedges.push_back(mesh.surface().index_beside_edge(halfedge(e, mesh.surface().tm)));
+  if (result.kind == Sources::EDGES ? result.halfedges.empty() : result.points.empty())
+    throw std::invalid_argument(result.kind == Sources::EDGES ? "Surface_mesh_geodesic_offset: an empty set of edges"
+                                                              : "Surface_mesh_geodesic_offset: a polyline without points");
+  return result;
+}
+
+// \throws std::invalid_argument if a source does not fit the mesh
+template <class Surface, class User_set>
+auto classified_sources(const Geodesic_mesh_data<Surface>& mesh, const User_set& set)
+{
+  Source_set<typename Surface::Number> result;
+  for (const auto& [id, source] : set.sources()) result.insert(id, classified_source(mesh, source));
+  return result;
+}
+
+// \throws std::invalid_argument if the source does not fit the mesh, or rays cannot start from it
+template <class Surface, class Source>
+void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
+{
+  Source_set<typename Surface::Number>::check(mesh.unfolded(), classified_source(mesh, source));
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_SHORTEST_PATH_TO_SOURCES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_SHORTEST_PATH_TO_SOURCES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetFunctions
+
+\brief computes a shortest path on the surface from a point to the nearest source.
+
+The path consists of the point itself, a point on each edge that the path crosses, the vertices through which it passes, and
+the source point. It is empty if no path reaches the point, and only the point if the point lies on a source. The propagation
+stops once the distance of the point is final; otherwise the time is that of `geodesic_distances()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Sources the type of the sources, see `sources`
+\tparam From a vertex descriptor, a location in a face, or a point in space
+\tparam OutputIterator an output iterator for locations (`Geodesic_mesh::Face_location`), or for points in space
+        (`Geodesic_mesh::Point_3`)
+\tparam NamedParameters a sequence of named parameters
+\param tm the mesh
+\param from the start of the path; a point in space is located on the mesh
+\param sources the sources:
+       a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
+       space, the vertices of one polyline, which is closed if its last point is the first one; a range of edges, which are one
+       source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its own.
+       Locations may have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order.
+\param out the output iterator
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D point as value}
+    \cgalParamDefault{`get(boost::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{the traits}
+    \cgalParamType{a model of `SurfaceMeshGeodesicOffsetTraits`}
+    \cgalParamDefault{`Surface_mesh_geodesic_offset_traits` with the kernel of the points, or with
+                       `Exact_predicates_inexact_constructions_kernel` if the number type of this kernel has no square roots}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_length_map, vertex_index_map, face_index_map}
+    \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{distance_limit, visitor, concurrency_tag, verbose}
+    \cgalParamDescription{as in `Surface_mesh_geodesic_offset::build()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre All faces of `tm` are triangles with three different vertices.
+\throws std::invalid_argument and other exceptions as `geodesic_distances()`; std::invalid_argument also if `from` is not valid
+*/
+template <class TriangleMesh, class From, class Sources, class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from, const Sources& sources, OutputIterator out,
+                                        const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Geodesic_offset::internal;
+  typedef internal::One_call<TriangleMesh, NamedParameters> Call;
+  typedef typename Call::Number Number;
+  internal::check_named_parameters<internal::Path_call_parameters, NamedParameters>();
+  const Call call(tm, sources, np);
+  const auto start = internal::classified_start(call.mesh(), from);
+  auto request = call.request();
+  request.keeps_windows = start.kind != internal::Surface_point<Number>::VERTEX;
+  request.targets.push_back(start);
+  auto build = call.build(request);
+  call.propagate(build);
+  const auto& surface = call.data().surface();
+  const auto write = [&](const auto& p) {
+    if constexpr (std::is_assignable<decltype(*out++), typename Call::Mesh::Face_location>::value)
+      *out++ = surface.location(p);
+    else *out++ = surface.point(p);
+  };
+  auto way = internal::Path_starts<Number>(surface.unfolded, build.initial, build.field)(start);
+  if (way.distance > build.maximum) way = internal::Path_start<Number>();
+  internal::Path_elements<Number, decltype(write)> elements(write);
+  internal::Path_tracing<Number>(surface.unfolded, build.initial, build.field)(start, way, build.legs, elements);
+  return out;
+}
+
+} // namespace CGAL
+
+#endif

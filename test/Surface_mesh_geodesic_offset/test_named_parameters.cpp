@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Named parameters in every order: those of CGAL and those of the package. refused.cpp has parameters that a function does not
+// read, which must not compile.
+
+#include "generated_meshes.h"
+#include "geodesic_types.h"
+#include "offset_tools.h"
+#include "test_check.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace test_named_parameters {
+
+using namespace test;
+
+typedef test::Surface_mesh Mesh;
+typedef Mesh::Vertex_index Vertex_index;
+
+struct Visitor
+{
+  int calls = 0;
+  double last = 0;
+
+  bool operator()(double fraction)
+  {
+    ++calls;
+    last = fraction;
+    return true;
+  }
+};
+
+// One parameter each: alone, and behind others.
+struct Keep
+{
+  auto first() const { return CGAL::parameters::keep_windows(true); }
+  template <class NP>
+  auto behind(const NP& np) const
+  {
+    return np.keep_windows(true);
+  }
+};
+struct Verbose
+{
+  auto first() const { return CGAL::parameters::verbose(true); }
+  template <class NP>
+  auto behind(const NP& np) const
+  {
+    return np.verbose(true);
+  }
+};
+struct Limit
+{
+  auto first() const { return CGAL::parameters::distance_limit(0.9); }
+  template <class NP>
+  auto behind(const NP& np) const
+  {
+    return np.distance_limit(0.9);
+  }
+};
+struct Visit
+{
+  Visitor* visitor;
+
+  auto first() const { return CGAL::parameters::visitor(std::ref(*visitor)); }
+  template <class NP>
+  auto behind(const NP& np) const
+  {
+    return np.visitor(std::ref(*visitor));
+  }
+};
+struct Concurrency
+{
+  auto first() const { return CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()); }
+  template <class NP>
+  auto behind(const NP& np) const
+  {
+    return np.concurrency_tag(CGAL::Parallel_if_available_tag());
+  }
+};
+
+template <class NP>
+auto chain(const NP& np)
+{
+  return np;
+}
+template <class NP, class P, class... Ps>
+auto chain(const NP& np, const P& p, const Ps&... ps)
+{
+  return chain(p.behind(np), ps...);
+}
+template <class P, class... Ps>
+auto joined(const P& p, const Ps&... ps)
+{
+  return chain(p.first(), ps...);
+}
+
+/// The text that a function writes to std::clog.
+template <class Function>
+std::string logged(const Function& f)
+{
+  std::ostringstream text;
+  std::streambuf* const before = std::clog.rdbuf(text.rdbuf());
+  f();
+  std::clog.rdbuf(before);
+  return text.str();
+}
+
+class Orders
+{
+public:
+  Orders() : data_(rotated(torus(16, 10), 1)), geodesic_(data_.mesh)
+  {
+    geodesic_.add_source_point(Vertex_index(3));
+    geodesic_.build(CGAL::parameters::keep_windows(true).distance_limit(0.9).concurrency_tag(CGAL::Parallel_if_available_tag()));
+    expected_ = distances();
+    CHECK(std::count(expected_.begin(), expected_.end(), infinity) > 0);
+  }
+
+  void run()
+  {
+    all_of(Keep(), Verbose(), Limit(), Visit{&visitor_});
+    for_order(Concurrency(), Visit{&visitor_}, Keep(), Limit(), Verbose());
+    for_order(Visit{&visitor_}, Concurrency(), Verbose(), Limit(), Keep());
+    for_order(Limit(), Verbose(), Visit{&visitor_}, Keep(), Concurrency());
+    CHECK(number_ == 4 * 3 * 2 + 3);
+  }
+
+private:
+  template <class A, class B, class C, class D>
+  void all_of(const A& a, const B& b, const C& c, const D& d)
+  {
+    three(a, b, c, d);
+    three(b, a, c, d);
+    three(c, a, b, d);
+    three(d, a, b, c);
+  }
+  template <class First, class A, class B, class C>
+  void three(const First& first, const A& a, const B& b, const C& c)
+  {
+    for_order(first, a, b, c);
+    for_order(first, a, c, b);
+    for_order(first, b, a, c);
+    for_order(first, b, c, a);
+    for_order(first, c, a, b);
+    for_order(first, c, b, a);
+  }
+
+  template <class... Ps>
+  void for_order(const Ps&... ps)
+  {
+    Report::instance().set_context("order " + std::to_string(++number_));
+    visitor_ = Visitor();
+    geodesic_.build();
+    const std::string text = logged([&] { geodesic_.build(joined(ps...)); });
+    CHECK_DETAIL(text.find("windows propagated") != std::string::npos, text);
+    CHECK(visitor_.calls > 1 && visitor_.last == 1);
+    const std::vector<double> found = distances(); // needs kept windows
+    for (std::size_t i = 0; i < found.size(); ++i)
+      CHECK(found[i] == expected_[i] || std::abs(found[i] - expected_[i]) < 1e-14);
+  }
+
+  std::vector<double> distances() const
+  {
+    std::vector<double> result;
+    for (auto v : data_.mesh.vertices()) result.push_back(geodesic_.distance_to_sources(v));
+    for (auto f : data_.mesh.faces())
+      result.push_back(geodesic_.distance_to_sources(Geodesic::Face_location(f, {{0.2, 0.3, 0.5}})));
+    return result;
+  }
+
+  const Generated_mesh<Mesh> data_;
+  Geodesic geodesic_;
+  Visitor visitor_;
+  std::vector<double> expected_;
+  int number_ = 0;
+};
+
+// Parameters of a mesh, of a build and of a selection together, in the free functions.
+void of_several_kinds()
+{
+  Report::instance().set_context("of several kinds");
+  Mesh mesh = Generated_mesh<Mesh>(rotated(torus(16, 10), 1)).mesh;
+  const auto moved = mesh.add_property_map<Vertex_index, Point_3>("v:moved").first;
+  for (Vertex_index v : mesh.vertices()) moved[v] = Point_3(2 * mesh.point(v).x(), 2 * mesh.point(v).y(), 2 * mesh.point(v).z());
+  const auto distance = mesh.add_property_map<Vertex_index, double>("v:distance").first;
+  const auto twice = mesh.add_property_map<Vertex_index, double>("v:twice").first;
+  Visitor visitor;
+  CGAL::geodesic_distances(mesh, Vertex_index(3), distance, CGAL::parameters::distance_limit(1));
+  CGAL::geodesic_distances(mesh, Vertex_index(3), twice,
+                           CGAL::parameters::visitor(std::ref(visitor)).distance_limit(2).vertex_point_map(moved));
+  CHECK(visitor.calls > 1);
+  for (Vertex_index v : mesh.vertices()) CHECK(twice[v] == 2 * distance[v] || std::abs(twice[v] - 2 * distance[v]) < 1e-14);
+
+  // targets: copied, by reference, an array; an empty range has no effect
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(Vertex_index(3));
+  geodesic.build();
+  const double all = geodesic.covered_distance();
+  const std::vector<Vertex_index> near{Vertex_index(4), Vertex_index(5)};
+  const Vertex_index array[] = {Vertex_index(4), Vertex_index(5)};
+  const double covered = geodesic.build(CGAL::parameters::targets(near)).covered_distance();
+  CHECK(all == infinity && covered < 3);
+  CHECK(geodesic.build(CGAL::parameters::verbose(false).targets(std::cref(near))).covered_distance() == covered);
+  CHECK(geodesic.build(CGAL::parameters::targets(array)).covered_distance() == covered);
+  CHECK(geodesic.build(CGAL::parameters::targets(std::vector<Vertex_index>())).covered_distance() == infinity);
+  CHECK(logged([&] { geodesic.build(CGAL::parameters::verbose(false)); }).empty());
+}
+
+} // namespace test_named_parameters
+
+GEODESIC_OFFSET_TEST(test_named_parameters)
+{
+  Orders().run();
+  of_several_kinds();
+  return Report::instance().finish("test_named_parameters");
+}
