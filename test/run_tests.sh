@@ -10,6 +10,7 @@
 # meshes of the Debian package libcgal-demo to build/data/meshes. The tests find those through the
 # CMake variable GEODESIC_OFFSET_DATA_DIR; set the environment variable of the same name to a folder of
 # meshes of your own (or of another CGAL release) to use that instead.
+# Some tests run few of their cases; with the environment variable GEODESIC_OFFSET_ALL_CASES they run all.
 # The last lines are ctest's summary, and the exit code is ctest's.
 set -euo pipefail
 

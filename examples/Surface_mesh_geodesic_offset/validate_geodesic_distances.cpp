@@ -8,6 +8,7 @@
 #include "geodesic_offset/common.h"
 #include "geodesic_offset/file_bytes.h"
 #include "geodesic_offset/mesh_input.h"
+#include "geodesic_offset/mesh_repair.h"
 #include "geodesic_offset/output_file.h"
 #include "geodesic_offset/program_main.h"
 #include "geodesic_offset/sources.h"

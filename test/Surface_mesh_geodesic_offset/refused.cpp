@@ -16,22 +16,24 @@ typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh> Package_traits;
 
-#if REFUSED_TRAITS == 1 // derived, with another functor
-struct Traits : Package_traits
+struct Derived_traits : Package_traits // with another functor
 {
   struct Compare_distance_2 : Package_traits::Compare_distance_2
   {};
   Compare_distance_2 compare_distance_2_object() const { return Compare_distance_2(); }
 };
-#else // not derived
-struct Traits
+
+struct Own_traits // not derived
 {
   typedef Package_traits::Kernel Kernel;
   typedef Package_traits::FT FT;
 };
-#endif
 
-typedef CGAL::Geodesic_offset::internal::Computation<Traits>::Computing_traits Computing_traits;
+template <class Traits>
+using Computing_traits_of = typename CGAL::Geodesic_offset::internal::Computation<Traits>::Computing_traits;
+
+typedef Computing_traits_of<Derived_traits> Computing_traits_1;
+typedef Computing_traits_of<Own_traits> Computing_traits_2;
 
 #elif defined REFUSED_PARAMETER
 

@@ -186,7 +186,7 @@ void generated_mesh(const std::string& name, const Soup& soup)
 
 GEODESIC_OFFSET_TEST(test_against_shortest_path)
 {
-  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 20000;
+  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : number_of_cases(3000ul, 20000ul);
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
 

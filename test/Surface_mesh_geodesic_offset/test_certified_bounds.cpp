@@ -154,7 +154,7 @@ void random_meshes()
   CGAL::Gmpfr::set_default_precision(200);
   Widths at_vertices, elsewhere;
   std::size_t windows = 0, certified_windows = 0;
-  for (unsigned seed = 0; seed < 150; ++seed)
+  for (unsigned seed = 0; seed < number_of_cases(42u, 150u); ++seed)
   {
     Report::instance().set_context("random mesh " + std::to_string(seed));
     Query_case c("random", random_mesh(seed));
@@ -174,7 +174,7 @@ void past_flat_vertex()
 {
   Random random(1);
   for (const double before : {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})
-    for (int i = 0; i < 600; ++i)
+    for (int i = 0; i < number_of_cases(100, 600); ++i)
     {
       // around vertex 0: two vertices above, three below
       Soup soup;
@@ -265,7 +265,7 @@ void sweeps()
   using namespace CGAL::Geodesic_offset::internal;
   Random random(3);
   Certified_envelope sweep;
-  for (int list = 0; list < 20000; ++list)
+  for (int list = 0; list < number_of_cases(4000, 20000); ++list)
   {
     std::vector<Certified_window> all, swept;
     for (int round = 0; round < 3; ++round)

@@ -304,7 +304,8 @@ GEODESIC_OFFSET_TEST(test_exact_random)
                   << std::endl;
     }
   };
-  for (unsigned seed = 1; seed <= 8; ++seed)
+  const unsigned step = number_of_cases(2u, 1u); // of the seeds, since meshes grow with them
+  for (unsigned seed = 1; seed <= 8; seed += step)
   {
     compare("rectangle", random_rectangle(2, 1, 10 + 5 * seed, 3, seed), seed);
     compare("needles", random_rectangle(1, 1e-4, 12 + 2 * seed, 2, seed), seed);
@@ -333,7 +334,7 @@ GEODESIC_OFFSET_TEST(test_exact_random)
     compare("icosphere", icosphere(1), seed);
     compare("marching sphere", marching_sphere(4), seed);
   }
-  CHECK(totals.meshes >= 300);
+  CHECK(totals.meshes >= 300 / step);
   CHECK(2 * totals.unique_paths > totals.paths);
   const auto& counts = Radical_number::counts();
   std::cout << totals.meshes << " meshes, " << totals.distances << " distances, worst relative difference " << totals.worst

@@ -356,7 +356,7 @@ void nearly_along_an_edge()
 
 GEODESIC_OFFSET_TEST(test_offset_curves)
 {
-  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : 6000;
+  const std::size_t maximum_faces = argc > 1 ? std::stoul(argv[1]) : number_of_cases(3000ul, 6000ul);
   const std::string name_part = argc > 2 ? argv[2] : "";
   std::cout.precision(3);
   if (mesh_kinds().generated && name_part.empty())

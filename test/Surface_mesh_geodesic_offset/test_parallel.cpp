@@ -480,10 +480,10 @@ GEODESIC_OFFSET_TEST(test_parallel)
   const bool is_small = argc > 1 && std::string(argv[1]) == "--small";
   std::vector<std::pair<std::string, std::function<void()>>> tests;
   const Query_cases cases = generated_query_cases();
-  const unsigned seeds = is_small ? 1 : 6;
+  const unsigned seeds = is_small ? 1 : number_of_cases(2u, 6u);
   for (const auto& c : cases)
     for (unsigned seed = 1; seed <= seeds; ++seed) tests.emplace_back(c->name, [&c, seed] { compare_tags(*c, seed, 30); });
-  Query_case large("large torus", rotated(torus(is_small ? 60 : 260, is_small ? 40 : 150), 4));
+  Query_case large("large torus", rotated(torus(is_small ? 60 : number_of_cases(160, 260), is_small ? 40 : number_of_cases(100, 150)), 4));
   tests.emplace_back("large torus", [&] { compare_tags(large, 1, 30); });
   tests.emplace_back("pieces", [&] { same_pieces(large); });
   tests.emplace_back("pieces", [&] { same_pieces(*cases.front()); });

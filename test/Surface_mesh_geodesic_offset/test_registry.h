@@ -21,6 +21,7 @@
 #ifndef GEODESIC_OFFSET_TEST_REGISTRY_H
 #define GEODESIC_OFFSET_TEST_REGISTRY_H
 
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -52,6 +53,14 @@ inline Mesh_kinds& mesh_kinds()
 {
   static Mesh_kinds kinds;
   return kinds;
+}
+
+/// The number of cases of a test: `few`, or `all` if the environment variable `GEODESIC_OFFSET_ALL_CASES` is set. The few
+/// cases are of every kind; only repetitions with other seeds and larger meshes are left out.
+template <class Number>
+Number number_of_cases(Number few, Number all)
+{
+  return std::getenv("GEODESIC_OFFSET_ALL_CASES") ? all : few;
 }
 
 /// The case of `run_tests()` with the meshes of the data directory.

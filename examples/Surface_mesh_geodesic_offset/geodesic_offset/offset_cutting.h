@@ -105,6 +105,28 @@ inline bool is_only_drawn(const Options& options)
   return std::all_of(files.begin(), files.end(), [](const std::string& file) { return has_extension(file, ".svg"); });
 }
 
+// Throws Input_error that names the first polyline without inside.
+inline void check_insides(const Sources& sources)
+{
+  const std::vector<Surface_polyline>& polylines = sources.surface_polylines();
+  for(std::size_t i = 0; i < polylines.size(); ++i)
+  {
+    if(!polylines[i].is_closed)
+      throw Input_error(sources.name_of_polyline(i) + ": an open polyline has no inside");
+    Geodesic alone(sources.mesh());
+    alone.add_source_polyline(polylines[i].locations, true);
+    try
+    {
+      alone.build_with_offset_curves_by_distance(std::vector<double>(), [](double, std::vector<Offset_curve>&&) {},
+                                                 CGAL::parameters::offset_side(CGAL::Offset_side::INSIDE).distance_limit(0.));
+    }
+    catch(const std::invalid_argument&)
+    {
+      throw Input_error(sources.name_of_polyline(i) + ": this curve does not divide the surface into an inside and an outside");
+    }
+  }
+}
+
 } // namespace internal
 
 // Limit of computed distances: without a field or a picture, the largest offset distance.
@@ -142,7 +164,7 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
   {
     // name polylines by their files instead of their numbers
     if(options.selection.side == CGAL::Offset_side::INSIDE || options.selection.side == CGAL::Offset_side::OUTSIDE)
-      sources.check_insides();
+      internal::check_insides(sources);
     throw;
   }
   return offsets;

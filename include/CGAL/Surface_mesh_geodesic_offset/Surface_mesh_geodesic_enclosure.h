@@ -6,9 +6,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
-#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
+// first, so that compilation with refused options ends before the other headers
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Arithmetic_check.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_certificate.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_query.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Offset_certification.h>

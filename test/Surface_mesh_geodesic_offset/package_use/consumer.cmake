@@ -1,12 +1,12 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The same program for each way of getting the package: by the time this file is included, the target
+# The program of each project, from the files CONSUMER_SOURCES: by the time this file is included, the target
 # Surface_mesh_geodesic_offset::Surface_mesh_geodesic_offset must exist.
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/bin/$<1:>")
-add_executable(package_use
-  "${CMAKE_CURRENT_LIST_DIR}/main.cpp" "${CMAKE_CURRENT_LIST_DIR}/second_unit.cpp")
+list(TRANSFORM CONSUMER_SOURCES PREPEND "${CMAKE_CURRENT_LIST_DIR}/")
+add_executable(package_use ${CONSUMER_SOURCES})
 target_link_libraries(package_use
   PRIVATE Surface_mesh_geodesic_offset::Surface_mesh_geodesic_offset)
 

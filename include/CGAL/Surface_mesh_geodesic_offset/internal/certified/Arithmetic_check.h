@@ -7,14 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_ARITHMETIC_CHECK_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_ARITHMETIC_CHECK_H
 
-#include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
-
-#include <cfenv>
 #include <cfloat>
-#include <limits>
-#include <stdexcept>
 
 // Excess precision: 0 is none; -1 is indeterminate, as with -mfpmath=both.
 #if FLT_EVAL_METHOD != 0
@@ -25,6 +18,14 @@
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "Surface_mesh_geodesic_enclosure: every operation must round as IEEE 754 says (no -ffast-math, nor parts of it)"
 #endif
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+
+#include <cfenv>
+#include <limits>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Geodesic_offset {

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sources.h"
+
+#include <CGAL/Polygon_mesh_processing/locate.h>
+
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace geodesic_offset {
+
+template <class Name>
+Face_location Sources::put_on_surface(const Point& point, const Name& name)
+{
+  // squares of lengths must be within the range of double
+  if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
+    throw Input_error(name() + " is too far away from the surface");
+  const std::pair<Face_location, double> located = m_geodesic.locate_with_distance(point);
+  m_moved.add(located.second, name);
+  return located.first;
+}
+
+Sources::Sources(const Mesh_input& input, const Source_options& options, const Geodesic_mesh& geodesic)
+  : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic)
+{
+  for(std::size_t i : options.source_vertices)
+    add_vertex(i, options.mesh);
+  for(const std::array<double, 3>& p : options.source_points)
+    m_points.push_back(put_on_surface(Point(p[0], p[1], p[2]), [&] {
+      return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
+    }));
+  for(const std::string& file : options.source_polylines)
+    for(const File_polyline& polyline : read_polylines(file))
+      add_polyline(polyline, file);
+  for(const std::array<double, 4>& plane : options.source_planes)
+    add_plane(plane, options.mesh);
+  if(options.source_boundary)
+    add_boundary(options.mesh);
+  for(double degrees : options.source_sharp_edges)
+    add_sharp_edges(degrees, options.mesh);
+}
+
+std::vector<Point> Sources::points() const
+{
+  std::vector<Point> points;
+  for(Vertex v : m_vertices)
+    points.push_back(m_mesh.point(v));
+  for(const Face_location& location : m_points)
+    points.push_back(point_of(location));
+  return points;
+}
+
+std::vector<std::vector<Point>> Sources::polylines() const
+{
+  std::vector<std::vector<Point>> polylines;
+  for(const Surface_polyline& polyline : m_polylines)
+  {
+    polylines.emplace_back();
+    for(const Face_location& location : polyline.locations)
+      polylines.back().push_back(point_of(location));
+    if(polyline.is_closed)
+      polylines.back().push_back(polylines.back().front());
+  }
+  for_each_edge([&](Edge e) {
+    polylines.push_back({m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))});
+  });
+  return polylines;
+}
+
+Point Sources::point_of(const Face_location& location) const
+{
+  return CGAL::Polygon_mesh_processing::construct_point(location, m_mesh);
+}
+
+void Sources::add_vertex(std::size_t i, const std::string& mesh_file)
+{
+  const std::size_t n = m_input.soup().points.size();
+  if(i >= n)
+    throw Input_error("--source-vertex " + std::to_string(i) + ": " + quoted(mesh_file) + " has only the vertices 0 to " +
+                      std::to_string(n - 1));
+  bool used = false;
+  m_input.for_each_vertex_of(i, [&](Vertex v) {
+    used = true;
+    m_vertices.push_back(v);
+  });
+  if(!used)
+    throw Input_error("--source-vertex " + std::to_string(i) + ": no face of " + quoted(mesh_file) + " has this vertex");
+}
+
+void Sources::add_polyline(const File_polyline& from, const std::string& file)
+{
+  const auto name = [&](std::size_t i) { return "point " + std::to_string(i); };
+  const std::string line = quoted(file) + ", line " + std::to_string(from.line);
+  const std::size_t n = from.points.size();
+  Surface_polyline polyline;
+  polyline.is_closed = (n > 3 && from.points.front() == from.points.back());
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const bool last_of_closed = polyline.is_closed && i + 1 == n;
+    const Face_location location = last_of_closed ? polyline.locations.front()
+                                                  : put_on_surface(from.points[i], [&] { return line + ": " + name(i); });
+    if(polyline.locations.empty())
+    {
+      polyline.locations.push_back(location);
+      continue;
+    }
+    try
+    {
+      const std::array<Face_location, 2> ends = {polyline.locations.back(), location};
+      const Surface_polyline path = m_geodesic.join_polyline(ends);
+      polyline.locations.insert(polyline.locations.end(), path.locations.begin() + 1, path.locations.end());
+    }
+    catch(const std::invalid_argument&)
+    {
+      throw Input_error(line + ": there is no path on the surface from " + name(i - 1) + " to " + name(i));
+    }
+  }
+  // in closed polylines the first location is not repeated
+  if(polyline.is_closed && polyline.locations.size() > 1)
+    polyline.locations.pop_back();
+  if(polyline.locations.size() < 3)
+    polyline.is_closed = false;
+  if(polyline.locations.size() == 1)
+    m_points.push_back(polyline.locations.front());
+  else
+    add(std::move(polyline), line);
+}
+
+void Sources::add(Surface_polyline polyline, const std::string& name)
+{
+  m_polylines.push_back(std::move(polyline));
+  m_polyline_names.push_back(name);
+}
+
+void Sources::add_plane(const std::array<double, 4>& plane, const std::string& mesh_file)
+{
+  auto section = m_geodesic.plane_section(Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]));
+  const std::string name = "--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
+                           short_number(plane[2]) + ',' + short_number(plane[3]);
+  if(section.polylines.empty() && section.touched_edges.empty() && section.touched_vertices.empty())
+    throw Input_error(name + (section.number_of_faces_in_plane == 0 ? " misses " + quoted(mesh_file)
+                                              : " contains all of " + quoted(mesh_file)));
+  if(section.number_of_faces_in_plane != 0)
+    m_remarks.push_back(counted(section.number_of_faces_in_plane, "face") +
+                        " in the plane of a section: the border of this part of the surface is the source");
+  for(Surface_polyline& polyline : section.polylines)
+    add(std::move(polyline), name + " on " + quoted(mesh_file));
+  if(!section.touched_edges.empty())
+    m_edges.push_back(std::move(section.touched_edges));
+  m_vertices.insert(m_vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
+}
+
+void Sources::add_boundary(const std::string& mesh_file)
+{
+  for(Edge e : m_mesh.edges())
+    if(m_mesh.is_border(e))
+      m_boundary.push_back(e);
+  if(m_boundary.empty())
+    throw Input_error("--source-boundary: " + quoted(mesh_file) + " has no boundary");
+}
+
+void Sources::add_sharp_edges(double degrees, const std::string& mesh_file)
+{
+  std::vector<Edge> edges;
+  m_geodesic.sharp_edges(degrees, std::back_inserter(edges));
+  if(edges.empty())
+    throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
+                      " has no edge with a larger angle");
+  m_edges.push_back(std::move(edges));
+}
+
+} // namespace geodesic_offset
