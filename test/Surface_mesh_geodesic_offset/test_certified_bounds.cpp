@@ -174,7 +174,7 @@ void past_flat_vertex()
 {
   Random random(1);
   for (const double before : {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})
-    for (int i = 0; i < number_of_cases(100, 600); ++i)
+    for (int i = 0; i < 600; ++i)
     {
       // around vertex 0: two vertices above, three below
       Soup soup;
@@ -265,7 +265,7 @@ void sweeps()
   using namespace CGAL::Geodesic_offset::internal;
   Random random(3);
   Certified_envelope sweep;
-  for (int list = 0; list < number_of_cases(4000, 20000); ++list)
+  for (int list = 0; list < 20000; ++list)
   {
     std::vector<Certified_window> all, swept;
     for (int round = 0; round < 3; ++round)
@@ -398,6 +398,7 @@ void needles_without_an_end()
   std::size_t refused = 0, bounded = 0;
   for (const unsigned seed : {1, 3, 4, 5, 6, 7})
   {
+    if (seed == number_of_cases(4u, 0u)) continue; // takes as long as all other cases of this test
     Random random(seed);
     Soup soup = planar_grid(4, 4);
     const double thickness = seed % 2 ? 1e-2 : 1e-5;
