@@ -114,14 +114,14 @@ private:
     return hidden.size() > before;
   }
 
-  // Puts the face into a later bucket, if it must wait.
+  // Puts the face into a later bucket, if it must wait: until the bucket behind that in which its last gaps are closed.
   bool waits_on(Index f, Bucket_queue& queue) const
   {
     char& state = m_state.face_state[f];
     if (state & State::BOUNDED) return false; // the bound never grows
     const FT bound = largest_distance(f);
     const bool is_bounded = Number_policy<FT>::is_finite(bound);
-    const std::size_t done = is_bounded ? queue.bucket_of(bound) + 1 : queue.current() + 2;
+    const std::size_t done = is_bounded ? queue.bucket_of(bound) + 2 : queue.current() + 2;
     if (done <= queue.current()) return false;
     const std::size_t next = (std::min)(done, queue.current() + farthest);
     if (is_bounded && next == done) state |= State::BOUNDED;

@@ -37,7 +37,7 @@ public:
 
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
-    : m_mesh(state.mesh), m_field(state.field), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
+    : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits), m_merging(state.field, source_of, tolerance),
       m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes || m_merging.is_on())
   {
   }
@@ -46,6 +46,7 @@ public:
   // the place of its windows, their lower envelope, valid until the next call; null if they may stay.
   const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
   {
+    m_nearest_gap = Number_policy<FT>::infinity();
     const bool may_stay = !m_needs_envelopes && list.taken == 0 && !list.waiting.data;
     if constexpr (is_inexact)
     {
@@ -60,10 +61,14 @@ public:
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
     const std::vector<Window>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
-                           end_at(m_mesh.source(h)), end_at(m_mesh.target(h))));
+                           end_at(m_mesh.source(h)), end_at(m_mesh.target(h)), m_state.passed()));
+    m_nearest_gap = m_envelope.nearest_gap();
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
+
+  // The distance of the nearest gap in the list that is closed once the front has passed it; infinite if there is none.
+  const FT& nearest_gap() const { return m_nearest_gap; }
 
   // What came of the propagation.
   const Batch_propagation<Traits>& propagated() const { return m_propagate; }
@@ -72,14 +77,15 @@ public:
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_field.distance[v], m_field.root[v]}; }
+  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_state.field.distance[v], m_state.field.root[v]}; }
 
   const Unfolded_mesh<FT>& m_mesh;
-  const Geodesic_field<FT>& m_field;
+  const Wavefront_state<FT>& m_state;
   Lower_envelope<Traits> m_envelope;
   Window_merging<FT> m_merging;
   Batch_propagation<Traits> m_propagate;
   const bool m_needs_envelopes;
+  FT m_nearest_gap;
 };
 
 } // namespace internal

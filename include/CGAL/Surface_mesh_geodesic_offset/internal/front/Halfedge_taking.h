@@ -37,11 +37,13 @@ BOOST_FORCEINLINE void take_halfedge(Index h, Wavefront_state<typename Traits::F
   List* const known = lists.find(h);
   if (!known) return;
   List& list = *known;
-  if (list.bucket != state.current() || !list.has_new()) return;
+  if (list.bucket != state.current() || !(list.has_new() || list.has_gap)) return;
   list.bucket = List::not_queued;
+  list.has_gap = false;
   if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
   list.taken = list.size;
   CGAL_assertion(!list.has_new());
+  if constexpr (Number_policy<typename Traits::FT>::is_inexact) state.await_gap(h, list, batch.nearest_gap());
   state.schedule(state.mesh.face(h));
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();

@@ -88,6 +88,7 @@ public:
     m_current = bucket;
   }
   double bucket_width() const { return m_part.front().queue.width(); }
+  FT passed() const { return FT(double(m_current) * bucket_width()); } // the distance that the front has passed
 
   Part& awake_part(Index i)
   {
@@ -329,6 +330,16 @@ public:
     list.bucket = bucket;
     mesh.prefetch_face(h); // into the outer caches at least
     p.queue.push_halfedge(bucket, h);
+  }
+
+  // Puts a halfedge into the bucket in which the front has passed a gap in its list, at distance d.
+  void await_gap(Index h, Window_list<FT>& list, const FT& d)
+  {
+    if (!(d <= maximum) || !Number_policy<FT>::is_finite(d)) return;
+    Bucket_queue& queue = m_part[parts.of_halfedge(h)].queue;
+    list.has_gap = true;
+    list.bucket = (std::max)(queue.bucket_of(d), queue.current()) + 1;
+    queue.push_halfedge(list.bucket, h);
   }
 
   const Unfolded_mesh<FT>& mesh;

@@ -37,6 +37,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   Index size = 0;
   Index taken = 0;
   Index size_class = 0;
+  bool has_gap = false; // that is closed in the bucket in which the list waits
   std::size_t bucket = not_queued;
   FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": the best distance given to the
   FT split_entry = FT(0);                            // apex through this halfedge, and where its ray enters

@@ -47,13 +47,16 @@ public:
 
   // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
   // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where
-  // both may be the nearer one.
+  // both may be the nearer one. Gaps nearer than `passed`, the distance that the front has passed, are closed.
   const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr,
-                                        const End& source = End(), const End& target = End())
+                                        const End& source = End(), const End& target = End(),
+                                        const FT& passed = Number_policy<FT>::infinity())
   {
     m_envelope.clear();
     m_has_closed_gaps = false;
+    m_passed = passed;
+    m_nearest_gap = Number_policy<FT>::infinity();
     m_length = length;
     m_min_width = Number_policy<FT>::rounding(8) * length;
     m_max_gap = max_gap(length);
@@ -88,6 +91,9 @@ public:
       have_consistent_distances(m_envelope.data(), m_envelope.data() + m_envelope.size()));
     return m_envelope;
   }
+
+  // The distance of the nearest gap that is closed once the front has passed it; infinite if there is none.
+  const FT& nearest_gap() const { return m_nearest_gap; }
 
   // Whether the last call has closed gaps: then the envelope has rays that its windows had not.
   bool has_closed_gaps() const { return m_has_closed_gaps; }
@@ -201,35 +207,63 @@ private:
   BOOST_FORCEINLINE void push_behind(Window& a, const Window& w)
   {
     const FT gap = w.b0 - a.b1;
-    if (gap > m_max_gap && gap < m_widest_gap && close_gap(a, w)) return;
+    if (gap > m_max_gap && gap < m_widest_gap)
+      close_gap(a, w);
+    else
+      m_envelope.push_back(w);
+  }
+
+  BOOST_NOINLINE void close_gap(const Window& a, const Window& w)
+  {
+    const Gap gap = gap_between(a, w);
+    if (gap.taker == Gap::SECOND) return push_begun(FT(a.b1), gap.distance, w);
+    if (gap.taker == Gap::FIRST) push_extended(FT(a.b1), FT(a.d1), w.b0, gap.distance, a);
     m_envelope.push_back(w);
   }
 
+  // The last window of the envelope also takes [b0, b1]; what it propagated before stays apart.
+  void push_extended(const FT& b0, const FT& d0, const FT& b1, const FT& d1, const Window& w)
+  {
+    m_has_closed_gaps = true;
+    if (w.is_propagated())
+    {
+      m_envelope.push_back(part(w, b0, d0, b1, d1));
+      m_envelope.back().set_new();
+      return;
+    }
+    m_envelope.back().b1 = b1;
+    m_envelope.back().d1 = d1;
+  }
+
+  // Appends w, which also takes what is between b0 and its begin.
+  void push_begun(const FT& b0, const FT& d0, const Window& w)
+  {
+    m_has_closed_gaps = true;
+    if (w.is_propagated())
+    {
+      m_envelope.push_back(part(w, b0, d0, w.b0, w.d0));
+      m_envelope.back().set_new();
+      m_envelope.push_back(w);
+      return;
+    }
+    m_envelope.push_back(part(w, b0, d0, w.b1, w.d1));
+  }
+
   // A gap may hold a window that is farther than both of its neighbours at its ends, by more than the way along the halfedge
-  // and rounding: a narrow fan between two strips is no farther.
-  // It is removed where its neighbours close the gap.
+  // and rounding: a narrow fan between two strips is no farther. It is removed where its neighbours close the gap.
   void close_occupied_gaps()
   {
-    if (m_envelope.size() < 3) return;
     for (std::size_t i = 1; i + 1 < m_envelope.size(); ++i)
     {
-      const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
+      const Window a = m_envelope[i - 1], m = m_envelope[i], w = m_envelope[i + 1];
       if (!(w.b0 - a.b1 < m_widest_gap)) continue;
       const FT rounding = m_margin * (m.d0 + m_length);
       if (!(m.d0 - a.d1 > m.b0 - a.b1 + rounding) || !(m.d1 - w.d0 > w.b0 - m.b1 + rounding)) continue;
-      Window left = a;
-      CGAL_assertion_code(const std::size_t size = m_envelope.size());
-      const bool is_closed_by_w = close_gap(left, Window(w));
-      if (is_closed_by_w)
-      {
-        m_envelope[i + 1] = m_envelope.back();
-        m_envelope.pop_back();
-      }
-      CGAL_assertion(m_envelope.size() == size);
-      if (!is_closed_by_w && left.b1 == a.b1) continue;
-      m_envelope[i - 1] = left;
-      m_envelope.erase(m_envelope.begin() + std::ptrdiff_t(i));
-      --i;
+      const Gap gap = gap_between(a, w);
+      if (gap.taker == Gap::NONE) continue;
+      m_has_closed_gaps = true;
+      m_envelope[i] = gap.taker == Gap::FIRST ? part(a, a.b1, a.d1, w.b0, gap.distance) : part(w, a.b1, gap.distance, w.b0, w.d0);
+      m_envelope[i].set_new();
     }
   }
 
@@ -237,29 +271,30 @@ private:
   void close_gaps_at_ends(const End& source, const End& target)
   {
     if (m_envelope.empty()) return;
-    Window &a = m_envelope.front(), &w = m_envelope.back();
+    const Window& w = m_envelope.back();
     FT d;
-    if (may_take_over_end(a, a.b0, FT(0), source, d))
+    if (may_take_over_end(w, m_length - w.b1, m_length, target, d)) push_extended(FT(w.b1), FT(w.d1), m_length, d, Window(w));
+    if (may_take_over_end(m_envelope.front(), m_envelope.front().b0, FT(0), source, d))
     {
-      a.b0 = FT(0);
-      a.d0 = d;
+      const Window first = m_envelope.front();
       m_has_closed_gaps = true;
-    }
-    if (may_take_over_end(w, m_length - w.b1, m_length, target, d))
-    {
-      w.b1 = m_length;
-      w.d1 = d;
-      m_has_closed_gaps = true;
+      if (first.is_propagated())
+      {
+        m_envelope.insert(m_envelope.begin(), part(first, FT(0), d, first.b0, first.d0));
+        m_envelope.front().set_new();
+      }
+      else
+        m_envelope.front() = part(first, FT(0), d, first.b1, first.d1);
     }
   }
 
   // Whether a window may take over the gap between it and an end of the halfedge, where its distance is then d.
-  bool may_take_over_end(const Window& w, const FT& gap, const FT& b, const End& end, FT& d) const
+  bool may_take_over_end(const Window& w, const FT& gap, const FT& b, const End& end, FT& d)
   {
-    if (!(gap > m_max_gap && gap < m_widest_gap) || w.is_propagated()) return false;
+    if (!(gap > m_max_gap && gap < m_widest_gap)) return false;
     d = w.distance_at(b);
     return CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length) &&
-           ((w.root == end.root && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length));
+           ((w.root == end.root && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length)) && is_passed(d);
   }
 
   // Whether a window may take over a gap beside it, where distances have the given size. Parallel rays end beside their segment
@@ -273,31 +308,31 @@ private:
   // bounding ray then, or has dropped a narrow window: behind an image that is near to the edge, the gap would grow with the
   // distance. One of the two windows takes over the gap. The path of a point in it bends by less than the square root of the
   // rounding of its length.
-  BOOST_NOINLINE bool close_gap(Window& a, const Window& w)
+  struct Gap
+  {
+    enum Taker { NONE, FIRST, SECOND } taker;
+    FT distance; // of the window that takes it, at the other end
+  };
+  Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
     const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.root == w.root &&
                                  CGAL::abs(FT(a.x - w.x)) <= FT(widest_beside_segment);
-    if ((!a.is_propagated() || w.is_propagated()) && (is_of_one_strip || may_take_over(a, gap, size)))
-    {
-      const FT d = a.distance_at(w.b0);
-      if (CGAL::abs(FT(d - w.d0)) <= allowance)
-      {
-        a.b1 = w.b0;
-        a.d1 = d;
-        m_has_closed_gaps = true;
-        return false;
-      }
-    }
-    if (w.is_propagated() || !(is_of_one_strip || may_take_over(w, gap, size))) return false;
-    const FT d = w.distance_at(a.b1);
-    if (!(CGAL::abs(FT(d - a.d1)) <= allowance)) return false;
-    const FT b = a.b1;
-    m_envelope.push_back(w);
-    m_envelope.back().b0 = b;
-    m_envelope.back().d0 = d;
-    m_has_closed_gaps = true;
-    return true;
+    const auto takes = [&](const Window& x, const FT& d, const FT& other) {
+      return (is_of_one_strip || may_take_over(x, gap, size)) && CGAL::abs(FT(d - other)) <= allowance;
+    };
+    const FT by_first = a.distance_at(w.b0), by_second = w.distance_at(a.b1);
+    const bool first_takes = takes(a, by_first, w.d0);
+    if (!(first_takes || takes(w, by_second, a.d1)) || !is_passed((std::max)(a.d1, w.d0))) return {Gap::NONE, FT(0)};
+    return first_takes ? Gap{Gap::FIRST, by_first} : Gap{Gap::SECOND, by_second};
+  }
+
+  // Whether the front has passed a gap at distance d. Windows that fill it may come until then.
+  bool is_passed(const FT& d)
+  {
+    if (d < m_passed) return true;
+    m_nearest_gap = (std::min)(m_nearest_gap, d);
+    return false;
   }
 
   // The usual cases of two windows that follow each other, without all that may happen else. False if it is another one.
@@ -534,7 +569,7 @@ private:
   const Traits& m_traits;
   std::vector<Window> m_envelope;
   Window_order<FT, Window> m_order;
-  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_rounding, m_gap_rounding, m_margin;
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_rounding, m_gap_rounding, m_margin, m_passed, m_nearest_gap;
   bool m_has_closed_gaps = false;
 };
 

@@ -63,6 +63,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
+  void set_new() { bits &= ~Index(2); } // not propagated
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
   bool is_merged() const { return Merged_origin::is_merged(pseudo_source()); }
   static Index make_bits(bool parallel, Index pseudo_source)
