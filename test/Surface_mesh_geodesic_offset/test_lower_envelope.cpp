@@ -3,7 +3,7 @@
 
 // Lower envelopes of random windows on a halfedge, against the nearest of all windows at random points: images with one or
 // several sigmas, parallel rays, windows that are nested, adjacent or duplicate, in order and in any order, and added to an
-// envelope that was propagated before. Also the test for monotone lists.
+// envelope that was propagated before. Also the test for monotone lists, and when gaps are closed.
 
 #include "test_check.h"
 
@@ -246,6 +246,65 @@ void test_random(unsigned seed)
   CHECK(after <= before * (1 + 1e-12));
 }
 
+Window point_window(double x, double b0, double b1)
+{
+  Window w;
+  w.x = x;
+  w.y = -1;
+  w.sigma = 0;
+  w.root = CGAL::Geodesic_offset::internal::Root(0, CGAL::Source_side::NONE);
+  w.bits = Window::make_bits(false, CGAL::Geodesic_offset::internal::no_index);
+  set_interval(w, b0, b1);
+  return w;
+}
+
+// Gaps between neighbours whose distances agree up to rounding, and beside the ends of the halfedge, are closed once the front
+// has passed them; what was propagated before stays apart.
+void test_gaps()
+{
+  const std::vector<unsigned> source_of(1, 0);
+  const Traits traits;
+  Envelope envelope(source_of, traits);
+  const double infinity = std::numeric_limits<double>::infinity();
+  Windows list = {point_window(0.5, 0, 0.4999), point_window(0.5 + 2e-10, 0.5001, 1)};
+  const auto reduced = [&](double passed) {
+    return Windows(envelope(list.data(), list.data() + list.size(), 1, nullptr, nullptr, Envelope::End(), Envelope::End(), passed));
+  };
+  const Windows open = reduced(0.9);
+  CHECK(open.size() == 2 && open[0].b1 == 0.4999 && open[1].b0 == 0.5001);
+  CHECK(!envelope.has_closed_gaps() && std::abs(envelope.nearest_gap() - 1) < 1e-6);
+  const Windows closed = reduced(1.1);
+  CHECK(closed.size() == 2 && closed[0].b1 == closed[1].b0);
+  CHECK(envelope.has_closed_gaps() && envelope.nearest_gap() == infinity);
+  for (Window& w : list) w.set_propagated();
+  const Windows apart = reduced(1.1);
+  CHECK(apart.size() == 3);
+  if (apart.size() == 3)
+  {
+    CHECK(apart[0].is_propagated() && !apart[1].is_propagated() && apart[2].is_propagated());
+    CHECK(apart[0].b1 == 0.4999 && apart[1].b0 == 0.4999 && apart[1].b1 == 0.5001 && apart[2].b0 == 0.5001);
+  }
+  // a window that fills the gap and comes before it is closed keeps it
+  list.push_back(point_window(0.5 + 1e-10, 0.4999, 0.5001));
+  const Windows filled = reduced(0.9);
+  CHECK(filled.size() == 3 && filled[1].x == 0.5 + 1e-10);
+
+  for (const bool is_propagated : {false, true})
+  {
+    Window w = point_window(0.5, 1e-4, 1 - 1e-4);
+    if (is_propagated) w.set_propagated();
+    Envelope::End end;
+    end.distance = w.distance_at(0); // that of both ends
+    const auto ends_of = [&](double passed) { return Windows(envelope(&w, &w + 1, 1, nullptr, nullptr, end, end, passed)); };
+    CHECK(ends_of(1).size() == 1 && std::abs(envelope.nearest_gap() - end.distance) < 1e-12);
+    const Windows whole = ends_of(1.5);
+    CHECK(whole.size() == (is_propagated ? 3 : 1));
+    CHECK(whole.front().b0 == 0 && whole.back().b1 == 1 && !whole.front().is_propagated() && !whole.back().is_propagated());
+    end.distance *= 1 - 1e-9; // the distance of a vertex that the window does not give
+    CHECK(ends_of(1.5).size() == 1 && envelope.nearest_gap() == infinity);
+  }
+}
+
 } // namespace test_lower_envelope
 
 GEODESIC_OFFSET_TEST(test_lower_envelope)
@@ -256,5 +315,6 @@ GEODESIC_OFFSET_TEST(test_lower_envelope)
     test_random(seed);
     test_rows(seed);
   }
+  test_gaps();
   return test::Report::instance().finish("test_lower_envelope");
 }
