@@ -250,15 +250,23 @@ private:
   }
 
   // A gap may hold a window that is farther than both of its neighbours at its ends, by more than the way along the halfedge
-  // and rounding: a narrow fan between two strips is no farther. It is removed where its neighbours close the gap.
+  // and rounding: a narrow fan between two strips is no farther. It is removed where its neighbours close the gap, or where the
+  // gap itself is rounding.
   void close_occupied_gaps()
   {
     for (std::size_t i = 1; i + 1 < m_envelope.size(); ++i)
     {
-      const Window a = m_envelope[i - 1], m = m_envelope[i], w = m_envelope[i + 1];
+      const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
       if (!(w.b0 - a.b1 < m_widest_gap)) continue;
       const FT rounding = m_margin * (m.d0 + m_length);
       if (!(m.d0 - a.d1 > m.b0 - a.b1 + rounding) || !(m.d1 - w.d0 > w.b0 - m.b1 + rounding)) continue;
+      if (w.b0 - a.b1 <= m_max_gap)
+      {
+        m_envelope.erase(m_envelope.begin() + std::ptrdiff_t(i));
+        --i;
+        m_has_closed_gaps = true;
+        continue;
+      }
       const Gap gap = gap_between(a, w);
       if (gap.taker == Gap::NONE) continue;
       m_has_closed_gaps = true;
