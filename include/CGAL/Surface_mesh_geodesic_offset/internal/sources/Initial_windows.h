@@ -215,13 +215,14 @@ private:
       if (from && !clip(p, *from, FT(1), right, left)) continue;
       if (to && !clip(p, *to, FT(-1), right, left)) continue;
       const bool is_narrow = dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k);
-      if (is_narrow || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
-      {
-        // a sector within a half turn is bounded by the ends of the edge where these are inside it
-        const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
-        const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
+      // a sector within a half turn is bounded by the ends of the edge where these are inside it
+      const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
+      const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
+      // a narrow sector at an end of the edge belongs to the next edge
+      const bool is_fan = is_narrow && from_is_inside && to_is_inside && CGAL::is_positive(cross(*from, target - p)) &&
+                          CGAL::is_positive(cross(source - p, *to));
+      if (is_fan || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, root);
-      }
       if (is_narrow) continue;
       out.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root, Window<FT>::make_bits(false, no_index),
                                            STARTS_IN_FACE, (unsigned char)(k)}});
