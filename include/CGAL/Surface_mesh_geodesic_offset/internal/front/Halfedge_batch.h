@@ -59,9 +59,11 @@ public:
     CGAL_precondition(list.taken <= list.size);
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
     for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
+    // Merged windows have errors far above those that late gaps avoid, and are fewer if gaps are closed at once.
     const std::vector<Window>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
-                           end_at(m_mesh.source(h)), end_at(m_mesh.target(h)), m_state.passed()));
+                           end_at(m_mesh.source(h)), end_at(m_mesh.target(h)),
+                           m_merging.is_on() ? Number_policy<FT>::infinity() : m_state.passed()));
     m_nearest_gap = m_envelope.nearest_gap();
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
