@@ -263,10 +263,7 @@ public:
   /// \throws std::invalid_argument if a source does not fit the mesh
   std::vector<std::size_t> add_sources(const Source_set& set)
   {
-    for (const auto& s : set.sources()) Geodesic_offset::internal::check_source(data(), s.second);
-    std::vector<std::size_t> ids;
-    for (const auto& s : set.sources()) ids.push_back(m_sources.add(s.second));
-    return ids;
+    return Geodesic_offset::internal::add_checked(data(), m_sources, set);
   }
 
   /// adds the boundary of the surface: one source, a set of edges, per boundary cycle. Edges without a face are left out. Takes

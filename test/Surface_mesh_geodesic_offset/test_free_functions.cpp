@@ -275,6 +275,11 @@ void source_sets()
   geodesic.remove_source(4);
   CHECK(geodesic.number_of_sources() == 5 && geodesic.sources().size() == 5);
 
+  // a set may be that of the object itself
+  Geodesic twice(geodesic.mesh());
+  twice.add_sources(set);
+  CHECK((twice.add_sources(twice.sources()) == std::vector<std::size_t>{3, 4, 5}));
+
   // the mesh is shared, also with certified bounds
   Geodesic other(geodesic.mesh());
   CGAL::Surface_mesh_geodesic_enclosure<Geodesic::Traits> bounds(geodesic.mesh());

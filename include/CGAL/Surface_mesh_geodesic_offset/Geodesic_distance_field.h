@@ -407,10 +407,7 @@ private:
 
   Path_start start_at(const Located_point& p) const
   {
-    const Build& b = built_for(p);
-    Path_start start = near_path(b)(p, b.legs);
-    if (start.distance > b.maximum) start = Path_start();
-    return start;
+    return Geodesic_offset::internal::start_of_path(unfolded(), built_for(p), p);
   }
 
   auto near_path(const Build& b) const

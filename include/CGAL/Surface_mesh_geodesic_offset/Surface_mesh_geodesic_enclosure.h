@@ -156,10 +156,7 @@ public:
   /// \return the ids of the sources in this object
   std::vector<std::size_t> add_sources(const Source_set& set)
   {
-    for (const auto& s : set.sources()) Geodesic_offset::internal::check_source(data(), s.second);
-    std::vector<std::size_t> ids;
-    for (const auto& s : set.sources()) ids.push_back(m_sources.add(s.second));
-    return ids;
+    return Geodesic_offset::internal::add_checked(data(), m_sources, set);
   }
 
   /// removes a source.

@@ -7,8 +7,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/One_call.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
@@ -87,8 +87,7 @@ OutputIterator shortest_path_to_sources(const TriangleMesh& tm, const From& from
       *out++ = surface.location(p);
     else *out++ = surface.point(p);
   };
-  auto way = internal::Path_starts<Number>(surface.unfolded, build.initial, build.field)(start);
-  if (way.distance > build.maximum) way = internal::Path_start<Number>();
+  const auto way = internal::start_of_path(surface.unfolded, build, start);
   internal::Path_elements<Number, decltype(write)> elements(write);
   internal::Path_tracing<Number>(surface.unfolded, build.initial, build.field)(start, way, build.legs, elements);
   return out;

@@ -121,7 +121,7 @@ private:
     if (state & State::BOUNDED) return false; // the bound never grows
     const FT bound = largest_distance(f);
     const bool is_bounded = Number_policy<FT>::is_finite(bound);
-    const std::size_t done = is_bounded ? queue.bucket_of(bound) + 2 : queue.current() + 2;
+    const std::size_t done = (is_bounded ? queue.bucket_of(bound) : queue.current()) + 2;
     if (done <= queue.current()) return false;
     const std::size_t next = (std::min)(done, queue.current() + farthest);
     if (is_bounded && next == done) state |= State::BOUNDED;

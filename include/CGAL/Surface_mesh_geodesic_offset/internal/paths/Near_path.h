@@ -140,6 +140,14 @@ private:
   const bool m_measures;
 };
 
+// The start of the path from p in a build; none beyond the distance limit.
+template <class FT, class Build>
+Path_start<FT> start_of_path(const Unfolded_mesh<FT>& mesh, const Build& build, const Located_point<FT>& p)
+{
+  const Path_start<FT> start = Near_path<FT>(mesh, build.initial, build.field, !build.is_approximate())(p, build.legs);
+  return start.distance > build.maximum ? Path_start<FT>() : start;
+}
+
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL

@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 
+#include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -55,6 +57,17 @@ template <class Surface, class Source>
 void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
 {
   Source_set<typename Surface::Number>::check(mesh.unfolded(), classified_source(mesh, source));
+}
+
+// Adds the sources of `added` to a set, in the order of their ids: all of them, or none if check_source() throws. Returns the new
+// ids. `added` is a copy: it may be the set itself.
+template <class Surface, class User_set>
+std::vector<std::size_t> add_checked(const Geodesic_mesh_data<Surface>& mesh, User_set& set, User_set added)
+{
+  for (const auto& s : added.sources()) check_source(mesh, s.second);
+  std::vector<std::size_t> ids;
+  for (const auto& s : added.sources()) ids.push_back(set.add(s.second));
+  return ids;
 }
 
 } // namespace internal

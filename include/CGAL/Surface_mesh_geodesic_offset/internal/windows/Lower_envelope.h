@@ -217,22 +217,22 @@ private:
   {
     const Gap gap = gap_between(a, w);
     if (gap.taker == Gap::SECOND) return push_begun(FT(a.b1), gap.distance, w);
-    if (gap.taker == Gap::FIRST) push_extended(FT(a.b1), FT(a.d1), w.b0, gap.distance, a);
+    if (gap.taker == Gap::FIRST) extend_last(w.b0, gap.distance);
     m_envelope.push_back(w);
   }
 
-  // The last window of the envelope also takes [b0, b1]; what it propagated before stays apart.
-  void push_extended(const FT& b0, const FT& d0, const FT& b1, const FT& d1, const Window& w)
+  // The last window of the envelope also takes what is up to b1; what it propagated before stays apart.
+  void extend_last(const FT& b1, const FT& d1)
   {
     m_has_closed_gaps = true;
+    Window& w = m_envelope.back();
     if (w.is_propagated())
     {
-      m_envelope.push_back(part(w, b0, d0, b1, d1));
-      m_envelope.back().set_new();
+      m_envelope.push_back(new_part(w, w.b1, w.d1, b1, d1));
       return;
     }
-    m_envelope.back().b1 = b1;
-    m_envelope.back().d1 = d1;
+    w.b1 = b1;
+    w.d1 = d1;
   }
 
   // Appends w, which also takes what is between b0 and its begin.
@@ -241,8 +241,7 @@ private:
     m_has_closed_gaps = true;
     if (w.is_propagated())
     {
-      m_envelope.push_back(part(w, b0, d0, w.b0, w.d0));
-      m_envelope.back().set_new();
+      m_envelope.push_back(new_part(w, b0, d0, w.b0, w.d0));
       m_envelope.push_back(w);
       return;
     }
@@ -270,8 +269,8 @@ private:
       const Gap gap = gap_between(a, w);
       if (gap.taker == Gap::NONE) continue;
       m_has_closed_gaps = true;
-      m_envelope[i] = gap.taker == Gap::FIRST ? part(a, a.b1, a.d1, w.b0, gap.distance) : part(w, a.b1, gap.distance, w.b0, w.d0);
-      m_envelope[i].set_new();
+      m_envelope[i] =
+        gap.taker == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
     }
   }
 
@@ -279,21 +278,19 @@ private:
   void close_gaps_at_ends(const End& source, const End& target)
   {
     if (m_envelope.empty()) return;
-    const Window& w = m_envelope.back();
     FT d;
-    if (may_take_over_end(w, m_length - w.b1, m_length, target, d)) push_extended(FT(w.b1), FT(w.d1), m_length, d, Window(w));
-    if (may_take_over_end(m_envelope.front(), m_envelope.front().b0, FT(0), source, d))
+    const Window& last = m_envelope.back();
+    if (may_take_over_end(last, m_length - last.b1, m_length, target, d)) extend_last(m_length, d);
+    Window& first = m_envelope.front();
+    if (!may_take_over_end(first, first.b0, FT(0), source, d)) return;
+    m_has_closed_gaps = true;
+    if (first.is_propagated())
     {
-      const Window first = m_envelope.front();
-      m_has_closed_gaps = true;
-      if (first.is_propagated())
-      {
-        m_envelope.insert(m_envelope.begin(), part(first, FT(0), d, first.b0, first.d0));
-        m_envelope.front().set_new();
-      }
-      else
-        m_envelope.front() = part(first, FT(0), d, first.b1, first.d1);
+      m_envelope.insert(m_envelope.begin(), new_part(first, FT(0), d, first.b0, first.d0));
+      return;
     }
+    first.b0 = FT(0);
+    first.d0 = d;
   }
 
   // Whether a window may take over the gap between it and an end of the halfedge, where its distance is then d.
@@ -312,15 +309,15 @@ private:
     return !w.is_parallel() || -w.y * gap <= FT(widest_beside_segment) * size;
   }
 
-  // Closes the gap between two neighbours whose distances agree up to rounding at both ends of the gap. Rounding has turned a
-  // bounding ray then, or has dropped a narrow window: behind an image that is near to the edge, the gap would grow with the
-  // distance. One of the two windows takes over the gap. The path of a point in it bends by less than the square root of the
-  // rounding of its length.
   struct Gap
   {
     enum Taker { NONE, FIRST, SECOND } taker;
     FT distance; // of the window that takes it, at the other end
   };
+
+  // Which of two neighbours takes over the gap between them, now: their distances agree up to rounding at both ends of the gap.
+  // Rounding has turned a bounding ray then, or has dropped a narrow window: behind an image that is near to the edge, the gap
+  // would grow with the distance. The path of a point in it bends by less than the square root of the rounding of its length.
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
@@ -329,10 +326,14 @@ private:
     const auto takes = [&](const Window& x, const FT& d, const FT& other) {
       return (is_of_one_strip || may_take_over(x, gap, size)) && CGAL::abs(FT(d - other)) <= allowance;
     };
-    const FT by_first = a.distance_at(w.b0), by_second = w.distance_at(a.b1);
-    const bool first_takes = takes(a, by_first, w.d0);
-    if (!(first_takes || takes(w, by_second, a.d1)) || !is_passed((std::max)(a.d1, w.d0))) return {Gap::NONE, FT(0)};
-    return first_takes ? Gap{Gap::FIRST, by_first} : Gap{Gap::SECOND, by_second};
+    Gap result{Gap::FIRST, a.distance_at(w.b0)};
+    if (!takes(a, result.distance, w.d0))
+    {
+      result = {Gap::SECOND, w.distance_at(a.b1)};
+      if (!takes(w, result.distance, a.d1)) return {Gap::NONE, FT(0)};
+    }
+    if (!is_passed((std::max)(a.d1, w.d0))) return {Gap::NONE, FT(0)};
+    return result;
   }
 
   // Whether the front has passed a gap at distance d. Windows that fill it may come until then.
@@ -570,6 +571,14 @@ private:
     w.d0 = d_from;
     w.b1 = to;
     w.d1 = d_to;
+    return w;
+  }
+
+  // The same, not propagated.
+  static Window new_part(const Window& whole, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
+  {
+    Window w = part(whole, from, d_from, to, d_to);
+    w.set_new();
     return w;
   }
 
