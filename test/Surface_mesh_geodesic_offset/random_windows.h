@@ -225,7 +225,7 @@ private:
       if (nearest != last || uniform(random_) < 0.2) // or repeat the image, as behind a flat vertex
       {
         const Image& m = images[nearest];
-        Window w{m.x, m.y, m.sigma, b0, b1, m.at(b0), m.at(b1), root(), Window::make_bits(m.is_parallel,
+        Window w{m.x, m.y, m.sigma, b0, b1, m.at(b0), m.at(b1), source_ref(), Window::make_bits(m.is_parallel,
                  CGAL::Geodesic_offset::internal::no_index)};
         if (!windows.empty()) windows.back().b1 = b0;
         windows.push_back(w);
@@ -237,7 +237,7 @@ private:
     const Index h = 3 * face_ + Index(k);
     auto& list = field_.lists.create(h);
     field_.lists.append(h, list, windows.data(), windows.size());
-    list.taken = list.size;
+    list.processed = list.size;
   }
 
   // Adds the points of an edge where two images are equally far, that is where their difference changes its sign. It is the
@@ -284,13 +284,13 @@ private:
     for (std::size_t k = 0; k < 3; ++k)
     {
       field_.distance[mesh().source(3 * face_ + Index(k))] = d[k];
-      field_.root[mesh().source(3 * face_ + Index(k))] = root();
+      field_.source_ref[mesh().source(3 * face_ + Index(k))] = source_ref();
     }
   }
 
-  static CGAL::Geodesic_offset::internal::Root root()
+  static CGAL::Geodesic_offset::internal::Source_ref source_ref()
   {
-    return CGAL::Geodesic_offset::internal::Root(0, CGAL::Source_side::NONE);
+    return CGAL::Geodesic_offset::internal::Source_ref(0, CGAL::Source_side::NONE);
   }
 
   // Distances where the topology of the level changes: at corners, at ends of windows, where circles touch edges or each

@@ -18,8 +18,8 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_ties.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
 #include <cmath>
 #include <limits>

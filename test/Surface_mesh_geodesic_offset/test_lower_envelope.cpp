@@ -64,7 +64,7 @@ Windows random_windows(Random& random, int number, double length, double away)
       w.x = is_parallel ? std::sin(angle) : random(-1, 2) * length;
       w.y = is_parallel ? -std::cos(angle) : -away * random(0.9, 1.1);
       w.sigma = is_parallel ? away : 0.05 * origin * away;
-      w.root = CGAL::Geodesic_offset::internal::Root(0, CGAL::Source_side::NONE);
+      w.source_ref = CGAL::Geodesic_offset::internal::Source_ref(0, CGAL::Source_side::NONE);
       w.bits = Window::make_bits(is_parallel, origin == 0 ? CGAL::Geodesic_offset::internal::no_index : unsigned(origin));
     }
     double b0 = random(0, length), b1 = random(0, length);
@@ -130,9 +130,9 @@ void check_envelope(Random& random, const Windows& envelope, const Windows& all,
   }
 }
 
-bool is_row(const Windows& windows, double length)
+bool is_monotone_list(const Windows& windows, double length)
 {
-  return Envelope::is_row(windows.data(), windows.data() + windows.size(), length);
+  return Envelope::is_monotone_list(windows.data(), windows.data() + windows.size(), length);
 }
 
 // Gaps that are wider than rounding and may be closed.
@@ -154,7 +154,7 @@ void check_row(const Windows& windows, double length)
     if (gap >= 0 && b.b1 - b.b0 < widest && b.d0 - a.d1 > gap) expected = false;
     if (a.x == b.x && a.y == b.y && a.sigma == b.sigma && a.bits == b.bits) expected = false;
   }
-  CHECK(is_row(windows, length) == expected);
+  CHECK(is_monotone_list(windows, length) == expected);
 }
 
 // Consecutive windows, overlapping or not; then with an end out of order, or the image of a neighbour.
@@ -180,15 +180,15 @@ void test_rows(unsigned seed)
   Windows within = windows, twice = windows, again = windows;
   within[i].b1 = within[i - 1].b1 - length / 16;
   check_row(within, length);
-  CHECK(!is_row(within, length));
+  CHECK(!is_monotone_list(within, length));
   twice[i] = twice[i - 1];
-  CHECK(!is_row(twice, length));
+  CHECK(!is_monotone_list(twice, length));
   // a common end is allowed; an empty list is monotone
   Windows common = windows;
   common[i].b0 = common[i - 1].b0;
   common[i].b1 = (std::max)(common[i].b1, common[i - 1].b1);
-  CHECK(Envelope::is_row(common.data() + i - 1, common.data() + i + 1, length));
-  CHECK(Envelope::is_row(common.data(), common.data(), length));
+  CHECK(Envelope::is_monotone_list(common.data() + i - 1, common.data() + i + 1, length));
+  CHECK(Envelope::is_monotone_list(common.data(), common.data(), length));
   // one image up to rounding, also of parallel rays, whose image is a unit vector for every length
   Windows parallel = {windows[i - 1], windows[i]};
   for (Window& w : parallel)
@@ -200,13 +200,13 @@ void test_rows(unsigned seed)
     set_interval(w, w.b0, w.b1);
   }
   parallel[1].x *= 1 + 4e-16;
-  CHECK(!Envelope::is_row(parallel.data(), parallel.data() + 2, length));
+  CHECK(!Envelope::is_monotone_list(parallel.data(), parallel.data() + 2, length));
   parallel[1].x = 0.61;
   parallel[1].b1 = (std::max)(parallel[1].b1, parallel[0].b1);
   check_row(parallel, length);
   again[i].x = again[i - 1].x * (1 + 1e-15);
   again[i].y = again[i - 1].y;
-  CHECK(!is_row(again, length));
+  CHECK(!is_monotone_list(again, length));
 }
 
 void test_random(unsigned seed)
@@ -237,7 +237,7 @@ void test_random(unsigned seed)
   {
     const Window &v = apart[i], &w = both[i];
     CHECK(v.b0 == w.b0 && v.b1 == w.b1 && v.d0 == w.d0 && v.d1 == w.d1);
-    CHECK(v.x == w.x && v.y == w.y && v.sigma == w.sigma && v.root == w.root && v.bits == w.bits);
+    CHECK(v.x == w.x && v.y == w.y && v.sigma == w.sigma && v.source_ref == w.source_ref && v.bits == w.bits);
   }
   // propagated windows have not grown
   double before = 0, after = 0;
@@ -252,7 +252,7 @@ Window point_window(double x, double b0, double b1)
   w.x = x;
   w.y = -1;
   w.sigma = 0;
-  w.root = CGAL::Geodesic_offset::internal::Root(0, CGAL::Source_side::NONE);
+  w.source_ref = CGAL::Geodesic_offset::internal::Source_ref(0, CGAL::Source_side::NONE);
   w.bits = Window::make_bits(false, CGAL::Geodesic_offset::internal::no_index);
   set_interval(w, b0, b1);
   return w;

@@ -85,9 +85,9 @@ std::size_t size_of_envelope(const Mesh& mesh, std::size_t source)
       Window w = whole;
       if (pruning.trim(w)) windows.push_back(w);
     };
-    build.field.kept.for_each(h, distance, build.field.root, add);
+    build.field.kept.for_each(h, distance, build.field.source_ref, add);
     if (twin != internal::no_index)
-      build.field.kept.for_each(twin, distance, build.field.root,
+      build.field.kept.for_each(twin, distance, build.field.source_ref,
                                 [&](const Window& w) { add(seen_from_behind(w, length)); });
     const Window* const first = windows.data();
     number += envelope(first, first + windows.size(), length).size();

@@ -170,7 +170,7 @@ public:
     const Path_start start = start_at(p);
     const double d = CGAL::to_double(start.distance);
     if (d == 0 || !start.is_reached()) return d;
-    switch (built().is_approximate() ? start.root.side() : end_of(p, start).root.side())
+    switch (built().is_approximate() ? start.source_ref.side() : end_of(p, start).source_ref.side())
     {
     case Source_side::LEFT: return -d;
     case Source_side::RIGHT: return d;
@@ -188,10 +188,10 @@ public:
     const Path_start start = start_at(p);
     if (!start.is_reached()) return std::nullopt;
     const auto end = end_of(p, start);
-    const auto& primitive = built().initial.primitives[end.root.primitive()];
+    const auto& primitive = built().initial.primitives[end.source_ref.primitive()];
     const bool is_there = CGAL::is_zero(start.distance);
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
-                          end.root.side(), Surface::exported(start.distance),
+                          end.source_ref.side(), Surface::exported(start.distance),
                           is_there ? surface().location(p) : surface().location(end.point)};
   }
 

@@ -179,7 +179,7 @@ public:
 
   /// the side of the polyline on which the piece lies; `Source_side::NONE` for points and sets of edges,
   /// `Source_side::CAP` beyond an end of an open polyline.
-  Source_side side() const { return m_piece->root.side(); }
+  Source_side side() const { return m_piece->source_ref.side(); }
 
   /// the vertex where the shortest paths from the source to the points of the piece bend last; `null_vertex()` if these paths
   /// are straight.
@@ -201,7 +201,7 @@ private:
 
   const Geodesic_offset::internal::Source_primitive& primitive() const
   {
-    return m_context->primitives[m_piece->root.primitive()];
+    return m_context->primitives[m_piece->source_ref.primitive()];
   }
 
   std::size_t number_of_chords(const FT& tolerance, const FT& angle) const

@@ -162,7 +162,7 @@ private:
     {
       if (v + ahead < m_mesh.number_of_vertices() && field.back[v + ahead].corner != no_index)
         m_mesh.prefetch_face(field.back[v + ahead].corner);
-      paths.find_way_back(v, field.back[v], field.root[v]);
+      paths.find_backtrace(v, field.back[v], field.source_ref[v]);
     }
   }
 
@@ -175,8 +175,8 @@ private:
     field.error.resize(field.back.size());
     for (std::size_t v = 0; v < field.error.size(); ++v)
       field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
-    for (Way_back<FT>& back : field.back)
-      if (Merged_origin::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
+    for (Backtrace<FT>& back : field.back)
+      if (Merge_error_code::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
   }
 
   // Whether the distance of a point is known, once the front is at a distance.

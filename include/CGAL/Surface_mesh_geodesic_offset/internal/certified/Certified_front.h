@@ -90,17 +90,17 @@ private:
     if (list.bucket != m_state.queue.current() || !list.has_new()) return;
     list.bucket = Window_list<double, Window>::not_queued;
     m_state.schedule(m_unfolded.face(h));
-    if (list.taken == 0 && !m_state.keeps_windows && m_envelope.is_monotone_list(list.begin(), list.end()))
+    if (list.processed == 0 && !m_state.keeps_windows && m_envelope.is_monotone_list(list.begin(), list.end()))
     {
-      list.taken = list.size;
+      list.processed = list.size;
       m_propagate(h, list.begin(), list.size);
       return;
     }
     // as in Halfedge_batch
-    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
+    for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
     const std::vector<Window>& envelope = m_envelope(list.begin(), list.end(), m_mesh.length(h));
     m_state.lists.assign(h, list, envelope);
-    list.taken = list.size;
+    list.processed = list.size;
     m_propagate(h, envelope.data(), envelope.size());
   }
 

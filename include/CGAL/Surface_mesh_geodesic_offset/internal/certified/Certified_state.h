@@ -176,7 +176,7 @@ private:
     {
       const auto& list = lists.get(3 * f + k);
       field.begin[4 * f + k] = field.windows.size();
-      field.windows.insert(field.windows.end(), list.data, list.data + list.taken);
+      field.windows.insert(field.windows.end(), list.data, list.data + list.processed);
       field.begin[4 * f + k + 1] = field.windows.size();
     }
   }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 4 of the pipeline: the distance inside one face, as the minimum over the windows that enter it, the sources that
-// lie in it, and the functions d(v) + |p - v| of its corners.
+// Step 4 of the pipeline: the distance inside a face, as the minimum over the windows that enter the face, the sources inside
+// it, and the functions d(v) + |p - v| of its corners.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FACE_FIELD_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FACE_FIELD_H
@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <algorithm>
 #include <vector>
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The windows that start inside a face.
+// The range of windows that start inside a face.
 template <class FT>
 inline auto local_windows(const Initial_windows<FT>& initial, Index face)
 {
@@ -42,7 +42,7 @@ public:
   typedef Point_in_face<FT> Point;
   typedef Face_window<FT> Window_in_face;
 
-  // set_face() must follow; the object can be used for one face after another.
+  // Call set_face() before any query; one object serves many faces.
   Face_field(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_initial(initial), m_field(field)
   {
@@ -64,7 +64,7 @@ public:
     for (int k = 0; k < 3; ++k) add_corner(k);
   }
 
-  // The same from kept windows, but only what gives the point p its distance, or nearly so.
+  // Overload for one point: of the kept windows, only those that give p its distance up to rounding.
   void set_face_at(Index face, const Point& p, const FT& distance)
   {
     start(face);
@@ -73,7 +73,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
-      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.root, q, limit,
+      m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.source_ref, q, limit,
                                    [&](const Window<FT>& w) { add_window(w, k); });
       if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
     }
@@ -86,18 +86,18 @@ public:
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }
 
-  // Of the distances in the face; of exact ones, with the error of an estimate.
+  // Lower bound of the distances in the face; for exact numbers, reduced by the error of the estimate.
   FT lower_bound() const
   {
-    typedef Estimation<FT> Estimates;
+    typedef Interval_filter<FT> Estimates;
     typename Estimates::Bound low = Estimates::lower_bound(estimate(Number_policy<FT>::infinity()));
     for (const FT& l : m_lowest) low = (std::min)(low, typename Estimates::Bound(Estimates::lower_bound(estimate(l))));
     return FT(low);
   }
 
-  // The distance, and a window that gives it. Of several that tie, one whose rays reach p, and one of a segment's side
-  // rather than of the cap beside it. Every path round a chord is valid, so a point that rounding leaves between two
-  // cones is no exception.
+  // Distance of p, and a window that attains it. Of windows equal up to rounding, one whose rays reach p comes first, then one
+  // of a side of a segment before one of a cap. A path around a chord is valid too, so a point between two cones has a finite
+  // distance.
   FT distance(const Point& p, std::size_t& nearest) const
   {
     FT best = Number_policy<FT>::infinity();
@@ -114,11 +114,11 @@ public:
     return best;
   }
 
-  // Whether two finite distances in the face are the same up to rounding.
+  // True for two finite distances that are equal up to rounding.
   bool tie(const FT& d, const FT& e) const { return CGAL::abs(d - e) <= rounding_of((std::min)(d, e)); }
 
-  // Whether d equals a distance e up to rounding, or is the distance of a ray in a margin or in a closed gap: up to 256 u of the
-  // distances and an edge larger (Lower_envelope::close_gap).
+  // True if d equals e up to rounding, or may be the distance along a ray in a margin or a closed gap, which is up to 256 u of
+  // the distances and an edge larger (Lower_envelope::close_gap).
   bool tie_in_margin(const FT& d, const FT& e) const { return d - e <= FT(8) * rounding_of(e); }
 
   bool contains(std::size_t i, const Point& p) const { return m_windows[i].contains(p, rounding_of(FT(0))); }
@@ -149,7 +149,7 @@ private:
     return Number_policy<FT>::rounding(64) * (distance + m_size);
   }
 
-  bool is_cap(std::size_t i) const { return m_windows[i].root.side() == Source_side::CAP; }
+  bool is_cap(std::size_t i) const { return m_windows[i].source_ref.side() == Source_side::CAP; }
 
   void add(const Window_in_face& w, const FT& lowest)
   {
@@ -157,13 +157,13 @@ private:
     m_lowest.push_back(lowest);
   }
 
-  // The function d(v) + |p - v| of a corner. Its cone is the part of the corner where shortest paths by way of the vertex
-  // go on; without extent if there is none: then the function is still a valid bound, but never the distance alone.
+  // Adds the function d(v) + |p - v| of a corner. Its cone is the part of the corner where shortest paths continue behind the
+  // vertex. Without such a part the cone is empty, and the function is an upper bound only.
   void add_corner(int k)
   {
     const Index h = 3 * m_face + Index(k), v = m_mesh.source(h);
     const FT& d = m_field.distance[v];
-    // rays from sources are among the local windows
+    // Rays from sources are local windows.
     if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) return;
     if (!m_mesh.can_be_pseudo_source(v)) return add_cone(k, d, FT(0), FT(0));
     if (m_mesh.has_several_fans(v) || m_field.back[v].corner == no_index)
@@ -178,7 +178,7 @@ private:
       const FT r = lower ? FT(length - sector.exit_of_ray(h, *lower)) : FT(0);
       const FT l = upper ? FT(length - sector.exit_of_ray(h, *upper)) : length;
       if (!(r < l)) return;
-      // at a border vertex both sectors may be in one corner: the cone then holds them both
+      // At a border vertex both sectors may lie in one corner; one cone then covers both.
       part_right = part_left > FT(0) ? (std::min)(part_right, r) : r;
       part_left = (std::max)(part_left, l);
     };
@@ -193,13 +193,13 @@ private:
     });
   }
 
-  // The rays from corner k between two points of the opposite edge, d its distance.
+  // Adds the rays from corner k between two points of the opposite edge. d is the distance of the corner.
   void add_cone(int k, const FT& d, const FT& right, const FT& left)
   {
     const Point& c = m_frame.corner(k);
     const int opposite = (k + 1) % 3;
     const Index v = m_mesh.source(3 * m_face + Index(k));
-    add(Window_in_face{c.x, c.y, d, m_frame.on_edge(opposite, left), m_frame.on_edge(opposite, right), m_field.root[v],
+    add(Window_in_face{c.x, c.y, d, m_frame.on_edge(opposite, left), m_frame.on_edge(opposite, right), m_field.source_ref[v],
                        Window<FT>::make_bits(false, v), STARTS_AT_CORNER, (unsigned char)(k)},
         d);
   }
@@ -213,7 +213,7 @@ private:
     f.sigma = w.is_parallel() ? FT(w.sigma + dot(s, m_frame.corner(k))) : w.sigma;
     f.left = m_frame.on_edge(k, w.b0);
     f.right = m_frame.on_edge(k, w.b1);
-    f.root = w.root;
+    f.source_ref = w.source_ref;
     f.bits = w.bits & ~2u;
     f.origin = Face_window_origin(k);
     f.edge = (unsigned char)(k);

@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The point of the surface that is farthest from the sources: branch and bound over faces, all at once or as the front
-// finishes them, and over triangles in them.
+// The point of the surface farthest from the sources, by branch and bound over faces and over triangles in them. Faces come all
+// at once, or in batches as the front finalizes them.
 //
-// The distance in a face is the minimum of path lengths that are convex functions. So in a triangle it is at most the
-// minimum of the linear functions with the same values at the corners. The maximum of that minimum is a bound, too large by
-// an amount that is quadratic in the size of the triangle, and where it is taken is the place to look for a farthest point.
-// No case is special: the maximum may be at a vertex, on an edge, where three path lengths tie in a face, or all along a
-// ridge.
+// The distance in a face is the minimum of convex path lengths. In a triangle it is at most the minimum of the linear functions
+// with the same values at the corners. The maximum of this minimum is an upper bound whose error is quadratic in the size of
+// the triangle, and the point that attains it is the next candidate. No case is special: the maximum may be at a vertex, on an
+// edge, where three path lengths tie in a face, or all along a ridge.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FARTHEST_POINT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FARTHEST_POINT_H
@@ -33,17 +32,17 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The largest distance of the surface, and a point where it is taken, of several a vertex; or the distance up to which
-// distances are known, if there are points beyond.
+// The largest distance of the surface and a point that attains it, a vertex if possible. If points lie beyond the maximal
+// distance of the build, that distance without a point.
 template <class FT>
 struct Farthest
 {
   FT distance;
-  Index face;                // no_index if there are points beyond
+  Index face;                // no_index if points lie beyond
   Per_corner<FT> weights; // barycentric coordinates, exactly zero on edges
 };
 
-// The search in one face after another, with the farthest point so far.
+// Search in one face after another. Keeps the farthest point.
 template <class FT>
 class Farthest_in_face
 {
@@ -54,13 +53,13 @@ public:
 
   explicit Farthest_in_face(const FT& distance) : m_best(distance) {}
 
-  // There is a point at this distance.
+  // Records a point at this distance.
   void raise(const FT& distance) { m_best = (std::max)(m_best, distance); }
 
-  // Values up to this cannot be told from the largest distance so far. `size`: longest edge of the face.
+  // Values up to the threshold equal the largest distance up to rounding. `size`: longest edge of the face.
   FT threshold(const FT& size) const { return m_best + allowance(size); }
 
-  // The face to come. Returns an upper bound of its distances; `farther` as in search().
+  // Sets the face. Returns an upper bound of its distances. `farther`: result of search().
   FT start(const Per_corner<Point>& corners, const std::vector<Window>& windows, const FT& size, bool& farther)
   {
     m_corner = corners;
@@ -83,7 +82,7 @@ public:
     return m_heap.empty() ? FT(0) : m_heap.front().bound;
   }
 
-  // Whether there is a point in the face that is farther than the farthest one so far. Call start() before.
+  // Returns true if the face has a point farther than the farthest point so far. Call start() before.
   bool search()
   {
     m_farther = false;
@@ -101,11 +100,11 @@ public:
   const Row& weights() const { return m_weights; } // barycentric coordinates of the farthest point in its face
 
 private:
-  // So the search ends. Usually some fifty triangles are halved in a face, one for each bit of the distance; thousands in
-  // needle faces at whose edge the maximum lies.
+  // Limit of the triangles per face. Usually some fifty are split per face, one per bit of the distance; thousands in needles
+  // with the maximum on an edge.
   static constexpr int maximum_count = 20000;
 
-  // A window that may give a distance in a triangle, and its path lengths to the corners.
+  // A window that may attain the distance in a triangle, and its path lengths at the corners.
   struct Candidate
   {
     std::size_t window;
@@ -120,13 +119,13 @@ private:
     friend bool operator<(const Triangle& a, const Triangle& b) { return a.bound < b.bound; }
   };
 
-  // Faces may be much larger than the distances in them.
+  // The rounding error of a distance; faces may be much larger than their distances.
   FT allowance(const FT& size) const
   {
     return Number_policy<FT>::rounding(64) * m_best + Number_policy<FT>::rounding(4) * size;
   }
 
-  // At the corners of the face, exactly there.
+  // Position of the point with barycentric coordinates w, exact at the corners.
   Point position(const Row& w) const
   {
     for (int k = 0; k < 3; ++k)
@@ -134,7 +133,7 @@ private:
     return w[0] * m_corner[0] + (w[1] * m_corner[1] + w[2] * m_corner[2]);
   }
 
-  // Convex in all of the face: behind a source segment inside the face, its other side.
+  // Path length, convex in the whole face: behind a source segment inside the face, that of its other side.
   static FT path_length(const Window& w, const Point& p)
   {
     return w.is_in_front(p) ? w.path_length(p) : w.path_length(p + FT(2) * w.distance_at(p) * w.image());
@@ -145,7 +144,7 @@ private:
     return length(position(t.corner[(k + 1) % 3]) - position(t.corner[k]));
   }
 
-  // Halves the longest edge.
+  // Splits a triangle at the middle of its longest edge.
   void split(const Triangle& t)
   {
     int k = 0;
@@ -166,8 +165,8 @@ private:
     }
   }
 
-  // Looks for a farther point in the triangle, and keeps the triangle if there may be still farther ones. Its candidates are
-  // those of the triangle it comes from, but with m_values at one corner.
+  // Tries the candidate point of a triangle, and stores the triangle if it may have a farther point. Its candidate windows are
+  // those of the triangle that was split, with m_values at one corner.
   void add(Triangle t, int corner)
   {
     const FT size = (std::max)({edge_length(t, 0), edge_length(t, 1), edge_length(t, 2)});
@@ -180,7 +179,7 @@ private:
     m_max_min(m_rows, threshold(m_size));
     t.bound = m_max_min.bound();
     if (!(t.bound > threshold(m_size)) || !Number_policy<FT>::is_finite(t.bound)) return;
-    // without the windows that are nowhere nearest: a path length falls by at most `size` from a corner to another point
+    // Drop windows that are nowhere nearest: a path length falls by at most `size` from a corner to another point.
     const std::size_t first = m_candidates.size();
     for (std::size_t i = 0; i < m_rows.size(); ++i)
       if (Max_min<FT>::largest(m_rows[i]) <= t.bound + size)
@@ -206,7 +205,7 @@ private:
     FT d = Number_policy<FT>::infinity();
     for (std::size_t i = t.first; i < t.last; ++i)
       d = (std::min)(d, path_length((*m_windows)[m_candidates[i].window], p));
-    // a vertex is not left for what may be rounding
+    // Rounding must not move the result away from a vertex.
     if (!(d > m_best + FT(0.25) * allowance(m_size))) return;
     m_best = d;
     m_weights = w;
@@ -228,13 +227,12 @@ private:
   Max_min<FT> m_max_min;
 };
 
-// The farthest point of faces that come one batch after another, as the front finishes them, or all at once.
+// The farthest point of faces that come in batches as the front finalizes them, or all at once.
 //
-// Few faces are searched. The distances of its corners give an upper bound for a face, and those of the corners of all faces
-// a lower bound of the largest distance. A face is finished when the front is at its upper bound, which is not much farther
-// than the farthest corners of the other faces that are finished then: most faces are excluded at once. The windows of the
-// others are copied, and wait: one or two buckets later the lower bound has grown beyond their upper bounds, unless they are
-// among the last.
+// Few faces are searched. The corners' distances give an upper bound per face, and a lower bound of the largest distance over
+// all faces. A face is finalized when the front reaches its upper bound, which is hardly larger than the corners' distances of
+// the other faces finalized then, so most faces are excluded at once. The others wait with a copy of their windows. One or two
+// buckets later the lower bound exceeds their upper bounds, except for the last faces.
 template <class FT>
 class Farthest_point
 {
@@ -247,8 +245,8 @@ public:
   {
   }
 
-  // Takes faces with points up to field.maximum into account. All distances up to there must be final in these faces, and
-  // the windows of the faces must still be there.
+  // Adds faces with points up to field.maximum. All distances up to there must be final in these faces, and their windows still
+  // stored.
   void add(const std::vector<Index>& faces)
   {
     for (const Index f : faces) add_corners(f);
@@ -257,7 +255,7 @@ public:
       if (const NT bound = corner_bound(f); is_farther(bound)) wait(f, bound);
   }
 
-  // The same for all faces, from kept windows.
+  // Overload without a range: all faces, from kept windows.
   void add_all()
   {
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
@@ -271,7 +269,7 @@ public:
       if (is_farther(bound)) wait(f, bound);
   }
 
-  // Nothing if no point is reached.
+  // Result; empty if no point is reached.
   std::optional<Farthest<FT>> result()
   {
     search();
@@ -283,12 +281,12 @@ public:
   std::size_t number_of_searched_faces() const { return m_number_of_searched_faces; }
 
 private:
-  // The search is for a place: with an exact number type, floating point numbers find it.
+  // The search locates a point; floating-point numbers suffice if the distances are exact.
   typedef typename std::conditional<Number_policy<FT>::is_inexact, FT, double>::type NT;
 
-  // Windows of waiting faces, beyond which all of these are searched: as many as the front has had itself. On regular meshes
-  // most faces that it finishes in a bucket have the same bound, and wait for two buckets, each a quarter of an edge wide; on
-  // others some ten faces wait. The smallest number, some 400 KB, is for small fronts and for kept windows.
+  // Limit of the windows of waiting faces, beyond which all waiting faces are searched: the peak of the front's own windows. On
+  // regular meshes most faces finalized in a bucket have the same bound and wait for two buckets, each a quarter of an edge
+  // wide; on others some ten faces wait. The minimum, some 400 KB, serves small fronts and kept windows.
   std::size_t largest_number_of_waiting_windows() const
   {
     return (std::max)(std::size_t(1) << 12, m_field.lists.peak());
@@ -316,10 +314,10 @@ private:
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (is_finite(m_mesh.source(h)) && m_field.distance[m_mesh.source(h)] <= m_field.maximum) return true;
     if (!Number_policy<FT>::is_finite(m_field.maximum)) return false;
-    return !Face_field<FT>(m_mesh, m_initial, m_field, f).windows().empty(); // that end before they are at a corner
+    return !Face_field<FT>(m_mesh, m_initial, m_field, f).windows().empty(); // windows that end before a corner
   }
 
-  // Between a point within the maximum and one beyond there is one at the maximum.
+  // A face with a corner within and a corner beyond the maximum has a point at the maximum.
   void add_corners(Index f)
   {
     for (int k = 0; k < 3; ++k)
@@ -337,7 +335,8 @@ private:
     }
   }
 
-  // No point of the face is farther: a corner's distance and the way from there. Infinite if no corner has a distance.
+  // Upper bound of the distances in a face: a corner's distance plus the longer edge there. Infinite if no corner has a
+  // distance.
   NT corner_bound(Index f) const
   {
     NT bound = Number_policy<NT>::infinity();
@@ -350,7 +349,7 @@ private:
     return bound;
   }
 
-  // Whether there may be points that are farther than all that were found so far, and within the maximum.
+  // True if points within the maximum may be farther than all points so far.
   bool is_farther(const NT& bound) const
   {
     return !m_is_beyond && bound > m_search.threshold(NT(0)) && Number_policy<NT>::is_finite(bound);
@@ -379,7 +378,7 @@ private:
     }
   }
 
-  // Searches the faces that wait.
+  // Searches the waiting faces.
   void search()
   {
     leave_out_excluded();
@@ -406,7 +405,7 @@ private:
     else
     {
       ++m_number_of_searched_faces;
-      // it may be the turn of other faces first
+      // Other faces may have a larger bound.
       if (bound > m_search.threshold(size)) push(Entry{bound, entry.waiting, true});
     }
     if (!farther) return;
@@ -443,7 +442,7 @@ private:
   static Face_window<NT> approximate(const Face_window<FT>& w)
   {
     return {approximate(w.x), approximate(w.y), approximate(w.sigma), approximate(w.left), approximate(w.right),
-            w.root, w.bits, w.origin, w.edge};
+            w.source_ref, w.bits, w.origin, w.edge};
   }
   static Per_corner<Point_in_face<NT>> corners(const Face_frame<FT>& frame)
   {
@@ -453,7 +452,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
-  std::vector<Waiting_face> m_waiting; // their memory is used again
+  std::vector<Waiting_face> m_waiting; // memory is reused
   std::size_t m_number_of_waiting = 0, m_number_of_waiting_windows = 0;
   Farthest_in_face<NT> m_search{NT(0)};
   std::vector<Face_window<NT>> m_windows;

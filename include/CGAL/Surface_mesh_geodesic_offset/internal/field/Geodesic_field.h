@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is known of the distance field: at the vertices always, on the edges as long as the front is there or if the windows
-// are kept.
+// The distance field at the vertices, and on the halfedges where the front is or where windows are kept.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_GEODESIC_FIELD_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_GEODESIC_FIELD_H
@@ -19,17 +18,17 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The beginning of the shortest path from a vertex: in which direction, and how far straight on, that is up to the
-// pseudo-source; if there is none, up to the source.
+// First part of the shortest path from a vertex: its direction, and its end, the pseudo-source. Without a pseudo-source, the
+// path is straight up to the source.
 template <class FT>
-struct Way_back
+struct Backtrace
 {
-  Index corner = no_index; // none at a source, and where the distance is infinite
+  Index corner = no_index; // no_index at a source and at infinite distance
   Index pseudo_source = no_index;
   FT x = FT(0), y = FT(0);
 
-  Way_back() = default;
-  Way_back(const Ray_at_vertex<FT>& ray, Index vertex)
+  Backtrace() = default;
+  Backtrace(const Ray_at_vertex<FT>& ray, Index vertex)
     : corner(ray.corner), pseudo_source(vertex), x(ray.x), y(ray.y)
   {
   }
@@ -42,32 +41,32 @@ class Geodesic_field
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  FT maximum = Number_policy<FT>::infinity(); // up to this distance all is final, or will be
+  FT maximum = Number_policy<FT>::infinity(); // distances up to this one are final after the build
   std::vector<FT> distance;       // per vertex
-  std::vector<Way_back<FT>> back; // per vertex
-  std::vector<Root> root;         // per vertex
-  std::vector<char> has_margins;  // per vertex: whether it sends rays into the margins of its sectors
-  std::vector<double> error;      // per vertex, if windows were merged within a tolerance: how much too small it may be
-  Window_lists<FT> lists;         // of the halfedges where the front is
-  Kept_windows<FT> kept;          // of the faces that it has passed, if they are kept
+  std::vector<Backtrace<FT>> back; // per vertex
+  std::vector<Source_ref> source_ref;         // per vertex
+  std::vector<char> has_margins;  // per vertex: true if rays start in the margins of its sectors
+  std::vector<double> error;      // per vertex, with bounded error: largest excess of the true distance
+  Window_lists<FT> lists;         // of halfedges in the front
+  Kept_windows<FT> kept;          // of finalized faces, if kept
 
-  // Starts with what another field says, and on its windows; it must live until the front has gone.
+  // Initializes from another field and its windows. `other` must stay valid until release_front().
   void start_from(const Geodesic_field& other)
   {
     distance = other.distance;
     back = other.back;
-    root = other.root;
+    source_ref = other.source_ref;
     has_margins = other.has_margins;
     kept = other.kept;
     m_before = &other;
   }
 
-  // All of the surface at infinity.
+  // Sets all distances to infinity.
   void clear(const Unfolded_mesh<FT>& mesh)
   {
     distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
-    back.assign(mesh.number_of_vertices(), Way_back<FT>());
-    root.assign(mesh.number_of_vertices(), Root());
+    back.assign(mesh.number_of_vertices(), Backtrace<FT>());
+    source_ref.assign(mesh.number_of_vertices(), Source_ref());
     has_margins.assign(mesh.number_of_vertices(), 0);
     kept = Kept_windows<FT>();
   }
@@ -79,40 +78,40 @@ public:
     kept.tidy();
   }
 
-  // The list of a halfedge, with the windows that were there before. They have been propagated from pseudo-sources at the
-  // distances that these had then.
+  // List of a halfedge. A new list starts with the windows of the earlier field, marked as propagated at the distances that
+  // their pseudo-sources had in that field.
   Window_list<FT>& list(Index h) { return list(h, lists.arena(0)); }
   Window_list<FT>& list(Index h, Window_arena<Window>& arena)
   {
     if (Window_list<FT>* const known = lists.find(h)) return *known;
     Window_list<FT>& list = lists.create(h);
     if (!m_before) return list;
-    kept.for_each(h, m_before->distance, m_before->root, [&](const Window& w) {
+    kept.for_each(h, m_before->distance, m_before->source_ref, [&](const Window& w) {
       lists.append(h, list, &w, 1, arena);
-      list.data[list.taken++].set_propagated();
+      list.data[list.processed++].set_propagated();
     });
     return list;
   }
 
-  // The root of a path that leads to v, in place of one with the root `known` that is as long: corners of polylines are on both
-  // sides of them.
-  Root root_by_way_of(Index v, Root known) const
+  // Source reference of a path through v. At a corner of a polyline, which lies on both sides, an equally long path with the
+  // reference `known` keeps its side.
+  Source_ref source_ref_via(Index v, Source_ref known) const
   {
-    const bool is_corner = CGAL::is_zero(distance[v]) && root[v].is_lateral();
-    return is_corner && known.is_valid() && known.is_lateral() ? Root(root[v].primitive(), known.side()) : root[v];
+    const bool is_corner = CGAL::is_zero(distance[v]) && source_ref[v].is_lateral();
+    return is_corner && known.is_valid() && known.is_lateral() ? Source_ref(source_ref[v].primitive(), known.side()) : source_ref[v];
   }
 
-  // Calls f(window) for each window that is final on a halfedge, in order.
+  // Calls f(window) for each final window of a halfedge, in order.
   template <class Function>
   void for_each_window(Index h, const Function& f) const
   {
     if (lists.has(h))
     {
       const Window_list<FT>& list = lists.get(h);
-      for (Index i = 0; i < list.taken; ++i) f(list.data[i]);
+      for (Index i = 0; i < list.processed; ++i) f(list.data[i]);
     }
     else
-      kept.for_each(h, distance, root, f);
+      kept.for_each(h, distance, source_ref, f);
   }
 
 private:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The windows of the faces that the front has passed, for queries at any later time, as compactly as they come without loss:
-// what the vertices know already is not stored again.
+// Compact, lossless storage of the windows of finalized faces, for later queries. Values known at vertices are not stored
+// again.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_KEPT_WINDOWS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_KEPT_WINDOWS_H
@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Chord_path.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Rays_through_chord.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -31,14 +31,14 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// How long the ways to a point of a face are, by the windows that enter the face.
+// Lengths of the paths to a point of a face through the windows that enter the face.
 template <class FT>
 struct Nearest_kept_window
 {
-  FT straight = Number_policy<FT>::infinity(); // the shortest one along a ray
-  FT bent = Number_policy<FT>::infinity();     // the shortest one round the end of a window
-  Index window = no_index;                     // gives the straight one: for Kept_windows::rays_of_window()
-  int halfedge = 0;                            // of the face, by which it enters
+  FT straight = Number_policy<FT>::infinity(); // shortest path along a ray
+  FT bent = Number_policy<FT>::infinity();     // shortest path around the end of a window
+  Index window = no_index;                     // of the straight path, for Kept_windows::rays_of_window()
+  int halfedge = 0;                            // that this window enters, 0 to 2
 };
 
 template <class FT>
@@ -49,9 +49,9 @@ public:
 
   bool is_empty() const { return m_begin.empty(); }
 
-  // Keeps the lists of the halfedges of faces; of those that have none, what was kept before stays. Windows of
-  // pseudo-sources that have come nearer since (`distance`: per vertex) are nowhere the best ones any more. Each face has
-  // its place, whoever of the team puts it there.
+  // Stores the lists of the halfedges of `faces`; a halfedge without a list keeps its stored windows. Windows are dropped if
+  // their pseudo-source has come nearer since (`distance`, per vertex), as they are not shortest anywhere. The layout does not
+  // depend on the number of threads.
   template <class Team>
   void keep(const std::vector<Index>& faces, const Window_lists<FT>& lists, const std::vector<FT>& distance,
             std::size_t number_of_faces, Team& team)
@@ -75,14 +75,14 @@ public:
     }
   }
 
-  // Calls f(window) for the windows of a halfedge, in order. `distance` and `root`, per vertex, are those of the field.
+  // Calls f(window) for the windows of a halfedge, in order. `distance` and `source_ref` belong to the field, per vertex.
   template <class Function>
-  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Function& f) const
+  void for_each(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref, const Function& f) const
   {
-    for_each_packed(h, [&](const Packed& p) { f(unpack(p, distance, root)); });
+    for_each_packed(h, [&](const Packed& p) { f(unpack(p, distance, source_ref)); });
   }
 
-  // Says that the windows of a face will be asked for at once.
+  // Software prefetch of the windows of a face.
   BOOST_FORCEINLINE void prefetch(Index face) const
   {
     if (m_begin.empty()) return;
@@ -90,16 +90,16 @@ public:
     if (n != 0) internal::prefetch(&at(begin), (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed));
   }
 
-  // The nearest window for a point of a face, q[k] in the frame of halfedge k. Ways round the end of a window are looked at
-  // only where rounding has lost rays: where the window misses the ray to the point by no more than the allowance, a length,
-  // and where the point is beyond the end of one window and before the begin of the next one.
+  // The nearest window for a point of a face, q[k] in the frame of halfedge k. Rounding may lose the ray to the point. So
+  // windows are candidates if they miss the point by at most `allowance` (a length), and so are two neighbours if the point
+  // lies beyond the end of the first and before the begin of the second.
   void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance,
                     const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
   {
     if (m_begin.empty()) return;
     const Index* begin = &m_begin[4 * face];
     enum { block = 64 };
-    Index candidate[2 * block]; // without branches, which could not be foreseen
+    Index candidate[2 * block]; // filled without branches, which are unpredictable here
     int was_beyond = 0, last_halfedge = 0;
     for (Index i = begin[0], n = begin[3]; i < n;)
     {
@@ -140,24 +140,24 @@ public:
     }
   }
 
-  // But for the distances at the ends.
-  Window rays_of_window(Index i, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  // Window i without the distances at its ends.
+  Window rays_of_window(Index i, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
   {
-    return unpack_rays(at(i), distance, root);
+    return unpack_rays(at(i), distance, source_ref);
   }
 
-  // Calls f(window) for the windows of a halfedge through which a path to q is not longer than the limit.
+  // Calls f(window) for the windows of a halfedge through which a path of at most the length `limit` leads to q.
   template <class Function>
-  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Root>& root, const Point_in_face<FT>& q,
+  void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref, const Point_in_face<FT>& q,
                        const FT& limit, const Function& f) const
   {
     for_each_packed(h, [&](const Packed& p) {
       bool is_straight;
-      if (path_length(p, distance, q, is_straight) <= limit) f(unpack(p, distance, root));
+      if (path_length(p, distance, q, is_straight) <= limit) f(unpack(p, distance, source_ref));
     });
   }
 
-  // Gives the places back that were left behind when faces were kept anew, once they are many.
+  // Compacts the storage if more than a quarter of the live windows' number is unused.
   void tidy()
   {
     if (m_size <= m_live + m_live / 4) return;
@@ -185,31 +185,31 @@ public:
   }
 
 private:
-  // An interval window starts at a vertex whose distance and root are known, or at a source at no distance. A
-  // parallel-source window, and one that was merged within a tolerance, has its sigma elsewhere.
+  // An interval window starts at a vertex of known distance and source, or at a source at distance 0. The sigma of a
+  // parallel-source window and of a merged window is stored in m_sigma.
   struct Packed
   {
     FT x, y, b0, b1;
-    Index root_value; // no Root: nothing is to be written when pages are made
-    Index bits; // bit 0: parallel; bit 31: merged; the others: the place of sigma, or 1 + pseudo-source vertex, 0 if none
+    Index source_ref_value; // not a Source_ref, so that new pages need no initialization
+    Index bits; // bit 0: parallel; bit 31: merged; the others: index of sigma, or 1 + pseudo-source vertex, 0 if none
 
-    Root root() const
+    Source_ref source_ref() const
     {
-      Root r;
-      r.value = root_value;
+      Source_ref r;
+      r.value = source_ref_value;
       return r;
     }
     bool is_merged() const { return bits & merged_flag; }
     Index value() const { return (bits & ~merged_flag) >> 1; }
   };
   enum { page_size = 4096 };
-  static constexpr std::size_t worthwhile = 8; // faces: fewer take no longer than others need to notice them
-  static constexpr Index merged_flag = 1u << 31; // sigma is followed by the bound of the error
+  static constexpr std::size_t worthwhile = 8; // faces; the wake-up of other threads costs more than fewer faces
+  static constexpr Index merged_flag = 1u << 31; // sigma is followed by the error bound
 
-  // Where the windows of a face go: first how many there are.
+  // Place of the windows of a face; a count of them before make_room().
   struct Place
   {
-    Index windows[4] = {0, 0, 0, 0}; // begin of those of each halfedge, and their end
+    Index windows[4] = {0, 0, 0, 0}; // begin per halfedge, and end
     Index sigma = 0;
 
     void count(int k, const Packed&) { ++windows[k]; }
@@ -220,7 +220,7 @@ private:
     }
   };
 
-  // Calls f(halfedge of the face, window) for what is to be kept: those of the list, or packed ones.
+  // Calls f(halfedge of the face, window) for each window to store: those of the list, or the stored ones if there is no list.
   template <class Function>
   void for_each_kept(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, const Function& f) const
   {
@@ -230,7 +230,7 @@ private:
       if (lists.has(h))
       {
         const Window_list<FT>& list = lists.get(h);
-        for (Index i = 0; i < list.taken; ++i)
+        for (Index i = 0; i < list.processed; ++i)
           if (!is_outdated(list.data[i], distance)) f(k, list.data[i]);
       }
       else
@@ -262,7 +262,7 @@ private:
     if (m_size >= std::size_t(no_index)) complain();
     if constexpr (std::is_trivially_default_constructible<Packed>::value)
       while (m_pages.size() * page_size < m_size) m_pages.emplace_back(page_size, boost::container::default_init);
-    else // no more numbers than are needed
+    else // constructs no superfluous numbers
       for (std::size_t p = (m_size - windows) / page_size; p * page_size < m_size; ++p)
       {
         if (p == m_pages.size()) m_pages.emplace_back().reserve(page_size);
@@ -317,10 +317,10 @@ private:
 
   static const Packed& packed(const Packed& p, Index&) { return p; }
 
-  // `sigma`: the next place for one
+  // `sigma`: next free index in m_sigma.
   Packed packed(const Window& w, Index& sigma)
   {
-    Packed p{w.x, w.y, w.b0, w.b1, w.root.value, w.bits >> 2 << 1};
+    Packed p{w.x, w.y, w.b0, w.b1, w.source_ref.value, w.bits >> 2 << 1};
     if (w.is_parallel() || w.is_merged())
     {
       p.bits = sigma << 1 | Index(w.is_parallel());
@@ -329,38 +329,38 @@ private:
     if (w.is_merged())
     {
       p.bits |= merged_flag;
-      m_sigma[sigma++] = FT(Merged_origin::error(w.pseudo_source()));
+      m_sigma[sigma++] = FT(Merge_error_code::error(w.pseudo_source()));
     }
     return p;
   }
 
-  Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
   {
-    Window w = unpack_rays(p, distance, root);
+    Window w = unpack_rays(p, distance, source_ref);
     w.d0 = w.distance_at(w.b0);
     w.d1 = w.distance_at(w.b1);
     return w;
   }
 
-  Window unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Root>& root) const
+  Window unpack_rays(const Packed& p, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const
   {
-    Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.root(), 0};
+    Window w{p.x, p.y, FT(0), p.b0, p.b1, FT(0), FT(0), p.source_ref(), 0};
     const Index value = p.value();
     if (p.bits & 1u || p.is_merged())
     {
       w.sigma = m_sigma[value];
-      w.bits = Window::make_bits(p.bits & 1u, p.is_merged() ? merged_origin(value) : no_index);
+      w.bits = Window::make_bits(p.bits & 1u, p.is_merged() ? merge_error_code(value) : no_index);
     }
     else if (value != 0)
     {
       w.sigma = distance[value - 1];
-      w.root = root[value - 1];
+      w.source_ref = source_ref[value - 1];
       w.bits = Window::make_bits(false, value - 1);
     }
     return w;
   }
 
-  Index merged_origin(Index place) const { return Merged_origin::with_error(CGAL::to_double(m_sigma[place + 1])); }
+  Index merge_error_code(Index place) const { return Merge_error_code::with_error(CGAL::to_double(m_sigma[place + 1])); }
 
   Packed& at(Index i)
   {
@@ -376,9 +376,9 @@ private:
   Index last(Index h) const { return m_begin[4 * (h / 3) + h % 3 + 1]; }
 
   std::vector<boost::container::vector<Packed>> m_pages;
-  std::size_t m_size = 0, m_live = 0; // windows in the pages, and those of them that belong to a face
-  std::vector<FT> m_sigma;            // of parallel-source windows
-  std::vector<Index> m_begin;         // four for each face: where the windows of its halfedges begin, and where they end
+  std::size_t m_size = 0, m_live = 0; // windows in the pages, and those in use
+  std::vector<FT> m_sigma;            // of parallel-source and merged windows
+  std::vector<Index> m_begin;         // four per face: begin of the windows per halfedge, and end
 };
 
 } // namespace internal

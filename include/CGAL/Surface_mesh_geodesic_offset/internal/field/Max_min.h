@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The maximum over a triangle of the minimum of several linear functions.
+// Maximum over a triangle of the minimum of linear functions.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_MAX_MIN_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_MAX_MIN_H
@@ -19,15 +19,16 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Each function is given by its values at the corners: the maximum is the value of a matrix game. Convex combinations of the
-// functions bound it from above, whatever rounding does to their coefficients; the best one has at most three members.
+// Each function is given by its values at the corners, so the maximum is the value of a matrix game. Every convex combination
+// of the functions is an upper bound, whatever the rounding of its coefficients. An optimal combination has at most three
+// members.
 template <class FT>
 class Max_min
 {
 public:
   typedef Per_corner<FT> Row;
 
-  // Stops once the bound is not above `enough`.
+  // Stops when the bound is at most `enough`.
   void operator()(const std::vector<Row>& rows, const FT& enough)
   {
     m_bound = Number_policy<FT>::infinity();
@@ -44,7 +45,7 @@ public:
     m_weights = Row{FT(0), FT(0), FT(0)};
     const Row& row = rows[m_members[0]];
     m_weights[row[0] == m_bound ? 0 : row[1] == m_bound ? 1 : 2] = FT(1);
-    // the bound falls in each step; where it stops before the maximum, on a tie, smaller triangles will do better
+    // The bound falls in each step. On a tie the loop may stop before the optimum; the caller then splits the triangle.
     for (int step = 0; step < 32 && m_bound > enough; ++step)
     {
       std::size_t lowest = 0;
@@ -63,7 +64,7 @@ public:
   static FT largest(const Row& row) { return (std::max)((std::max)(row[0], row[1]), row[2]); }
 
   const FT& bound() const { return m_bound; }
-  const Row& weights() const { return m_weights; } // barycentric coordinates of the point where the maximum is
+  const Row& weights() const { return m_weights; } // barycentric coordinates of the maximum
 
 private:
   static FT dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -73,7 +74,7 @@ private:
     return Row{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
-  // Makes the coordinates nonnegative with sum 1.
+  // Makes the coordinates nonnegative, with sum 1.
   static bool normalize(Row& w)
   {
     for (int round = 0; round < 2; ++round)
@@ -85,7 +86,7 @@ private:
     return true;
   }
 
-  // Combinations of row r with one or two members; whether one of them lowers the bound.
+  // Tries combinations of row r with one or two members. Returns true if one lowers the bound.
   bool exchange(const std::vector<Row>& rows, std::size_t r)
   {
     const Per_corner<std::size_t> old = m_members;
@@ -99,7 +100,7 @@ private:
     return m_bound < before;
   }
 
-  // Two functions that tie on an edge.
+  // Two functions that are equal at a point of an edge.
   void combine(const std::vector<Row>& rows, std::size_t r, std::size_t s)
   {
     const Row d = minus(rows[r], rows[s]);
@@ -113,7 +114,7 @@ private:
     }
   }
 
-  // Three functions that tie inside.
+  // Three functions that are equal at an interior point.
   void combine(const std::vector<Row>& rows, std::size_t r, std::size_t s, std::size_t t)
   {
     const Row &a = rows[r], &b = rows[s], &c = rows[t];

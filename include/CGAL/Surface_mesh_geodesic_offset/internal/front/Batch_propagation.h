@@ -10,8 +10,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Way_out.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Child_window_writer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
@@ -35,7 +35,7 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Wavefront_state<FT>::Output Output;
-  typedef Vertex_arrival<FT> Arrival;
+  typedef Vertex_update<FT> Update;
 
   Batch_propagation(const Wavefront_state<FT>& state, const Traits& traits)
     : m_state(state), m_mesh(state.mesh), m_traits(traits)
@@ -52,7 +52,7 @@ public:
     CGAL_precondition(std::is_sorted(w, w + n, Window_order<FT, Window>::begins_before));
     CGAL_expensive_precondition(std::all_of(w, w + n, has_interval<FT>));
     const Window_propagation<Traits> face(m_mesh, h, m_traits);
-    m_arrivals.clear();
+    m_updates.clear();
     m_apex = m_mesh.apex(h);
     m_best = split_distance;
     m_entry = split_entry;
@@ -88,16 +88,16 @@ public:
 
   // The result: what arrives at the apex, and what goes onto the twins of the two other halfedges.
   Index apex() const { return m_apex; }
-  const std::vector<Arrival>& arrivals() const { return m_arrivals; }
+  const std::vector<Update>& updates() const { return m_updates; }
   const Output& left() const { return m_left; }
   const Output& right() const { return m_right; }
   std::size_t number_of_windows() const { return m_number; }
 
 private:
-  typedef typename Estimation<FT>::Estimate Estimate;
+  typedef typename Interval_filter<FT>::Estimate Estimate;
 
-  typedef Way_out<Traits, true> Left;
-  typedef Way_out<Traits, false> Right;
+  typedef Child_window_writer<Traits, true> Left;
+  typedef Child_window_writer<Traits, false> Right;
 
   // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
   // are exact for all rays.
@@ -116,7 +116,7 @@ private:
       while (i < n && exit[i] == whole) ++i;
       return i;
     }
-    const Paired_exit<Traits, Way::is_left> edge(face, m_traits);
+    const Simd_edge_exit<Traits, Way::is_left> edge(face, m_traits);
     for (; i < n && exit[i] == whole; ++i)
     {
       if (w[i].is_parallel())
@@ -147,8 +147,8 @@ private:
     const bool may_be_best = CGAL::possibly(estimate(d_apex) <= estimate(m_best));
     const bool to_apex = may_be_best || CGAL::possibly(at_split <= at_entry);
     const bool from_apex = may_be_best || CGAL::possibly(at_split >= at_entry);
-    const FT end = to_apex ? split : FT(Estimation<FT>::upper_cut(at_entry));
-    const FT begin = from_apex ? split : FT(Estimation<FT>::lower_cut(at_entry));
+    const FT end = to_apex ? split : FT(Interval_filter<FT>::upper_cut(at_entry));
+    const FT begin = from_apex ? split : FT(Interval_filter<FT>::lower_cut(at_entry));
     if (exit != FROM_APEX && CGAL::possibly(estimate(end) > estimate(w.b0)))
       left.template take<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex);
     if (exit != UP_TO_APEX && CGAL::possibly(estimate(begin) < estimate(w.b1)))
@@ -209,15 +209,15 @@ private:
       update_apex(h, face, m_best, bx, by, w, false, face.is_beside_end(w));
     }
     if (is_exact) return;
-    if (last_left && !covered) round_the_end(h, face, *last_left, last_left->b1, last_left->d1);
-    if (first_right && !covered) round_the_end(h, face, *first_right, first_right->b0, first_right->d0);
+    if (last_left && !covered) update_apex_around_end(h, face, *last_left, last_left->b1, last_left->d1);
+    if (first_right && !covered) update_apex_around_end(h, face, *first_right, first_right->b0, first_right->d0);
     // The path to the apex along an edge from another corner of the face is shorter only in needle faces, where windows have
     // the round-off of much longer edges.
     const FT along_edge = (std::min)(FT(m_state.field.distance[m_mesh.source(h)] + face.left_length),
                                      FT(m_state.field.distance[m_mesh.target(h)] + face.right_length));
     if (!Number_policy<FT>::is_finite(m_known) || !m_state.is_shorter(along_edge, m_known)) return;
-    const Root root = m_arrivals.empty() ? m_state.field.root[m_apex] : m_arrivals.back().root;
-    m_arrivals.push_back(m_state.along_edge(m_mesh.previous(h), root));
+    const Source_ref source_ref = m_updates.empty() ? m_state.field.source_ref[m_apex] : m_updates.back().source_ref;
+    m_updates.push_back(m_state.along_edge(m_mesh.previous(h), source_ref));
     m_known = along_edge;
   }
 
@@ -240,20 +240,20 @@ private:
     const Sign at_b0 = compare(w.x, w.y, w.is_parallel(), w.b0, face.apex_x, face.apex_y);
     if (at_b0 == POSITIVE)
     {
-      if (!is_exact && face.passes_apex_closely(w, w.b0)) round_the_end(h, face, w, w.b0, w.d0);
+      if (!is_exact && face.passes_apex_closely(w, w.b0)) update_apex_around_end(h, face, w, w.b0, w.d0);
       return RIGHT;
     }
     const Sign at_b1 = compare(w.x, w.y, w.is_parallel(), w.b1, face.apex_x, face.apex_y);
     if (at_b1 == NEGATIVE)
     {
-      if (!is_exact && face.passes_apex_closely(w, w.b1)) round_the_end(h, face, w, w.b1, w.d1);
+      if (!is_exact && face.passes_apex_closely(w, w.b1)) update_apex_around_end(h, face, w, w.b1, w.d1);
       return LEFT;
     }
     return !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
   }
 
   // The path that leaves the window at its end b, at distance d.
-  void round_the_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
+  void update_apex_around_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
   {
     if (!(d < m_known)) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
@@ -272,7 +272,7 @@ private:
                    const Window& w, bool is_bent = false, bool is_beside_end = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
-    m_arrivals.push_back({d, back, w.root, w.pseudo_source(), is_bent, is_beside_end});
+    m_updates.push_back({d, back, w.source_ref, w.pseudo_source(), is_bent, is_beside_end});
     if (d < m_known) m_known = d;
   }
 
@@ -280,7 +280,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Traits& m_traits;
   Output m_left, m_right;
-  std::vector<Arrival> m_arrivals;
+  std::vector<Update> m_updates;
   std::size_t m_number = 0;
   Index m_apex;
   FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the best through the halfedge, where this enters

@@ -47,18 +47,18 @@ public:
   const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
   {
     m_nearest_gap = Number_policy<FT>::infinity();
-    const bool may_stay = !m_needs_envelopes && list.taken == 0 && !list.waiting.data;
+    const bool may_stay = !m_needs_envelopes && list.processed == 0 && !list.waiting.data;
     if constexpr (is_inexact)
     {
-      if (may_stay && Lower_envelope<Traits>::is_row(list.begin(), list.end(), m_mesh[h].length))
+      if (may_stay && Lower_envelope<Traits>::is_monotone_list(list.begin(), list.end(), m_mesh[h].length))
       {
         m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
         return nullptr;
       }
     }
-    CGAL_precondition(list.taken <= list.size);
+    CGAL_precondition(list.processed <= list.size);
     // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
-    for (Window* w = list.data; w != list.data + list.taken; ++w) w->set_propagated();
+    for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
     // Merged windows have errors far above those that late gaps avoid, and are fewer if gaps are closed at once.
     const std::vector<Window>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
@@ -79,7 +79,7 @@ public:
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_state.field.distance[v], m_state.field.root[v]}; }
+  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_state.field.distance[v], m_state.field.source_ref[v]}; }
 
   const Unfolded_mesh<FT>& m_mesh;
   const Wavefront_state<FT>& m_state;

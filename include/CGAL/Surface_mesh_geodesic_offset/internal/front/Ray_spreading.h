@@ -32,18 +32,18 @@ public:
   // Everything that starts from the sources, but for primitives before the given one.
   void start(Index first_primitive)
   {
-    const auto starts = [&](const auto& what) { return what.root.primitive() >= first_primitive; };
+    const auto starts = [&](const auto& what) { return what.source_ref.primitive() >= first_primitive; };
     // first the vertices that are sources, which have their own fans; then what reaches vertices, maybe at no distance
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
         if (starts(s) && (s.back.corner == no_index) == is_source)
-          m_state.update_vertex(s.vertex, {s.distance, s.back, s.root, no_index});
+          m_state.update_vertex(s.vertex, {s.distance, s.back, s.source_ref, no_index});
     for (const auto& f : m_initial.fans)
-      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.root, no_index, m_state);
+      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.source_ref, no_index, m_state);
     for (const auto& e : m_initial.edges)
     {
       if (!starts(e)) continue;
-      Window w{FT(0), FT(-1), FT(0), e.b0, e.b1, FT(0), FT(0), e.root, Window::make_bits(true, no_index)};
+      Window w{FT(0), FT(-1), FT(0), e.b0, e.b1, FT(0), FT(0), e.source_ref, Window::make_bits(true, no_index)};
       m_state.append(e.halfedge, w);
     }
     for (const auto& l : m_initial.local)
@@ -74,18 +74,18 @@ public:
     state = char(State::HAS_SPREAD | (ties ? State::TIES | State::HAS_MARGINS : 0));
     m_state.field.has_margins[v] = ties;
     const Ray back = m_state.field.back[v].ray();
-    const Root root = m_state.field.root[v];
+    const Source_ref source_ref = m_state.field.source_ref[v];
     if (all_round)
-      return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, root, v, front); });
+      return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
     if (waits && m_mesh.can_be_pseudo_source(v))
       m_sector.for_each_sector_behind(
-        back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front); });
+        back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, source_ref, v, front); });
     m_sector.for_each_margin_behind(
       back, ties, m_state.hidden_angle(v),
-      [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, root, v, front, true); });
+      [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, source_ref, v, front, true); });
     if (waits && m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
-        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, root, v, front);
+        if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, source_ref, v, front);
       });
   }
 
@@ -95,7 +95,7 @@ private:
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
-    Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.root, local.bits};
+    Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.source_ref, local.bits};
     frame.window_to_twin(m_traits, k, w);
     // Rays along the edge do not leave through it. Rounding of the direction must not make them cross it.
     if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
@@ -154,7 +154,7 @@ private:
 
   // The rays from v in a sector, or in its margin: windows on the edges opposite to v, and distances along the edges.
   template <class Front>
-  void spread(Index v, const Ray& from, const Ray& to, Index first, Root root, Index pseudo_source, Front& front,
+  void spread(Index v, const Ray& from, const Ray& to, Index first, Source_ref source_ref, Index pseudo_source, Front& front,
               bool is_margin = false) const
   {
     const FT sigma = m_state.field.distance[v];
@@ -162,12 +162,12 @@ private:
       const Index e = m_mesh.next(h), p = m_mesh.previous(h);
       front.schedule(m_mesh.face(h));
       front.update_vertex(m_mesh.source(e),
-                          {sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, root, pseudo_source});
-      front.update_vertex(m_mesh.source(p), {sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, root, pseudo_source});
+                          {sigma + m_mesh[h].length, Ray{e, m_mesh[e].apex_x, m_mesh[e].apex_y}, source_ref, pseudo_source});
+      front.update_vertex(m_mesh.source(p), {sigma + m_mesh[p].length, Ray{p, FT(1), FT(0)}, source_ref, pseudo_source});
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
-      Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), root,
+      Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), source_ref,
                Window::make_bits(false, pseudo_source)};
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);

@@ -10,10 +10,10 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_passing.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_taking.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_finalizer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Sequential_front.h>
 #ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Parallel_taking.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Parallel_front.h>
 #endif
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
@@ -26,12 +26,25 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+template <class Traits, class Concurrency_tag>
+struct Front_type
+{
+  typedef Sequential_front<Traits> type;
+};
+#ifdef CGAL_LINKED_WITH_TBB
+template <class Traits>
+struct Front_type<Traits, Parallel_tag>
+{
+  typedef Parallel_front<Traits> type;
+};
+#endif
+
 // `Concurrency_tag`: Sequential_tag, or Parallel_tag with floating point numbers.
 template <class Traits, class Concurrency_tag = Sequential_tag>
 class Wavefront
 {
   typedef Wavefront_state<typename Traits::FT> State;
-  typedef Halfedge_taking<Traits, Concurrency_tag> Taking;
+  typedef typename Front_type<Traits, Concurrency_tag>::type Front;
 
 public:
   typedef typename Traits::FT FT;
@@ -43,7 +56,7 @@ public:
     : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
       m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
       m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
-      m_taking(m_state, initial.source_of, traits, tolerance)
+      m_front(m_state, initial.source_of, traits, tolerance)
   {
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
@@ -64,8 +77,8 @@ public:
     m_state.field.maximum = m_state.maximum;
     m_spreading.start(first_primitive);
     std::size_t settled = 1, asked = 1;
-    m_taking.look_at_all_parts();
-    while (m_taking.advance() || reveals_hidden_vertices())
+    m_front.look_at_all_parts();
+    while (m_front.advance() || reveals_hidden_vertices())
     {
       if (m_state.current() > asked)
       { // less one bucket, against rounding
@@ -84,10 +97,10 @@ public:
           consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
           settled = oldest;
         }
-      m_taking.pass_faces(m_passing, m_passed);
+      m_front.pass_faces(m_passing, m_passed);
       hand_over(consumer);
       reveal_vertices();
-      m_taking.take_all(m_spreading);
+      m_front.process_bucket(m_spreading);
     }
     for_each_unfinished_face([this](Index f) { this->m_passing.finish(f, this->m_passed.faces); });
     hand_over(consumer);
@@ -96,8 +109,8 @@ public:
   }
 
   Wavefront_counts counts() const { return m_state.counts(); }
-  const Window_merging<FT>& merging() const { return m_taking.merging(); }
-  Merging_counts merging_counts() const { return m_taking.merging_counts(); }
+  const Window_merging<FT>& merging() const { return m_front.merging(); }
+  Merging_counts merging_counts() const { return m_front.merging_counts(); }
 
   const FT& maximum() const { return m_state.maximum; }
 
@@ -127,7 +140,7 @@ private:
     if (m_passed.hidden.empty()) return false;
     for (Index h : m_passed.hidden) m_state.reveal_vertex(h);
     m_passed.hidden.clear();
-    m_taking.look_at_all_parts();
+    m_front.look_at_all_parts();
     return true;
   }
 
@@ -145,22 +158,22 @@ private:
   {
     const std::vector<Index>& faces = m_passed.faces;
     if (faces.empty()) return;
-    auto&& team = m_taking.team();
+    auto&& team = m_front.team();
     consumer.take(faces, team);
     if (m_keep)
       m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
-    m_taking.release(faces);
+    m_front.release(faces);
     m_number_of_passed += faces.size();
     m_passed.faces.clear();
   }
 
   const Unfolded_mesh<FT>& m_mesh;
   const bool m_keep;
-  const typename Taking::Partition m_partition;
+  const typename Front::Partition m_partition;
   State m_state;
-  const Face_passing<FT> m_passing;
+  const Face_finalizer<FT> m_passing;
   Ray_spreading<Traits> m_spreading;
-  Taking m_taking;
+  Front m_front;
   Passed_faces m_passed; // that the consumer has not taken yet
   bool m_is_update = false;
   std::size_t m_number_of_passed = 0;

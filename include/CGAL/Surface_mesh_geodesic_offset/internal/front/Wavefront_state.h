@@ -33,11 +33,11 @@ struct Wavefront_counts
 // What a vertex is told: the length of a path to it, that leaves it along `back`, straight to a pseudo-source or to the
 // source. A bent path has gone round the end of a window that misses the vertex by rounding.
 template <class FT>
-struct Vertex_arrival
+struct Vertex_update
 {
   FT distance;
   Ray_at_vertex<FT> back;
-  Root root;
+  Source_ref source_ref;
   Index pseudo_source;
   bool is_bent = false;
   bool is_beside_end = false; // of the window; see Vertex_sector::for_each_margin_behind()
@@ -48,7 +48,7 @@ class Wavefront_state
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-  typedef Vertex_arrival<FT> Arrival;
+  typedef Vertex_update<FT> Update;
   typedef Window_output<FT, Window> Output;
 
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8, TIES = 16, HAS_MARGINS = 32 };
@@ -125,7 +125,7 @@ public:
 
   // A vertex where shortest paths bend becomes a pseudo-source once the front is there. A straight path tells the direction
   // better than a bent one that is as long.
-  void update_vertex(Index v, const Arrival& a)
+  void update_vertex(Index v, const Update& a)
   {
     const FT& d = a.distance;
     CGAL_precondition(CGAL::possibly(estimate(d) >= 0));
@@ -137,8 +137,8 @@ public:
       rounding += Number_policy<FT>::rounding(64) * (mesh[a.back.corner].length + mesh[mesh.previous(a.back.corner)].length);
     if (!a.is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && CGAL::abs(FT(d - known)) <= rounding)
     {
-      field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
-      field.root[v] = a.root;
+      field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
+      field.source_ref[v] = a.source_ref;
       vertex_state[v] &= char(~IS_BENT);
     }
     if constexpr (Number_policy<FT>::is_inexact)
@@ -146,13 +146,13 @@ public:
       if (BOOST_UNLIKELY(d <= known + rounding && (a.is_beside_end || d >= known - rounding))) add_tie(v);
     }
     if (!(d < known)) return;
-    // what rounding improves comes from no other root, and is no reason to spread again
+    // what rounding improves comes from no other source_ref, and is no reason to spread again
     const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
     if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
     if (ties) return;
-    field.back[v] = Way_back<FT>(a.back, a.pseudo_source);
-    field.root[v] = a.root;
+    field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
+    field.source_ref[v] = a.source_ref;
     vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN | TIES | HAS_MARGINS));
     if (a.is_bent) vertex_state[v] |= IS_BENT;
     if (a.is_beside_end) vertex_state[v] |= TIES;
@@ -207,15 +207,15 @@ public:
 
   FT distance_of_image(Index v, Index pseudo_source) const
   {
-    const bool is_source = pseudo_source == no_index || Merged_origin::is_merged(pseudo_source);
+    const bool is_source = pseudo_source == no_index || Merge_error_code::is_merged(pseudo_source);
     return is_source ? field.distance[v] : FT(field.distance[v] - field.distance[pseudo_source]);
   }
 
   // The same of the apex of a batch.
-  void update_apex(Index v, const Arrival& a) { update_vertex(v, a); }
+  void update_apex(Index v, const Update& a) { update_vertex(v, a); }
 
   // Whether update_vertex() may do anything.
-  BOOST_FORCEINLINE bool may_change(Index v, const Arrival& a) const
+  BOOST_FORCEINLINE bool may_change(Index v, const Update& a) const
   {
     const FT& known = field.distance[v];
     if constexpr (!Number_policy<FT>::is_inexact) return a.distance < known;
@@ -225,8 +225,8 @@ public:
   // Whether a vertex that has spread has to spread margins, too.
   bool lacks_margins(Index v) const { return (vertex_state[v] & (HAS_SPREAD | TIES | HAS_MARGINS)) == (HAS_SPREAD | TIES); }
 
-  // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given root.
-  Arrival along_edge(Index h, Root root) const
+  // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given source_ref.
+  Update along_edge(Index h, Source_ref source_ref) const
   {
     const Index p = mesh.previous(h), v = mesh.target(h), u = mesh.source(p);
     const FT by_v = field.distance[v] + mesh[h].length, by_u = field.distance[u] + mesh[p].length;
@@ -235,7 +235,7 @@ public:
       is_by_v ? Ray_at_vertex<FT>{h, FT(1), FT(0)} : Ray_at_vertex<FT>{h, mesh[h].apex_x, mesh[h].apex_y};
     const Index corner = is_by_v ? v : u;
     const Index pseudo_source = field.back[corner].corner == no_index ? no_index : corner;
-    return {is_by_v ? by_v : by_u, back, field.root_by_way_of(corner, root), pseudo_source};
+    return {is_by_v ? by_v : by_u, back, field.source_ref_via(corner, source_ref), pseudo_source};
   }
 
   // Whether a distance is shorter than the one that is known, and not by rounding only.
@@ -249,7 +249,7 @@ public:
   void reveal_vertex(Index h)
   {
     const Index v = mesh.source(h);
-    const Arrival a = along_edge(h, field.root[v]);
+    const Update a = along_edge(h, field.source_ref[v]);
     if (!is_shorter(a.distance, field.distance[v])) return;
     vertex_state[v] &= char(~HAS_SPREAD);
     update_vertex(v, a);

@@ -35,7 +35,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
 
   Window* data = nullptr;
   Index size = 0;
-  Index taken = 0;
+  Index processed = 0;
   Index size_class = 0;
   bool has_gap = false; // that is closed in the bucket in which the list waits
   std::size_t bucket = not_queued;
@@ -43,7 +43,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   FT split_entry = FT(0);                            // apex through this halfedge, and where its ray enters
   Window_block<Window> waiting;                      // more of those that wait
 
-  bool has_new() const { return taken != size || waiting.data; }
+  bool has_new() const { return processed != size || waiting.data; }
   const Window* begin() const { return data; }
   const Window* end() const { return data + size; }
 };

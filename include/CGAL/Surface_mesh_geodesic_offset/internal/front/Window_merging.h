@@ -9,8 +9,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merged_origin.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <algorithm>
@@ -99,8 +99,8 @@ public:
   // since, its new error is right for the old distance, too.
   double error_of_origin(Index origin) const
   {
-    while (origin != no_index && !Merged_origin::is_merged(origin)) origin = m_field.back[origin].pseudo_source;
-    return origin == no_index ? 0 : Merged_origin::error(origin);
+    while (origin != no_index && !Merge_error_code::is_merged(origin)) origin = m_field.back[origin].pseudo_source;
+    return origin == no_index ? 0 : Merge_error_code::error(origin);
   }
 
 private:
@@ -149,7 +149,7 @@ private:
   bool may_merge(const Window& a, const Window& b) const
   {
     return !a.is_propagated() && !b.is_propagated() && b.b0 - a.b1 <= allowed_at((std::min)(a.d1, b.d0)) &&
-           a.root.side() == b.root.side() && m_source_of[a.root.primitive()] == m_source_of[b.root.primitive()];
+           a.source_ref.side() == b.source_ref.side() && m_source_of[a.source_ref.primitive()] == m_source_of[b.source_ref.primitive()];
   }
 
   FT allowed_at(const FT& distance) const
@@ -201,9 +201,9 @@ private:
       previous = before;
     }
     if (is_same) return true;
-    const Index origin = Merged_origin::with_error(CGAL::to_double(largest));
+    const Index origin = Merge_error_code::with_error(CGAL::to_double(largest));
     m.bits = Window::make_bits(m.is_parallel(), origin);
-    return FT(Merged_origin::error(origin)) <= allowed;
+    return FT(Merge_error_code::error(origin)) <= allowed;
   }
 
   static const Window& widest(const Window* first, const Window* end)

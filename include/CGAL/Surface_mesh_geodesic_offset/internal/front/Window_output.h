@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <CGAL/assertions.h>
 

@@ -11,7 +11,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace internal {
 template <class FT>
 struct Box_in_face
 {
-  typedef Estimation<FT> Estimates;
+  typedef Interval_filter<FT> Estimates;
   typedef typename Estimates::Estimate Estimate;
   typedef Point_in_face<typename Estimates::Bound> Corner;
 

@@ -72,7 +72,7 @@ private:
     }
     if (!(nearest > longest)) return false;
     if (!Number_policy<FT>::is_finite(nearest)) return true;
-    const auto side = [&](int k) { return m_build.field.root[m_mesh.source(3 * f + Index(k))].side(); };
+    const auto side = [&](int k) { return m_build.field.source_ref[m_mesh.source(3 * f + Index(k))].side(); };
     for (int k = 0; k < 3; ++k)
       if (are_opposite(side(k), side((k + 1) % 3))) m_divides = false;
     m_area[int(side(0))] += m_mesh[3 * f].length * m_mesh[3 * f].apex_y / FT(2);
@@ -90,7 +90,7 @@ private:
     const auto sample = [&](const Point& p, FT& distance) {
       std::size_t nearest;
       distance = field.distance(p, nearest);
-      return Number_policy<FT>::is_finite(distance) ? field.windows()[nearest].root.side() : Source_side::NONE;
+      return Number_policy<FT>::is_finite(distance) ? field.windows()[nearest].source_ref.side() : Source_side::NONE;
     };
     // The sides beyond the edges are those of the vertices, which have one for all their faces.
     for (int k = 0; k < 3; ++k)
@@ -99,7 +99,7 @@ private:
       FT distance;
       const Point center = FT(1. / 3) * (frame.corner(0) + frame.corner(1) + frame.corner(2));
       const Source_side side = sample(frame.corner(k) + FT(1. / n) * (center - frame.corner(k)), distance);
-      if (m_build.field.distance[vertex] > step && distance > step && are_opposite(m_build.field.root[vertex].side(), side))
+      if (m_build.field.distance[vertex] > step && distance > step && are_opposite(m_build.field.source_ref[vertex].side(), side))
         m_divides = false;
     }
     Source_side below[n];

@@ -106,7 +106,7 @@ private:
   // Neighbouring pieces of one image are one arc, as long as it stays shorter than a half turn.
   static bool continues(const Piece& a, const Piece& b)
   {
-    if (a.is_straight != b.is_straight || !(a.root == b.root) || a.pseudo_source != b.pseudo_source) return false;
+    if (a.is_straight != b.is_straight || !(a.source_ref == b.source_ref) || a.pseudo_source != b.pseudo_source) return false;
     if (!a.is_straight && !CGAL::is_positive(cross(a.start - a.center, b.end - a.center))) return false;
     const FT allowance = Number_policy<FT>::rounding(64) * (CGAL::abs(a.radius) + CGAL::abs(a.center.x) +
                                                             CGAL::abs(a.center.y));

@@ -29,7 +29,7 @@ struct Level_piece
   FT radius;                // of a segment: distance of its line from the frame's origin along that direction
   Point_in_face<FT> start, end;
   Index face;
-  Root root;
+  Source_ref source_ref;
   Index pseudo_source; // no_index if none
   bool is_straight;
   unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside

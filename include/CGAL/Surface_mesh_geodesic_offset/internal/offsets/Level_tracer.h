@@ -183,7 +183,7 @@ private:
 
   Piece piece(const Face_window<FT>& w, const FT& radius, const Point& start, const Point& end) const
   {
-    return {w.is_parallel() ? FT(-1) * w.image() : w.image(), radius, start, end, m_arcs.field().face(), w.root,
+    return {w.is_parallel() ? FT(-1) * w.image() : w.image(), radius, start, end, m_arcs.field().face(), w.source_ref,
             w.pseudo_source(), w.is_parallel(), 3, 3};
   }
 

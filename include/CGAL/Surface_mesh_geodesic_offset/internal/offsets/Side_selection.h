@@ -31,9 +31,9 @@ public:
   {
   }
 
-  bool operator()(Root root) const
+  bool operator()(Source_ref source_ref) const
   {
-    switch (root.side())
+    switch (source_ref.side())
     {
     case Source_side::NONE: return true;
     case Source_side::CAP: return m_selection.end == Offset_end::ROUND;
@@ -41,10 +41,10 @@ public:
     }
     switch (m_selection.side)
     {
-    case Offset_side::LEFT: return root.side() == Source_side::LEFT;
-    case Offset_side::RIGHT: return root.side() == Source_side::RIGHT;
-    case Offset_side::INSIDE: return is_inside(root);
-    case Offset_side::OUTSIDE: return !is_inside(root);
+    case Offset_side::LEFT: return source_ref.side() == Source_side::LEFT;
+    case Offset_side::RIGHT: return source_ref.side() == Source_side::RIGHT;
+    case Offset_side::INSIDE: return is_inside(source_ref);
+    case Offset_side::OUTSIDE: return !is_inside(source_ref);
     default: return true;
     }
   }
@@ -53,7 +53,7 @@ public:
   template <class FT, class Function>
   void operator()(const FT& shortest, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
   {
-    const auto is_wanted = [&](const Level_piece<FT>& p) { return (*this)(p.root); };
+    const auto is_wanted = [&](const Level_piece<FT>& p) { return (*this)(p.source_ref); };
     if (m_selection.is_everything() || std::all_of(pieces.begin(), pieces.end(), is_wanted))
     {
       out(closed, std::move(pieces));
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  bool is_inside(Root root) const { return m_inside.at(m_primitives[root.primitive()].source) == root.side(); }
+  bool is_inside(Source_ref source_ref) const { return m_inside.at(m_primitives[source_ref.primitive()].source) == source_ref.side(); }
 
   Offset_selection m_selection;
   const std::vector<Source_primitive>& m_primitives;

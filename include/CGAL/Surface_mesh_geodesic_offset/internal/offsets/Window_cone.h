@@ -61,7 +61,7 @@ public:
   bool reaches(const FT& level) const { return CGAL::possibly(Estimate(m_highest) >= estimate(level)); }
 
 private:
-  typedef Estimation<FT> Estimates;
+  typedef Interval_filter<FT> Estimates;
   typedef typename Estimates::Estimate Estimate;
   typedef Point_in_face<Estimate> Estimated_point;
 

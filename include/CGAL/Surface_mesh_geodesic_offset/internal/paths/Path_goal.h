@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <CGAL/assertions.h>
 
@@ -35,7 +35,7 @@ public:
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
 
   // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment. `end` has the
-  // point, and the root if that is known already.
+  // point, and the source_ref if that is known already.
   struct Goal
   {
     Index vertex = no_index, face = no_index, other_face = no_index;
@@ -53,11 +53,11 @@ public:
   {
     Goal goal;
     goal.vertex = start.pseudo_source;
-    const Index primitive = start.root.primitive();
+    const Index primitive = start.source_ref.primitive();
     const Surface_point_& place = m_initial.places[primitive].first;
     if (goal.vertex == no_index)
     {
-      goal.end = {place, start.root};
+      goal.end = {place, start.source_ref};
       if (m_initial.primitives[primitive].is_segment) return goal;
       if (place.kind == Surface_point_::VERTEX)
         goal.vertex = place.element;
@@ -70,17 +70,17 @@ public:
       }
     }
     else
-      goal.end = {Surface_point_::at_vertex(goal.vertex), Root()};
+      goal.end = {Surface_point_::at_vertex(goal.vertex), Source_ref()};
     return goal;
   }
 
-  // Whether a path with the given root may go by a vertex, or end there: if the vertex's own path has the same source and side, or
+  // Whether a path with the given source_ref may go by a vertex, or end there: if the vertex's own path has the same source and side, or
   // the vertex is a point of the source. Where several sources tie at the vertex, the path goes on to its own.
-  bool may_lead_by(Index v, Root root) const
+  bool may_lead_by(Index v, Source_ref source_ref) const
   {
-    if (is_source(v) && is_at_vertex(root, v)) return true;
-    const Root other = m_field.root[v];
-    return other.is_valid() && source_of(other) == source_of(root) && (is_source(v) || other.side() == root.side());
+    if (is_source(v) && is_at_vertex(source_ref, v)) return true;
+    const Source_ref other = m_field.source_ref[v];
+    return other.is_valid() && source_of(other) == source_of(source_ref) && (is_source(v) || other.side() == source_ref.side());
   }
 
   bool is_source(Index v) const { return CGAL::is_zero(m_field.distance[v]); }
@@ -161,17 +161,17 @@ public:
   // start in the face know the side.
   End end_at_vertex(Index v, Index h, const Point& p, const Path_start<FT>& start) const
   {
-    if (!is_source(v)) return {Surface_point_::at_vertex(v), Root()};
+    if (!is_source(v)) return {Surface_point_::at_vertex(v), Source_ref()};
     const Index face = m_mesh.face(h);
     const Face_frame<FT> frame(m_mesh, face);
     const FT nearest = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
     for (int k = 0; k < 3; ++k)
     {
       if (m_mesh.source(3 * face + Index(k)) != v) continue;
-      End_search search{start.root, Number_policy<FT>::infinity(), nearest, false};
+      End_search search{start.source_ref, Number_policy<FT>::infinity(), nearest, false};
       find_end(frame, face, frame.from_halfedge(int(h % 3), p), frame.corner(k), search);
-      if (search.is_of_known_source() || (search.is_found() && !is_at_vertex(start.root, v)))
-        return {Surface_point_::at_vertex(v), search.end.root};
+      if (search.is_of_known_source() || (search.is_found() && !is_at_vertex(start.source_ref, v)))
+        return {Surface_point_::at_vertex(v), search.end.source_ref};
     }
     return end_at_source_vertex(v, start);
   }
@@ -180,18 +180,18 @@ public:
   // sides of them.
   End end_at_source_vertex(Index v, const Path_start<FT>& start) const
   {
-    End end{Surface_point_::at_vertex(v), m_field.root[v]};
-    if (is_at_vertex(start.root, v)) end.root = start.root;
-    else if (end.root.is_lateral() && start.root.is_lateral() && source_of(end.root) == source_of(start.root))
-      end.root = Root(end.root.primitive(), start.root.side());
+    End end{Surface_point_::at_vertex(v), m_field.source_ref[v]};
+    if (is_at_vertex(start.source_ref, v)) end.source_ref = start.source_ref;
+    else if (end.source_ref.is_lateral() && start.source_ref.is_lateral() && source_of(end.source_ref) == source_of(start.source_ref))
+      end.source_ref = Source_ref(end.source_ref.primitive(), start.source_ref.side());
     return end;
   }
 
   // The part of a source that contains a point at distance zero, up to rounding; not valid if none is found in the faces of the
   // point and those beside it.
-  Root root_at_source(const Surface_point_& p, const Path_start<FT>& start) const
+  Source_ref source_ref_at(const Surface_point_& p, const Path_start<FT>& start) const
   {
-    if (p.kind == Surface_point_::VERTEX) return m_field.root[p.element];
+    if (p.kind == Surface_point_::VERTEX) return m_field.source_ref[p.element];
     for (const Index face : faces_of(m_mesh, p))
     {
       Point position;
@@ -199,21 +199,21 @@ public:
       position_in_face(m_mesh, p, face, position, edges);
       const Face_frame<FT> frame(m_mesh, face);
       const FT nearest = Number_policy<FT>::rounding(64) * frame.longest_edge();
-      End_search search{start.root, nearest, nearest, false};
+      End_search search{start.source_ref, nearest, nearest, false};
       find_end(frame, face, position, position, search);
       // sources may touch the face at its boundary only
       for (int k = 0; k < 3 && !search.is_found(); ++k)
       {
         const Index h = 3 * face + Index(k), g = m_mesh.twin(h);
-        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return m_field.root[m_mesh.source(h)];
+        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return m_field.source_ref[m_mesh.source(h)];
         if (g == no_index || frame.height(k, position) > nearest) continue;
         const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
         const Point there = beyond.from_halfedge(int(g % 3), frame.to_twin(k, position));
         find_end(beyond, m_mesh.face(g), there, there, search);
       }
-      if (search.is_found()) return search.end.root;
+      if (search.is_found()) return search.end.source_ref;
     }
-    return Root();
+    return Source_ref();
   }
 
   // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
@@ -228,7 +228,7 @@ public:
     const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
     const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
     const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
-    End_search search{start.root, longest, nearest, !has_missed};
+    End_search search{start.source_ref, longest, nearest, !has_missed};
     find_end(frame, face, p, q, search);
     end = search.end;
     return search.is_found();
@@ -237,11 +237,11 @@ public:
 private:
   // The end of a straight way from p to q in a face: the source point that is nearest to q, no farther from q than `nearest` and
   // from p than `longest`. Windows of segments in one line become one, and sources may coincide, so that several parts of sources
-  // may be there: a part whose rays reach p comes first, then one of the same source as the root of the way, then of the same
+  // may be there: a part whose rays reach p comes first, then one of the same source as the source_ref of the way, then of the same
   // side. `only_known_source`: parts of other sources do not count.
   struct End_search
   {
-    const Root known;
+    const Source_ref known;
     const FT longest, nearest;
     const bool only_known_source;
     int preference = -1;
@@ -261,61 +261,61 @@ private:
 
   void find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, End_search& search) const
   {
-    typedef typename Estimation<FT>::Bound Bound;
-    const Bound limit = Estimation<FT>::upper_bound(estimate(search.nearest));
+    typedef typename Interval_filter<FT>::Bound Bound;
+    const Bound limit = Interval_filter<FT>::upper_bound(estimate(search.nearest));
     const FT allowance = Number_policy<FT>::rounding(64) * frame.longest_edge();
-    // Calls f(root, foot, its distance from q, whether rays of the root reach p).
+    // Calls f(source_ref, foot, its distance from q, whether rays of the source_ref reach p).
     const auto for_each_candidate = [&](const auto& f) {
-      const auto consider = [&](Root root, const Face_window<FT>* window) {
-        const Source_place<FT>& place = m_initial.places[root.primitive()];
-        if ((search.only_known_source && source_of(root) != source_of(search.known)) || !is_in_face(place.first, face) ||
+      const auto consider = [&](Source_ref source_ref, const Face_window<FT>* window) {
+        const Source_place<FT>& place = m_initial.places[source_ref.primitive()];
+        if ((search.only_known_source && source_of(source_ref) != source_of(search.known)) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
-        const Foot foot = foot_in(face, frame, p, q, root.primitive());
+        const Foot foot = foot_in(face, frame, p, q, source_ref.primitive());
         const Point way = foot.position - p, miss = foot.position - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
-        const Bound off = Estimation<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
+        const Bound off = Interval_filter<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
         const bool reaches = window ? may_reach(*window, p, allowance)
-                             : root.side() == Source_side::LEFT  ? foot.is_left && foot.is_beside
-                             : root.side() == Source_side::RIGHT ? foot.is_right && foot.is_beside
+                             : source_ref.side() == Source_side::LEFT  ? foot.is_left && foot.is_beside
+                             : source_ref.side() == Source_side::RIGHT ? foot.is_right && foot.is_beside
                                                                  : true;
-        f(root, foot.point, off, reaches);
+        f(source_ref, foot.point, off, reaches);
       };
       const auto local = local_windows(m_initial, face);
-      for (auto i = local.first; i != local.second; ++i) consider(i->window.root, &i->window);
+      for (auto i = local.first; i != local.second; ++i) consider(i->window.source_ref, &i->window);
       for (Index h = 3 * face; h < 3 * face + 3; ++h)
-        m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.root, nullptr); });
+        m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.source_ref, nullptr); });
     };
     Bound least = limit;
-    for_each_candidate([&](Root, const Surface_point_&, const Bound& off, bool) { least = (std::min)(least, off); });
-    const Bound tied = least + Estimation<FT>::upper_bound(estimate(allowance));
-    for_each_candidate([&](Root root, const Surface_point_& point, const Bound& off, bool reaches) {
-      const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(root) == source_of(search.known) ? KNOWN_SOURCE : 0) +
-                             (root.side() == search.known.side() ? KNOWN_SIDE : 0) +
-                             (root.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
-                             (!reaches && !m_initial.primitives[root.primitive()].is_segment ? CORNER : 0);
+    for_each_candidate([&](Source_ref, const Surface_point_&, const Bound& off, bool) { least = (std::min)(least, off); });
+    const Bound tied = least + Interval_filter<FT>::upper_bound(estimate(allowance));
+    for_each_candidate([&](Source_ref source_ref, const Surface_point_& point, const Bound& off, bool reaches) {
+      const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(source_ref) == source_of(search.known) ? KNOWN_SOURCE : 0) +
+                             (source_ref.side() == search.known.side() ? KNOWN_SIDE : 0) +
+                             (source_ref.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
+                             (!reaches && !m_initial.primitives[source_ref.primitive()].is_segment ? CORNER : 0);
       if (!(off <= tied) || preference <= search.preference) return;
       search.preference = preference;
-      search.end = {point, root};
+      search.end = {point, source_ref};
     });
   }
 
   // Whether rays of a window reach p, up to a distance; if numbers are exact, by estimates.
   static bool may_reach(const Face_window<FT>& w, const Point& p, const FT& allowance)
   {
-    if constexpr (Estimation<FT>::leaves_open)
+    if constexpr (Interval_filter<FT>::leaves_open)
       return CGAL::possibly(estimate(w.left_side(p)) <= 0) && CGAL::possibly(estimate(w.right_side(p)) >= 0) &&
              (!w.is_parallel() || CGAL::possibly(estimate(w.distance_at(p)) >= 0));
     else return w.contains(p, allowance);
   }
 
-  Index source_of(Root root) const { return m_initial.source_of[root.primitive()]; }
+  Index source_of(Source_ref source_ref) const { return m_initial.source_of[source_ref.primitive()]; }
 
-  // Whether a root is a point at a vertex, or a segment with an end there.
-  bool is_at_vertex(Root root, Index v) const
+  // Whether a source_ref is a point at a vertex, or a segment with an end there.
+  bool is_at_vertex(Source_ref source_ref, Index v) const
   {
-    const Source_place<FT>& place = m_initial.places[root.primitive()];
+    const Source_place<FT>& place = m_initial.places[source_ref.primitive()];
     const auto is_there = [v](const Surface_point_& p) { return p.kind == Surface_point_::VERTEX && p.element == v; };
     return is_there(place.first) || is_there(place.second);
   }

@@ -31,9 +31,9 @@ template <class FT>
 struct Leg_end
 {
   Surface_point<FT> point;
-  Root root; // the part of the source that is reached, and the side on which it is; not valid at a vertex on the way
+  Source_ref source_ref; // the part of the source that is reached, and the side on which it is; not valid at a vertex on the way
 
-  bool is_at_source() const { return root.is_valid(); }
+  bool is_at_source() const { return source_ref.is_valid(); }
 };
 
 // What a way meets up to its end, as items that a path is made of. In one block with the array.

@@ -25,7 +25,7 @@ template <class FT>
 struct Path_start
 {
   FT distance = Number_policy<FT>::infinity();
-  Root root; // of the window: the source and the side; the end of the path tells the part of the source
+  Source_ref source_ref; // of the window: the source and the side; the end of the path tells the part of the source
   Index pseudo_source = no_index;
   Index halfedge = no_index; // none at a source and where the distance is infinite
   int exit = -1;             // the edge, counted from that halfedge, that the path leaves through, if it leaves the face
@@ -62,8 +62,8 @@ public:
   {
     Path_start<FT> start;
     start.distance = m_field.distance[v];
-    start.root = m_field.root[v];
-    const Way_back<FT>& back = m_field.back[v];
+    start.source_ref = m_field.source_ref[v];
+    const Backtrace<FT>& back = m_field.back[v];
     if (!start.is_reached() || CGAL::is_zero(start.distance) || back.corner == no_index) return start;
     start.pseudo_source = back.pseudo_source;
     start.halfedge = back.corner;
@@ -175,9 +175,9 @@ private:
     start.distance = n.distance;
     if (n.window != no_index && n.distance == n.straight)
     {
-      const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.root);
-      if (w.root.side() == Source_side::CAP) return false; // the side of a segment may tie
-      start.root = w.root;
+      const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref);
+      if (w.source_ref.side() == Source_side::CAP) return false; // the side of a segment may tie
+      start.source_ref = w.source_ref;
       start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();
       start.halfedge = 3 * p.element + Index(n.halfedge);
       start.exit = 0;
@@ -300,7 +300,7 @@ private:
   void lead_by_vertex(Index h, const Point& from, Path_start<FT>& start) const
   {
     const Index v = m_mesh.source(h);
-    start.root = m_field.root[v];
+    start.source_ref = m_field.source_ref[v];
     start.pseudo_source = v;
     start.halfedge = h;
     start.exit = -1;
@@ -317,7 +317,7 @@ private:
 
   static void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w)
   {
-    start.root = w.root;
+    start.source_ref = w.source_ref;
     start.pseudo_source = w.pseudo_source();
     start.halfedge = 3 * face;
     start.exit = w.origin <= ENTERS_HALFEDGE_2 ? int(w.edge) : -1;

@@ -70,11 +70,11 @@ public:
       if (end.is_at_source()) return end;
       v = end.point.element;
     }
-    return {Surface_point_::at_vertex(v), m_field.root[v]};
+    return {Surface_point_::at_vertex(v), m_field.source_ref[v]};
   }
 
   // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
-  void find_way_back(Index v, Way_back<FT>& back, Root& root) const
+  void find_backtrace(Index v, Backtrace<FT>& back, Source_ref& source_ref) const
   {
     if (back.corner == no_index || starts_within_face(v, back.corner)) return;
     const Path_start<FT> start = m_start.at_vertex(v);
@@ -90,8 +90,8 @@ public:
     for (int k : {1, 2})
       if (walk.vertex(k) == next)
       {
-        back = Way_back<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
-        root = end.is_at_source() ? end.root : m_field.root[next];
+        back = Backtrace<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
+        source_ref = end.is_at_source() ? end.source_ref : m_field.source_ref[next];
       }
   }
 
@@ -110,16 +110,16 @@ private:
   // The end of the path from a point of a source is the point itself.
   End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {
-    Root root = m_goals.root_at_source(p, start);
-    if (Number_policy<FT>::is_inexact && !root.is_valid() && start.halfedge != no_index)
+    Source_ref source_ref = m_goals.source_ref_at(p, start);
+    if (Number_policy<FT>::is_inexact && !source_ref.is_valid() && start.halfedge != no_index)
     { // the source is as near as rounding, and in faces that have a vertex in common with those of the point
       Path_start<FT> way = start;
       const Index h = start.halfedge;
       way.to = way.from + (Number_policy<FT>::rounding(16) * m_mesh[h].length / length(way.direction)) * way.direction;
       Passed_crossings<FT> passed;
-      root = follow(way, passed).root;
+      source_ref = follow(way, passed).source_ref;
     }
-    return {p, root.is_valid() ? root : start.root};
+    return {p, source_ref.is_valid() ? source_ref : start.source_ref};
   }
 
   // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
@@ -292,7 +292,7 @@ private:
     if constexpr (!Number_policy<FT>::is_inexact)
       return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
              dot(to_vertex, to_vertex) <= dot(to_goal, to_goal) &&
-             (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
+             (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.source_ref));
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     CGAL_assertion(k == exit || k == (exit + 1) % 3);
     const FT beside = k == exit ? FT(crossing.length - crossing.t) : crossing.t;
@@ -302,7 +302,7 @@ private:
     const FT straight_on = length(to_goal);
     const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
     return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance &&
-           (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.root));
+           (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.source_ref));
   }
 
   void look_for_detour(const Straight_walk<FT>& walk, bool is_first, const Path_start<FT>& start, const FT& reach,

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 2 of the pipeline: what starts from the sources, as windows inside faces, windows on source edges, fans of rays
-// from vertices, and first distances of vertices. See Source_start for where they start.
+// Step 2 of the pipeline: the windows that start at sources. They are windows inside faces, windows on source edges, fans of
+// rays from vertices, and first distances of vertices. Segment_seeding selects their directions.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_INITIAL_WINDOWS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_INITIAL_WINDOWS_H
@@ -30,7 +30,7 @@ struct Source_primitive
   bool is_segment;
 };
 
-// Where it is: from `first` straight to `second`, in a face that both lie in; a point is `first` alone.
+// Position of a primitive: the segment from `first` to `second` in a common face; a point is `first` alone.
 template <class FT>
 struct Source_place
 {
@@ -50,51 +50,51 @@ public:
     Index face;
     Face_window<FT> window;
   };
-  struct Edge_window // a part of an edge is source: distance 0 on it
+  struct Edge_window // interval of an edge that is source, with distance 0
   {
     Index halfedge;
     FT b0, b1;
-    Root root;
+    Source_ref source_ref;
   };
-  struct Vertex_fan // rays from a source vertex, see Vertex_sector::for_each_corner
+  struct Vertex_fan // rays from a source vertex; see Vertex_sector::for_each_corner()
   {
     Index vertex;
     Ray from, to;
     Index first;
-    Root root;
+    Source_ref source_ref;
   };
-  struct Vertex_seed // a first distance of a vertex, with the direction back to the source
+  struct Vertex_seed // first distance of a vertex, and the direction to the source
   {
     Index vertex;
     FT distance;
     Ray back;
-    Root root;
+    Source_ref source_ref;
   };
 
   explicit Initial_windows(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh) {}
 
   void add_point(Index source, const Surface_point_& p)
   {
-    const Root root(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
+    const Source_ref source_ref(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
     if (p.kind == Surface_point_::VERTEX)
     {
-      seeds.push_back({p.element, FT(0), Ray(), root});
-      m_mesh.for_each_fan(p.element, [&](Index first) { fans.push_back({p.element, Ray(), Ray(), first, root}); });
+      seeds.push_back({p.element, FT(0), Ray(), source_ref});
+      m_mesh.for_each_fan(p.element, [&](Index first) { fans.push_back({p.element, Ray(), Ray(), first, source_ref}); });
     }
     else
     {
-      add_seeds_of_point(p, [root](const Point&) { return root; });
-      add_flat_sector(p, nullptr, nullptr, root);
+      add_seeds_of_point(p, [source_ref](const Point&) { return source_ref; });
+      add_flat_sector(p, nullptr, nullptr, source_ref);
     }
   }
 
-  // Call once everything is added: shows the fans in the faces round their vertices, and orders the local windows by
-  // face, those on edges by halfedge.
+  // Call finish() after the last addition: it adds the fans as windows of the faces around their vertices, and sorts local
+  // windows by face and edge windows by halfedge.
   void finish()
   {
     for (const Vertex_fan& f : fans)
       Vertex_sector<FT>(m_mesh).for_each_corner(f.from, f.to, f.first, [&](Index h, const Ray* lower, const Ray* upper) {
-        add_corner(h, lower, upper, f.root);
+        add_corner(h, lower, upper, f.source_ref);
       });
     std::stable_sort(local.begin(), local.end(),
                      [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
@@ -102,7 +102,7 @@ public:
                      [](const Edge_window& a, const Edge_window& b) { return a.halfedge < b.halfedge; });
   }
 
-  // Calls f(window) for the parts of a halfedge that are source. Call finish() first.
+  // Calls f(window) for the source intervals of a halfedge. Call finish() first.
   template <class Function>
   void for_each_edge_window(Index h, const Function& f) const
   {
@@ -114,7 +114,7 @@ public:
   std::vector<Source_place<FT>> places; // per primitive
   std::vector<Index> source_of;         // per primitive, its source
   std::vector<Local_window> local;
-  std::vector<Local_window> beyond_edges; // rays that start in a face beyond an edge beside their image; for the front alone
+  std::vector<Local_window> beyond_edges; // rays that start in the face beyond an edge next to their image; for the front only
   std::vector<Edge_window> edges;
   std::vector<Vertex_fan> fans;
   std::vector<Vertex_seed> seeds;
@@ -128,14 +128,14 @@ public:
     return Index(primitives.size() - 1);
   }
 
-  // The rays from a segment inside a face to one side, with unit normal n; `left` and `right` seen along the rays.
-  void add_strip(Index face, const Point& left, const Point& right, const Point& n, Root root)
+  // Adds the rays from a segment inside a face to the side of the unit normal n. `left` and `right` are seen along the rays.
+  void add_strip(Index face, const Point& left, const Point& right, const Point& n, Source_ref source_ref)
   {
-    local.push_back({face, Face_window<FT>{-n.x, -n.y, -dot(n, left), left, right, root,
+    local.push_back({face, Face_window<FT>{-n.x, -n.y, -dot(n, left), left, right, source_ref,
                                            Window<FT>::make_bits(true, no_index), STARTS_IN_FACE, 3}});
   }
 
-  void add_edge_windows(Index h, const FT& b0, const FT& b1, Root on_left, Root on_right)
+  void add_edge_windows(Index h, const FT& b0, const FT& b1, Source_ref on_left, Source_ref on_right)
   {
     CGAL_precondition(b0 <= b1);
     edges.push_back({h, b0, b1, on_left});
@@ -143,17 +143,17 @@ public:
       edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});
   }
 
-  void seed_corner(Index face, const Face_frame<FT>& frame, int k, const FT& distance, const Point& back, Root root)
+  void seed_corner(Index face, const Face_frame<FT>& frame, int k, const FT& distance, const Point& back, Source_ref source_ref)
   {
     const Point u = frame.vector_to_halfedge(k, back);
-    seeds.push_back({m_mesh.source(3 * face + Index(k)), distance, Ray{3 * face + Index(k), u.x, u.y}, root});
+    seeds.push_back({m_mesh.source(3 * face + Index(k)), distance, Ray{3 * face + Index(k), u.x, u.y}, source_ref});
   }
 
-  // The rays from a point inside a face or an edge. The sector reaches counterclockwise from `from` to `to` (at most a half
-  // turn), in the frame of the point's face or halfedge; without them, all directions.
-  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Root root)
+  // Adds the rays from a point inside a face or an edge. The sector, at most a half turn, reaches counterclockwise from `from`
+  // to `to`, in the frame of the point's face or halfedge. Null pointers mean all directions.
+  void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Source_ref source_ref)
   {
-    if (p.kind == Surface_point_::FACE) return add_sector_in_face(p.element, {p.x, p.y}, from, to, root, -1, local);
+    if (p.kind == Surface_point_::FACE) return add_sector_in_face(p.element, {p.x, p.y}, from, to, source_ref, -1, local);
     for (const Index h : {p.element, m_mesh.twin(p.element)})
     {
       if (h == no_index) continue;
@@ -164,22 +164,22 @@ public:
       Point f, t;
       if (from) f = frame.vector_from_halfedge(k, turned ? FT(-1) * *from : *from);
       if (to) t = frame.vector_from_halfedge(k, turned ? FT(-1) * *to : *to);
-      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, root, k, local);
+      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, source_ref, k, local);
     }
   }
 
-  // The angle up to which the direction of a segment of the given length is known, from the coordinates of its ends in a face;
-  // zero if that is not significant().
+  // Uncertainty of the direction of a segment of the given length, an angle, from the rounding of its ends in a face. Zero if
+  // not significant().
   FT lost_angle(Index face, const FT& segment) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
   }
 
-  // What a point inside a face or an edge tells the corners of its faces. root_of(v): the root for a corner at v, seen from
-  // p, in the frame of the point's face or halfedge.
+  // Adds seeds at the corners of the faces of a point inside a face or an edge. source_ref_of(v): source reference for a corner
+  // at v, relative to p, in the frame of the point's face or halfedge.
   template <class Function>
-  void add_seeds_of_point(const Surface_point_& p, const Function& root_of)
+  void add_seeds_of_point(const Surface_point_& p, const Function& source_ref_of)
   {
     for (Index f : faces_of(m_mesh, p))
     {
@@ -190,47 +190,47 @@ public:
       for (int k = 0; k < 3; ++k)
       {
         const Point back = position - frame.corner(k);
-        seed_corner(f, frame, k, length(back), back, root_of(vector_at_point(m_mesh, p, f, FT(-1) * back)));
+        seed_corner(f, frame, k, length(back), back, source_ref_of(vector_at_point(m_mesh, p, f, FT(-1) * back)));
       }
     }
   }
 
 private:
-  // Appends the rays of a sector in a face to `out`. The point p is inside the face (entry -1), on its halfedge `entry`, or behind
-  // this halfedge.
+  // Appends the rays of a sector in a face to `out`. The point p lies inside the face (entry -1), on its halfedge `entry`, or
+  // behind that halfedge.
   //
-  // Beside the image, the ends of a window on an edge are too coarse for the directions of its bounding rays. So the rays that
-  // cross an edge beside the image start a second time, in the face beyond the edge; those of a sector that is narrower on the
-  // edge than rounding start only there.
-  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Root root, int entry,
+  // Near the image, the ends of a window on an edge are too coarse for the directions of its bounding rays. So rays that cross
+  // an edge near the image start a second time, in the face beyond the edge. A sector narrower on the edge than rounding starts
+  // only there.
+  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Source_ref source_ref, int entry,
                           std::vector<Local_window>& out)
   {
     const Face_frame<FT> frame(m_mesh, face);
     for (int k = 0; k < 3; ++k)
     {
       if (k == entry || !CGAL::is_positive(frame.height(k, p))) continue;
-      // seen from p, the right end of the edge is its source
+      // Seen from p, the right end of the edge is its source.
       const Point source = frame.corner(k), target = frame.corner((k + 1) % 3);
       Point right = source, left = target;
       if (from && !clip(p, *from, FT(1), right, left)) continue;
       if (to && !clip(p, *to, FT(-1), right, left)) continue;
       const bool is_narrow = dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k);
-      // a sector within a half turn is bounded by the ends of the edge where these are inside it
+      // A sector within a half turn is bounded by the ends of the edge that lie inside it.
       const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
       const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
-      // a narrow sector at an end of the edge belongs to the next edge
+      // A narrow sector at an end of the edge belongs to the next edge.
       const bool is_fan = is_narrow && from_is_inside && to_is_inside && CGAL::is_positive(cross(*from, target - p)) &&
                           CGAL::is_positive(cross(source - p, *to));
       if (is_fan || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
-        add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, root);
+        add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
-      out.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, root, Window<FT>::make_bits(false, no_index),
+      out.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, source_ref, Window<FT>::make_bits(false, no_index),
                                            STARTS_IN_FACE, (unsigned char)(k)}});
     }
   }
 
-  // The rays from p, in the frame of a face, that cross its halfedge k in the directions from `from` to `to`.
-  void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Root root)
+  // Adds the rays from p, in the frame of a face, that cross its halfedge k between the directions `from` and `to`.
+  void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Source_ref source_ref)
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index || !(cross(from, to) > FT(least_angle_of_sector) * (length(from) * length(to)))) return;
@@ -240,15 +240,15 @@ private:
       return beyond.vector_from_halfedge(entry, FT(-1) * frame.vector_to_halfedge(k, u));
     };
     const Point first = turned(from), last = turned(to);
-    add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, root, entry, beyond_edges);
+    add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, source_ref, entry, beyond_edges);
   }
 
-  // From this angle on, 2^-16 radians: the gaps that smaller angles leave are closed by the lower envelope of the edges behind.
-  // In needle faces, more rays would start a second time.
+  // 2^-16 radians. The lower envelope closes the gaps that smaller angles leave on the edges behind. A smaller value would
+  // start more rays twice in needles.
   static constexpr double least_angle_beyond_edges = 1. / (1 << 16);
 
-  // Where a polyline goes straight on up to this angle, 2^-32 radians, its strips meet as far as Lower_envelope closes gaps
-  // between them, and nothing needs to start between them.
+  // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between
+  // them.
   static constexpr double least_angle_of_sector = 1. / (1ull << 32);
 
   static FT distance_to_chord(const Face_frame<FT>& frame, int k, const Point& p, const Point& right, const Point& left)
@@ -258,16 +258,16 @@ private:
     return square_root<FT>(height * height + beyond * beyond);
   }
 
-  // The angle of an arc of the given length at a distance, at most 1; zero up to 2^-30: a path that bends by it is longer by
-  // 2^-63 of its length.
+  // Angle of an arc of the given length at a distance, at most 1. Zero up to 2^-30: a path that bends by this angle is longer
+  // by 2^-63 of its length.
   static FT significant(const FT& arc, const FT& distance)
   {
     const FT angle = distance > arc ? FT(arc / distance) : FT(1);
     return angle > FT(1. / (1 << 30)) ? angle : FT(0);
   }
 
-  // What a fan sends into one face, at its corner at the source of h; the rays are counterclockwise from `lower` to `upper`.
-  void add_corner(Index h, const Ray* lower, const Ray* upper, Root root)
+  // Adds the rays of a fan in the face of h, from the source of h, counterclockwise from `lower` to `upper`.
+  void add_corner(Index h, const Ray* lower, const Ray* upper, Source_ref source_ref)
   {
     const Vertex_sector<FT> sector(m_mesh);
     const int k = int(h % 3), opposite = (k + 1) % 3;
@@ -278,12 +278,13 @@ private:
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
     const Point& c = frame.corner(k);
     local.push_back({m_mesh.face(h), Face_window<FT>{c.x, c.y, FT(0), frame.on_edge(opposite, left),
-                                                     frame.on_edge(opposite, right), root,
+                                                     frame.on_edge(opposite, right), source_ref,
                                                      Window<FT>::make_bits(false, no_index), STARTS_AT_CORNER,
                                                      (unsigned char)(k)}});
   }
 
-  // Clips the chord to the side of the line through p with direction u where cross(u, . - p) has the given sign.
+  // Clips the chord to the side of the line through p with direction u where cross(u, . - p) has the given sign. Returns false
+  // if nothing remains.
   static bool clip(const Point& p, const Point& u, const FT& sign, Point& right, Point& left)
   {
     const FT r = sign * cross(u, right - p), l = sign * cross(u, left - p);

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The section of the mesh by a plane. The kernel decides once for each vertex on which side of the plane it lies. So the section
-// runs from face to face without gaps wherever the plane is; only the places of its points on the edges are rounded.
+// The section of the mesh by a plane. The kernel decides once per vertex on which side of the plane it lies. So the section
+// runs from face to face without gaps for every plane; only the positions of its points on edges are rounded.
 //
-// A segment of the section has a direction if the surface is higher on one of its sides than on the other, by the order
-// negative, in the plane, positive; where the surface ends, it counts as in the plane. The higher side is on the left. Polylines
-// consist of such segments, from head to tail. Edges with both sides alike are touched edges, without a direction.
+// A segment of the section has a direction if the surface is higher on one of its sides than on the other, in the order
+// negative, in the plane, positive; a side without a face counts as in the plane. The higher side is on the left. Polylines
+// consist of directed segments. Edges whose sides are equal are touched edges, without a direction.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_PLANE_CUTTING_H
@@ -67,11 +67,11 @@ public:
   }
 
 private:
-  // A point of the section: a vertex in the plane, or where an edge goes through it.
+  // A point of the section: a vertex in the plane, or the crossing of an edge.
   struct Node
   {
     Face_location location;
-    std::vector<std::size_t> in, out; // segments that end here, and that start here
+    std::vector<std::size_t> in, out; // segments that end and start here
 
     bool is_passed() const { return in.size() == 1 && out.size() == 1; }
   };
@@ -87,10 +87,10 @@ private:
   int side_of_source(Index h) const { return m_side[m_mesh.source(h)]; }
   int side_of_target(Index h) const { return m_side[m_mesh.target(h)]; }
 
-  // The segment inside a face with vertices on both sides. Returns 1 for a face in the plane.
+  // Adds the segment inside a face with vertices on both sides. Returns 1 for a face in the plane, otherwise 0.
   std::size_t cut(Index f)
   {
-    std::vector<std::size_t> ends; // where the boundary of the face goes to the negative side, the segment starts
+    std::vector<std::size_t> ends; // the segment starts where the face boundary goes to the negative side
     bool is_down = false;          // at the first end
     int zeros = 0;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -114,7 +114,7 @@ private:
     return 0;
   }
 
-  // An edge in the plane belongs to the section unless it lies inside a part of the surface that is in the plane.
+  // Adds an edge in the plane, except inside a part of the surface that lies in the plane.
   template <class Edges>
   void add_edge_in_plane(Index h, Edges& touched)
   {
@@ -143,8 +143,8 @@ private:
     return it->second;
   }
 
-  // Where a halfedge goes through the plane, as a part of its length. Rounding must not make a vertex of it: that would be
-  // another node.
+  // Crossing of a halfedge with the plane, as a fraction of its length. Rounding must not move it to a vertex, which is another
+  // node.
   FT part_of(Index h) const
   {
     typedef std::conditional_t<std::is_same<FT, double>::value || std::is_same<FT, float>::value, Exact_rational, FT> Exact;
@@ -153,7 +153,7 @@ private:
     else
     {
       const FT low = Number_policy<FT>::rounding(0.5), t = rounded(Exact(a / (a - b)));
-      return t > low ? (std::min)(t, FT(FT(1) - low)) : low; // if exact numbers say so, a and b differ
+      return t > low ? (std::min)(t, FT(FT(1) - low)) : low; // a and b differ in exact numbers
     }
   }
 
@@ -180,7 +180,7 @@ private:
     m_segments.push_back({from, to});
   }
 
-  // Polylines between nodes where one ends, or where several meet; then the closed ones that remain.
+  // Chains segments: first polylines between nodes that are ends or junctions, then the remaining closed ones.
   void chain(std::vector<Geodesic_polyline<Face_location>>& polylines) const
   {
     std::vector<char> is_used(m_segments.size(), 0);
@@ -215,8 +215,8 @@ private:
   const Surface& m_surface;
   const Unfolded_mesh<Number>& m_mesh;
   const Plane_3& m_plane;
-  std::vector<signed char> m_side; // of the vertices
-  std::vector<char> m_has_more;    // of the vertices: whether an edge or a face there belongs to the section, too
+  std::vector<signed char> m_side; // per vertex
+  std::vector<char> m_has_more;    // per vertex: true if an edge or a face there belongs to the section
   std::vector<Node> m_nodes;
   std::vector<Segment> m_segments;
   std::unordered_map<Index, std::size_t> m_node_of_edge, m_node_of_vertex;

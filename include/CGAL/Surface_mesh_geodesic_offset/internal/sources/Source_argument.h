@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The argument `sources` of free functions: adds what the user gives to a source set, by its type.
+// The argument `sources` of the free functions: adds it to a source set, by its type.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_ARGUMENT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_ARGUMENT_H
@@ -69,7 +69,7 @@ public:
     }
   }
 
-  // A point in space, or a range.
+  // Overload for a point in space or a range.
   template <class Argument>
   void add(const Argument& argument)
   {
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // Closed if the last point is the first one.
+  // Adds a polyline, closed if the last point equals the first.
   template <class PointRange>
   void add_polyline_through(const PointRange& range)
   {

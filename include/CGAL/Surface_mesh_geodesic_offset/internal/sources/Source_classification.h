@@ -59,8 +59,8 @@ void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
   Source_set<typename Surface::Number>::check(mesh.unfolded(), classified_source(mesh, source));
 }
 
-// Adds the sources of `added` to a set, in the order of their ids: all of them, or none if check_source() throws. Returns the new
-// ids. `added` is a copy: it may be the set itself.
+// Adds the sources of `added` to a set, in the order of their ids; none if check_source() throws. Returns the new ids. `added`
+// is a copy, since it may be the set itself.
 template <class Surface, class User_set>
 std::vector<std::size_t> add_checked(const Geodesic_mesh_data<Surface>& mesh, User_set& set, User_set added)
 {

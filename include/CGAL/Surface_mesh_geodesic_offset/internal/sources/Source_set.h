@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_start.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Segment_seeding.h>
 
 #include <cstddef>
 #include <map>
@@ -42,7 +42,7 @@ public:
     start(mesh, source, 0, trial);
   }
 
-  // Whether this is another set and some later sources.
+  // True if this set consists of `before` and sources with later ids.
   bool extends(const Source_set& before) const
   {
     auto i = m_sources.begin();
@@ -59,7 +59,7 @@ public:
     return initial;
   }
 
-  // Calls f(id, closed, the set of this source alone) for each polyline.
+  // Calls f(id, is_closed, set with this source only) for each polyline.
   template <class Function>
   void for_each_polyline(const Function& f) const
   {
@@ -78,9 +78,9 @@ private:
     switch (s.kind)
     {
     case POINT: initial.add_point(id, s.points.front()); break;
-    case OPEN_POLYLINE: Source_start<FT>(mesh, initial).add_polyline(id, s.points, false); break;
-    case CLOSED_POLYLINE: Source_start<FT>(mesh, initial).add_polyline(id, s.points, true); break;
-    case EDGES: Source_start<FT>(mesh, initial).add_edges(id, s.halfedges); break;
+    case OPEN_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, false); break;
+    case CLOSED_POLYLINE: Segment_seeding<FT>(mesh, initial).add_polyline(id, s.points, true); break;
+    case EDGES: Segment_seeding<FT>(mesh, initial).add_edges(id, s.halfedges); break;
     }
   }
 

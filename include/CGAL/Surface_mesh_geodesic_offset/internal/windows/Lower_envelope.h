@@ -10,12 +10,12 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_shares.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_ties.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Certain_overlap_split.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
 #include <CGAL/assertions.h>
 
@@ -39,7 +39,7 @@ public:
   struct End
   {
     FT distance = FT(-1);
-    Root root = Root();
+    Source_ref source_ref = Source_ref();
   };
 
   // `source_of[primitive]` tells which windows may merge: those of one source.
@@ -75,7 +75,7 @@ public:
       if (i != end && !m_order.has_later_before(**i)) w = *i++;
       else if (m_order.has_later()) later = m_order.pop_later();
       else break;
-      if constexpr (!Estimation<FT>::leaves_open)
+      if constexpr (!Interval_filter<FT>::leaves_open)
       {
         if (follows(*w, i, end)) continue;
       }
@@ -101,7 +101,7 @@ public:
   // Whether windows are in a row: none begins or ends before the one before it, and neighbours are not one window. Such ones
   // are mostly their own lower envelope, but for the ends that neighbours take from each other.
   // No gap may be closed, either: so distances do not depend on whether a list is swept.
-  static bool is_row(const Window* first, const Window* last, const FT& length)
+  static bool is_monotone_list(const Window* first, const Window* last, const FT& length)
   {
     if (first == last) return true;
     const FT largest_rounding = max_gap(length), widest = widest_gap(*first, length);
@@ -144,7 +144,7 @@ private:
   bool same_image(const Window& a, const Window& b) const
   {
     if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
-    if constexpr (!Number_policy<FT>::is_inexact) return is_of_one_root(a, b) && same_distances(a, b);
+    if constexpr (!Number_policy<FT>::is_inexact) return have_one_source(a, b) && same_distances(a, b);
     const FT rounding = Number_policy<FT>::rounding(64); // well below pruning_allowance()
     // The image of parallel rays is a unit vector. The sigma of other rays is the distance of a vertex, the same in all of its
     // windows; in margins of its sectors it is larger.
@@ -152,12 +152,12 @@ private:
     const FT& of_image = a.is_parallel() ? rounding : allowance;
     const FT of_sigma = a.is_parallel() ? allowance : FT(Number_policy<FT>::rounding(16) * (a.sigma + b.sigma));
     return CGAL::abs(a.x - b.x) <= of_image && CGAL::abs(a.y - b.y) <= of_image &&
-           CGAL::abs(a.sigma - b.sigma) <= of_sigma && is_of_one_root(a, b);
+           CGAL::abs(a.sigma - b.sigma) <= of_sigma && have_one_source(a, b);
   }
 
-  bool is_of_one_root(const Window& a, const Window& b) const
+  bool have_one_source(const Window& a, const Window& b) const
   {
-    return a.root.side() == b.root.side() && (*m_source_of)[a.root.primitive()] == (*m_source_of)[b.root.primitive()];
+    return a.source_ref.side() == b.source_ref.side() && (*m_source_of)[a.source_ref.primitive()] == (*m_source_of)[b.source_ref.primitive()];
   }
 
   static bool same_distances(const Window& a, const Window& b)
@@ -173,7 +173,7 @@ private:
       return;
     }
     Window& a = m_envelope.back();
-    if constexpr (Estimation<FT>::leaves_open)
+    if constexpr (Interval_filter<FT>::leaves_open)
     {
       if (CGAL::possibly(estimate(w.b0) >= estimate(a.b1)))
       {
@@ -299,7 +299,7 @@ private:
     if (!(gap > m_max_gap && gap < m_widest_gap)) return false;
     d = w.distance_at(b);
     return CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length) &&
-           ((w.root == end.root && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length)) && is_passed(d);
+           ((w.source_ref == end.source_ref && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length)) && is_passed(d);
   }
 
   // Whether a window may take over a gap beside it, where distances have the given size. Parallel rays end beside their segment
@@ -321,7 +321,7 @@ private:
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
-    const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.root == w.root &&
+    const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.source_ref == w.source_ref &&
                                  CGAL::abs(FT(a.x - w.x)) <= FT(widest_beside_segment);
     const auto takes = [&](const Window& x, const FT& d, const FT& other) {
       return (is_of_one_strip || may_take_over(x, gap, size)) && CGAL::abs(FT(d - other)) <= allowance;
@@ -371,7 +371,7 @@ private:
       m_envelope.push_back(w);
       return true;
     }
-    const Window_tie<Traits> tie(m_traits, a, w);
+    const Bisector_crossing<Traits> tie(m_traits, a, w);
     const FT low = w.b0, high = a_ends_first ? a.b1 : w.b1;
     FT t;
     if (tie.has_straight_bisector(t))
@@ -489,7 +489,7 @@ private:
   void resolve(const Window& last, const Window& w)
   {
     const Window a = last;
-    const Window_ties<Traits> ties(m_traits, a, w);
+    const Window_bisector<Traits> ties(m_traits, a, w);
     const int n = ties.number();
     bool a_owns = ties.first_is_nearer();
     for (int i = 0; i <= n; ++i, a_owns = !a_owns)
@@ -523,7 +523,7 @@ private:
       keep_later(w, a.b1, w.distance_at(a.b1), w.b1, w.d1);
       return;
     }
-    const Window_shares<FT> shares(a, w, m_length);
+    const Certain_overlap_split<FT> shares(a, w, m_length);
     if (shares.is_open())
     {
       m_envelope.push_back(w);
@@ -556,7 +556,7 @@ private:
 
   void keep_later(const Window& w, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
-    if constexpr (Estimation<FT>::leaves_open)
+    if constexpr (Interval_filter<FT>::leaves_open)
     {
       if (!CGAL::possibly(compare_bounds(from, to) == SMALLER)) return;
     }

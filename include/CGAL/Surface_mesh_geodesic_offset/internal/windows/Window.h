@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merged_origin.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 
 #include <CGAL/assertions.h>
 
@@ -30,18 +30,18 @@ constexpr double least_clear_distance = 1. / (1 << 30);
 constexpr double least_hiding_distance = 1. / (1 << 13);
 
 // Where a shortest path ends: a primitive of the source set and the side of it.
-struct Root
+struct Source_ref
 {
   Index value = no_index;
 
-  Root() = default;
-  Root(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) { CGAL_precondition(primitive < no_index >> 2); }
+  Source_ref() = default;
+  Source_ref(Index primitive, Source_side side) : value(primitive << 2 | Index(side)) { CGAL_precondition(primitive < no_index >> 2); }
   Index primitive() const { return value >> 2; }
   Source_side side() const { return Source_side(value & 3u); }
   bool is_valid() const { return value != no_index; }
   bool is_lateral() const { return side() == Source_side::LEFT || side() == Source_side::RIGHT; }
 
-  friend bool operator==(Root a, Root b) { return a.value == b.value; }
+  friend bool operator==(Source_ref a, Source_ref b) { return a.value == b.value; }
 };
 
 // A window on a halfedge, in the frame of the halfedge: the face to be entered is above the x axis, the source
@@ -57,15 +57,15 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
 {
   FT x, y, sigma;
   FT b0, b1, d0, d1;
-  Root root;
-  Index bits; // bit 0: parallel; bit 1: already propagated; above: 1 + pseudo-source vertex, 0 if none; see Merged_origin
+  Source_ref source_ref;
+  Index bits; // bit 0: parallel; bit 1: already propagated; above: 1 + pseudo-source vertex, 0 if none; see Merge_error_code
 
   bool is_parallel() const { return bits & 1u; }
   bool is_propagated() const { return bits & 2u; }
   void set_propagated() { bits |= 2u; }
   void set_new() { bits &= ~Index(2); } // not propagated
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
-  bool is_merged() const { return Merged_origin::is_merged(pseudo_source()); }
+  bool is_merged() const { return Merge_error_code::is_merged(pseudo_source()); }
   static Index make_bits(bool parallel, Index pseudo_source)
   {
     CGAL_precondition(pseudo_source == no_index || pseudo_source < no_index >> 2);

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <CGAL/number_utils.h>
 
@@ -24,7 +24,7 @@ inline bool has_interval(const Window<FT>& w)
   FT least(0); // distance
   if constexpr (Number_policy<FT>::is_inexact)
     least = -Number_policy<FT>::rounding(64) * (w.b1 + CGAL::abs(w.x) + CGAL::abs(w.y) + CGAL::abs(w.sigma));
-  const bool is_open = Estimation<FT>::leaves_open ? CGAL::possibly(estimate(w.b0) <= estimate(w.b1)) : bool(w.b0 < w.b1);
+  const bool is_open = Interval_filter<FT>::leaves_open ? CGAL::possibly(estimate(w.b0) <= estimate(w.b1)) : bool(w.b0 < w.b1);
   return is_open && CGAL::possibly(estimate(w.d0) >= estimate(least)) && CGAL::possibly(estimate(w.d1) >= estimate(least));
 }
 
@@ -38,7 +38,7 @@ inline bool are_in_order(const Window<FT>* first, const Window<FT>* last, const 
     if (!has_interval(*w) || CGAL::certainly(estimate(w->b0) < 0) || CGAL::certainly(estimate(w->b1) > estimate(length)))
       return false;
     if (w == first) continue;
-    if (Estimation<FT>::leaves_open ? CGAL::certainly(estimate(w->b0) < estimate(w[-1].b0))
+    if (Interval_filter<FT>::leaves_open ? CGAL::certainly(estimate(w->b0) < estimate(w[-1].b0))
                                     : CGAL::certainly(estimate(w->b0) < estimate(w[-1].b1)))
       return false;
   }

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <CGAL/assertions.h>
 
@@ -32,7 +32,7 @@ public:
     m_size = std::size_t(last - first) + std::size_t(more_last - more);
     if (m_order.size() < m_size) m_order.resize(2 * m_size);
     const Window** end = m_order.data();
-    int runs = Estimation<FT>::leaves_open ? most_runs : 0;
+    int runs = Interval_filter<FT>::leaves_open ? most_runs : 0;
     const auto comes_before = [](const Window* a, const Window* b) { return begins_before(*a, *b); };
     if (!(merge_runs(first, last, end, runs) && merge_runs(more, more_last, end, runs)))
     {
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  static decltype(auto) key(const Window& w) { return Estimation<FT>::key(w.b0); }
+  static decltype(auto) key(const Window& w) { return Interval_filter<FT>::key(w.b0); }
 
   // Children of a batch come in order, so there is mostly a run or two; trimming may have moved some of them. False if there
   // are too many.

@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <boost/config.hpp>
@@ -57,7 +57,7 @@ public:
   {
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y);
     const FT t = (w.x * apex_y - w.y * apex_x) / slope;
-    if constexpr (Estimation<FT>::leaves_open) return t; // side tests are exact then
+    if constexpr (Interval_filter<FT>::leaves_open) return t; // side tests are exact then
     return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
   }
 
@@ -163,7 +163,7 @@ private:
     child.x = w.x;
     child.y = w.y;
     child.sigma = w.sigma;
-    child.root = w.root;
+    child.source_ref = w.source_ref;
     child.bits = w.bits;
   }
 

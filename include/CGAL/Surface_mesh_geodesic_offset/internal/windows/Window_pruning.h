@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <boost/config.hpp>
@@ -23,9 +23,9 @@ namespace internal {
 // tie up to rounding, and a window that is lost there is not replaced by another one: the vertex may be no pseudo-source.
 // `scale`: no distance, and no coordinate, that is compared is larger.
 template <class FT>
-inline auto pruning_allowance(const typename Estimation<FT>::Estimate& scale)
+inline auto pruning_allowance(const typename Interval_filter<FT>::Estimate& scale)
 {
-  typedef typename Estimation<FT>::Estimate Estimate;
+  typedef typename Interval_filter<FT>::Estimate Estimate;
   if constexpr (Number_policy<FT>::is_inexact) return Estimate(Number_policy<FT>::rounding(256) * scale);
   else return Estimate(0);
 }
@@ -46,7 +46,7 @@ inline Estimate tie_with_end(const Window& w, const Estimate& x, const Estimate&
 template <class FT>
 class Window_pruning
 {
-  typedef typename Estimation<FT>::Estimate Estimate;
+  typedef typename Interval_filter<FT>::Estimate Estimate;
 
 public:
   // Of the halfedge: its length and the distances of its source and its target.
@@ -70,7 +70,7 @@ public:
   {
     const bool at_source = CGAL::certainly(by_source() + estimate(w.b0) < estimate(w.d0));
     const bool at_target = CGAL::certainly(by_target() + (m_length - estimate(w.b1)) < estimate(w.d1));
-    if (Estimation<FT>::leaves_open || at_source || at_target) return cut(w, at_source, at_target);
+    if (Interval_filter<FT>::leaves_open || at_source || at_target) return cut(w, at_source, at_target);
     return is_wide(w.b0, w.b1);
   }
 
@@ -107,7 +107,7 @@ private:
       if (CGAL::certainly(t >= b1)) return false;
       if (CGAL::certainly(t > b0))
       {
-        w.b0 = Estimation<FT>::lower_cut(t);
+        w.b0 = Interval_filter<FT>::lower_cut(t);
         w.d0 = w.distance_at(w.b0);
         b0 = t;
       }
@@ -120,7 +120,7 @@ private:
       if (CGAL::certainly(t <= b0)) return false;
       if (CGAL::certainly(t < b1))
       {
-        w.b1 = Estimation<FT>::upper_cut(t);
+        w.b1 = Interval_filter<FT>::upper_cut(t);
         w.d1 = w.distance_at(w.b1);
         b1 = t;
       }

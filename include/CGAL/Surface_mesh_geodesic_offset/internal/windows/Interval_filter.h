@@ -9,8 +9,8 @@
 //     upper_cut(). Any set of rays within a window's own will do, so the cut needs no exactness: it is a double;
 //   - a bounding box is one of estimates, lower_bound() and upper_bound().
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_ESTIMATION_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_ESTIMATION_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_INTERVAL_FILTER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_INTERVAL_FILTER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -42,7 +42,7 @@ inline Uncertain<Comparison_result> compare_bounds(const FT& a, const FT& b)
 
 // For number types whose comparisons are to be taken for true: floating point ones.
 template <class FT, bool is_inexact = Number_policy<FT>::is_inexact>
-struct Estimation
+struct Interval_filter
 {
   typedef FT Estimate;
   typedef FT Bound;
@@ -58,7 +58,7 @@ struct Estimation
 
 // For exact ones.
 template <class FT>
-struct Estimation<FT, false>
+struct Interval_filter<FT, false>
 {
   typedef Interval_nt<> Estimate;
   typedef double Bound;
@@ -75,7 +75,7 @@ struct Estimation<FT, false>
 template <class FT>
 inline decltype(auto) estimate(const FT& x)
 {
-  return Estimation<FT>::estimate(x);
+  return Interval_filter<FT>::estimate(x);
 }
 
 template <class FT>
@@ -105,7 +105,7 @@ inline FT minimum(const Window<FT>& w)
 template <class FT>
 struct Estimated_distance
 {
-  typedef typename Estimation<FT>::Estimate Estimate;
+  typedef typename Interval_filter<FT>::Estimate Estimate;
 
   explicit Estimated_distance(const Window<FT>& w)
     : x(estimate(w.x)), y(estimate(w.y)), sigma(estimate(w.sigma)), is_parallel(w.is_parallel())

@@ -3,8 +3,8 @@
 //
 // Unfolding both ends of a window across a face at once, in the usual case.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_PAIRED_EXIT_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_PAIRED_EXIT_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_SIMD_EDGE_EXIT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_SIMD_EDGE_EXIT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -39,13 +39,13 @@ struct Pairs_ends
 
 // One of the two other edges of a face, for windows that leave through it with all their rays.
 template <class Traits, bool is_left, bool pairs_ends = Pairs_ends<Traits>::value>
-class Paired_exit
+class Simd_edge_exit
 {
   typedef typename Traits::FT FT;
   typedef Number_pair<FT> Pair;
 
 public:
-  Paired_exit(const Window_propagation<Traits>& face, const Traits& traits)
+  Simd_edge_exit(const Window_propagation<Traits>& face, const Traits& traits)
     : m_change_frame(traits.change_frame_2_object()), m_exit(traits.construct_exit_2_object()),
       m_c(is_left ? face.cl : face.cr), m_s(is_left ? face.sl : face.sr),
       m_turn(is_left ? Pair(face.sl, FT(-face.sl)) : Pair(FT(-face.sr), face.sr)),
@@ -84,10 +84,10 @@ private:
 };
 
 template <class Traits, bool is_left>
-class Paired_exit<Traits, is_left, false>
+class Simd_edge_exit<Traits, is_left, false>
 {
 public:
-  Paired_exit(const Window_propagation<Traits>&, const Traits&) {}
+  Simd_edge_exit(const Window_propagation<Traits>&, const Traits&) {}
 };
 
 } // namespace internal

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shortest way to a point of a face through the part of an edge, or of a source, that a window's rays come through.
+// Shortest path to a point of a face through a chord: the interval of a window, or a source segment inside the face.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_CHORD_PATH_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_CHORD_PATH_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_RAYS_THROUGH_CHORD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_RAYS_THROUGH_CHORD_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The rays of a window, in any frame of the face: from `image`, at the distance sigma; parallel ones towards -image, with
-// sigma the distance of the frame's origin. The chord reaches from `left` to `right`, seen along the rays.
+// The rays of a window, in any frame of the face. Point rays start at `image`, at distance sigma. Parallel rays have the
+// direction -image, and sigma is the distance at the origin of the frame. The chord has the ends `left` and `right`, seen along
+// the rays.
 template <class FT>
 struct Rays_through_chord
 {
@@ -28,18 +29,18 @@ struct Rays_through_chord
   const FT& sigma;
   const Point &left, &right;
 
-  // Direction of the ray through the point p, not normalised.
+  // Direction of the ray through p, not normalized.
   Point direction(const Point& p) const { return is_parallel ? Point{-image.x, -image.y} : p - image; }
 
   FT distance_at(const Point& p) const { return is_parallel ? FT(sigma - dot(image, p)) : FT(sigma + length(p - image)); }
 
-  // Cross products of a bounding ray's direction and the vector to p: at most 0 for the left and at least 0 for the
-  // right ray if a ray reaches p.
+  // Cross product of the direction of a bounding ray with the vector from its end of the chord to p. A ray reaches p if the
+  // value is at most 0 for the left and at least 0 for the right bounding ray.
   FT left_side(const Point& p) const { return cross(direction(left), p - left); }
   FT right_side(const Point& p) const { return cross(direction(right), p - right); }
 
-  // The length of the way to p: straight if a ray reaches it, else round the nearer end of the chord. An upper bound of the
-  // distance of p in any case, and continuous.
+  // Length of the path to p: straight if a ray reaches p, otherwise around the nearer end of the chord. The length is
+  // continuous in p and an upper bound of the distance of p.
   FT path_length(const Point& p, bool& is_straight) const
   {
     const bool off_left = CGAL::is_positive(left_side(p)), off_right = CGAL::is_negative(right_side(p));
@@ -48,8 +49,8 @@ struct Rays_through_chord
     {
       const FT d = distance_at(p);
       if (!Number_policy<FT>::is_inexact || !is_parallel || !(d < (std::min)(distance_at(left), distance_at(right)) - rounding_at(p))) return d;
-      // Parallel rays that run along the chord, up to rounding, reach points behind it, too. The distance grows along rays, so
-      // such a point is nearer than both ends.
+      // Rounding lets parallel rays along the chord reach points behind it. The distance grows along rays, so such a point is
+      // nearer than both ends.
       is_straight = false;
     }
     const auto round = [&](const Point& end) { return FT(distance_at(end) + length(p - end)); };
@@ -57,7 +58,7 @@ struct Rays_through_chord
     return off_left ? round(left) : round(right);
   }
 
-  // Rounding of the distance of p by parallel rays.
+  // Rounding error of the distance of p along parallel rays.
   FT rounding_at(const Point& p) const
   {
     return Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y) + CGAL::abs(left.x) +

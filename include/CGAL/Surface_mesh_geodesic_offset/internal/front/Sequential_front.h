@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How the halfedges and vertices of the front's bucket are worked on: here one after the other, each on what the one before
-// has left. Parallel_taking.h does it in rounds.
+// has left. Parallel_front.h does it in rounds.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_TAKING_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_TAKING_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_SEQUENTIAL_FRONT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_SEQUENTIAL_FRONT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_passing.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Face_finalizer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_batch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
@@ -28,7 +28,7 @@ namespace internal {
 // Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new. What comes of it
 // is told to `front`: the state itself, or something that keeps it for later.
 template <class Traits, class Arena, class Front>
-BOOST_FORCEINLINE void take_halfedge(Index h, Wavefront_state<typename Traits::FT>& state,
+BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits::FT>& state,
                                      typename Wavefront_state<typename Traits::FT>::Part& part,
                                      Halfedge_batch<Traits>& batch, Arena& arena, Front& front)
 {
@@ -41,27 +41,24 @@ BOOST_FORCEINLINE void take_halfedge(Index h, Wavefront_state<typename Traits::F
   list.bucket = List::not_queued;
   list.has_gap = false;
   if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
-  list.taken = list.size;
+  list.processed = list.size;
   CGAL_assertion(!list.has_new());
   if constexpr (Number_policy<typename Traits::FT>::is_inexact) state.await_gap(h, list, batch.nearest_gap());
   state.schedule(state.mesh.face(h));
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();
-  for (const auto& a : propagated.arrivals()) front.update_apex(propagated.apex(), a);
+  for (const auto& a : propagated.updates()) front.update_apex(propagated.apex(), a);
   front.append(propagated.left(), arena);
   front.append(propagated.right(), arena);
 }
 
-template <class Traits, class Concurrency_tag>
-class Halfedge_taking;
-
 template <class Traits>
-class Halfedge_taking<Traits, Sequential_tag>
+class Sequential_front
 {
   typedef typename Traits::FT FT;
 
 public:
-  Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
+  Sequential_front(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                   const Merging_tolerance<FT>& tolerance)
     : m_state(state), m_batch(state, source_of, traits, tolerance)
   {
@@ -87,7 +84,7 @@ public:
   void look_at_all_parts() {}
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
-  void pass_faces(const Face_passing<FT>& passing, Passed_faces& passed) { passing.look(0, passed); }
+  void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.look(0, passed); }
 
   // Gives up the lists of faces that the front has passed.
   void release(const std::vector<Index>& faces)
@@ -96,12 +93,12 @@ public:
   }
 
   // Works on all halfedges and vertices of the bucket.
-  void take_all(const Ray_spreading<Traits>& spreading)
+  void process_bucket(const Ray_spreading<Traits>& spreading)
   {
     Bucket_queue& queue = m_state.part(0).queue;
     for (Index i;;)
       if (m_state.pop_halfedge(queue, i))
-        take_halfedge(i, m_state, m_state.part(0), m_batch, m_state.field.lists.arena(0), m_state);
+        process_halfedge(i, m_state, m_state.part(0), m_batch, m_state.field.lists.arena(0), m_state);
       else if (queue.pop_vertex(i))
         spreading.spread_from_pseudo_source(i, m_state);
       else

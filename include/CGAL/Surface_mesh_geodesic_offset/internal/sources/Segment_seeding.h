@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where rays start from polylines and edges: parallel-source windows to both sides of every segment; interval windows only
-// where shortest paths can start from a point, that is at a vertex of a polyline in the sector between the normals on its
-// reflex side, and in the half disk beyond an end.
+// The rays from polylines and edges. Parallel-source windows start to both sides of every segment. Interval windows start only
+// where shortest paths can start at a point: at a vertex of a polyline, in the sector between the normals on its reflex side;
+// at an end, in the half disk beyond it.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_START_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SOURCE_START_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SEGMENT_SEEDING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_SEGMENT_SEEDING_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -23,14 +23,14 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <class FT>
-class Source_start
+class Segment_seeding
 {
 public:
   typedef Surface_point<FT> Surface_point_;
   typedef Point_in_face<FT> Point;
   typedef Ray_at_vertex<FT> Ray;
 
-  Source_start(const Unfolded_mesh<FT>& mesh, Initial_windows<FT>& out) : m_mesh(mesh), m_sector(mesh), m_out(out) {}
+  Segment_seeding(const Unfolded_mesh<FT>& mesh, Initial_windows<FT>& out) : m_mesh(mesh), m_sector(mesh), m_out(out) {}
 
   void add_polyline(Index source, const std::vector<Surface_point_>& points, bool closed)
   {
@@ -63,7 +63,7 @@ public:
       add_joint(source, segments[(i + m - 1) % m], segments[i]);
   }
 
-  // Edges, given by one halfedge each.
+  // Adds edges, given by one halfedge each.
   void add_edges(Index source, const std::vector<Index>& halfedges)
   {
     std::vector<Index> ends;
@@ -76,8 +76,8 @@ public:
       const Index primitive = m_out.add_primitive(
         {source, Index(i), true},
         {Surface_point_::at_vertex(m_mesh.source(h)), Surface_point_::at_vertex(m_mesh.target(h))});
-      const Root root(primitive, Source_side::NONE);
-      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, root, root);
+      const Source_ref source_ref(primitive, Source_side::NONE);
+      m_out.add_edge_windows(h, FT(0), m_mesh[h].length, source_ref, source_ref);
       if (m_mesh.twin(h) != no_index) is_source[m_mesh.twin(h)] = 1;
       ends.push_back(m_mesh.source(h));
       ends.push_back(m_mesh.target(h));
@@ -87,9 +87,9 @@ public:
     for (Index v : ends)
     {
       const Surface_point_ place = Surface_point_::at_vertex(v);
-      const Root root(m_out.add_primitive({source, v, false}, {place, place}), Source_side::NONE);
-      m_out.seeds.push_back({v, FT(0), Ray(), root});
-      m_mesh.for_each_fan(v, [&](Index first) { add_fan_between_edges(v, first, is_source, root); });
+      const Source_ref source_ref(m_out.add_primitive({source, v, false}, {place, place}), Source_side::NONE);
+      m_out.seeds.push_back({v, FT(0), Ray(), source_ref});
+      m_mesh.for_each_fan(v, [&](Index first) { add_fan_between_edges(v, first, is_source, source_ref); });
     }
   }
 
@@ -97,15 +97,16 @@ private:
   struct Segment
   {
     Surface_point_ first, second;
-    Index face; // a face that contains both ends
+    Index face; // contains both ends
     Point a, b;
-    unsigned edge; // bit of the halfedge that both ends lie on, or 0
+    unsigned edge; // bit of the halfedge that contains both ends, or 0
     Index part;
     Point direction; // unit vector from a to b
-    FT lost;         // angle up to which the direction is known
+    FT lost;         // uncertainty of the direction, an angle
   };
 
-  // From the point with the given number. Returns false if the two points coincide; throws if they have no face in common.
+  // Sets the segment from p, point `number` of a polyline, to q. Returns false if the points coincide. Throws if no face
+  // contains both.
   bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, Segment& s) const
   {
     s.first = p;
@@ -116,7 +117,7 @@ private:
       Point a, b;
       unsigned ea, eb;
       if (!position_in_face(m_mesh, q, f, b, eb) || !position_in_face(m_mesh, p, f, a, ea)) continue;
-      // a face in which both lie on one edge says more than one in which they don't
+      // Prefer a face where both points lie on one edge.
       if (!found || (ea & eb))
       {
         s.face = f;
@@ -138,8 +139,8 @@ private:
     return true;
   }
 
-  // A short segment whose direction is that of a neighbour up to rounding takes the neighbour's direction. Else the strips of the
-  // two segments leave a gap that grows with the distance, or overlap.
+  // Gives a short segment the direction of a neighbour if both are equal up to rounding. Otherwise their strips would leave a
+  // gap that grows with the distance, or overlap.
   void straighten(std::vector<Segment>& segments, bool closed) const
   {
     const std::size_t m = segments.size(), steps = closed ? 2 * m : m;
@@ -155,12 +156,12 @@ private:
     }
   }
 
-  // p: the point that both have in common.
+  // p: the common point of both segments.
   void follow(const Segment& known, const Surface_point_& p, Segment& s) const
   {
     if (!(known.lost < s.lost) || p.kind == Surface_point_::VERTEX) return;
     const Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
-    // beside a tiny face, rounding of a large one is no rounding
+    // The rounding of a large face must not count in a tiny face next to it.
     const FT size =
       (std::min)(Face_frame<FT>(m_mesh, s.face).longest_edge(), Face_frame<FT>(m_mesh, known.face).longest_edge());
     const FT off = CGAL::abs(cross(t, s.b - s.a)); // of the end of the segment
@@ -172,7 +173,7 @@ private:
   void add_segment(Index source, const Segment& s)
   {
     const Index primitive = m_out.add_primitive({source, s.part, true}, {s.first, s.second});
-    const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
+    const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     const Face_frame<FT> frame(m_mesh, s.face);
     if (s.edge)
     {
@@ -193,7 +194,7 @@ private:
     {
       const Point v = frame.corner(k) - s.a;
       const FT foot = dot(t, v);
-      // on the normal through an end, up to the rounding of its direction
+      // On the normal through an end, up to the rounding of its direction.
       const FT direction = Number_policy<FT>::rounding(16) * (size + extent) / size;
       const FT allowance = (std::min)(direction, Number_policy<FT>::rounding(1 << 20)) * (size + length(v));
       if (foot < -allowance || foot > size + allowance) continue;
@@ -204,14 +205,14 @@ private:
     }
   }
 
-  // Exactly 0 or the length at a vertex.
+  // Position of p along h; exactly 0 or the length at a vertex.
   FT position_on_edge(const Surface_point_& p, Index h) const
   {
     if (p.kind == Surface_point_::VERTEX) return p.element == m_mesh.source(h) ? FT(0) : m_mesh[h].length;
     return p.element == h ? p.x : FT(m_mesh[h].length - p.x);
   }
 
-  // Direction of the segment at its second end (back along it) or its first end, as a ray at a mesh vertex.
+  // Direction of the segment at its second end (backward) or its first end, as a ray at a mesh vertex.
   Ray ray_of(const Segment& s, bool at_second) const
   {
     const Index v = (at_second ? s.second : s.first).element;
@@ -229,8 +230,8 @@ private:
     return {h, u.x, u.y};
   }
 
-  // The same for a point p inside an edge or a face: a vector in the frame of the point's halfedge or face. A repeated point
-  // may have another name in the segment, that of the edge's other halfedge.
+  // Overload for a point p inside an edge or a face: a vector in the frame of the point's halfedge or face. A repeated point
+  // may be named by the opposite halfedge in the segment.
   Point vector_of(const Segment& s, bool at_second, const Surface_point_& p) const
   {
     return vector_at_point(m_mesh, p, s.face, at_second ? FT(-1) * s.direction : s.direction);
@@ -238,26 +239,26 @@ private:
 
   void add_end(Index source, const Surface_point_& p, const Segment& s, bool at_second, Index part)
   {
-    const Root root(m_out.add_primitive({source, part, false}, {p, p}), Source_side::CAP);
+    const Source_ref source_ref(m_out.add_primitive({source, part, false}, {p, p}), Source_side::CAP);
     if (p.kind == Surface_point_::VERTEX)
     {
       const Ray r = ray_of(s, at_second);
-      m_out.seeds.push_back({p.element, FT(0), Ray(), root});
-      add_gap(p.element, r, r, root, m_out.lost_angle(s.face, length(s.b - s.a)));
-      add_other_fans(p.element, r.corner, no_index, root);
+      m_out.seeds.push_back({p.element, FT(0), Ray(), source_ref});
+      add_gap(p.element, r, r, source_ref, m_out.lost_angle(s.face, length(s.b - s.a)));
+      add_other_fans(p.element, r.corner, no_index, source_ref);
       return;
     }
     const Point u = vector_of(s, at_second, p);
     const Point from = quarter_turn(u), to = FT(-1) * from;
-    m_out.add_seeds_of_point(p, [root](const Point&) { return root; });
-    m_out.add_flat_sector(p, &from, &to, root);
+    m_out.add_seeds_of_point(p, [source_ref](const Point&) { return source_ref; });
+    m_out.add_flat_sector(p, &from, &to, source_ref);
   }
 
   void add_joint(Index source, const Segment& in, const Segment& out)
   {
     const Surface_point_& p = out.first;
     const Index primitive = m_out.add_primitive({source, out.part, false}, {p, p});
-    const Root left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
+    const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {
       const FT lost = (std::max)(m_out.lost_angle(in.face, length(in.b - in.a)), m_out.lost_angle(out.face, length(out.b - out.a)));
@@ -278,21 +279,21 @@ private:
     }
     const Point u_in = vector_of(in, true, p), u_out = vector_of(out, false, p);
     const FT turn = cross(u_in, u_out);
-    // counterclockwise from out to in is the left side; it is reflex where in is right of out
+    // Counterclockwise from out to in is the left side, which is reflex where in is right of out.
     const bool reflex_left = !CGAL::is_negative(turn);
     m_out.add_seeds_of_point(p, [&](const Point& v) {
       const Point &first = reflex_left ? u_in : u_out, &last = reflex_left ? u_out : u_in; // of the side that is not reflex
       const bool is_between = CGAL::is_positive(cross(first, v)) && CGAL::is_positive(cross(v, last));
       return is_between == reflex_left ? right : left;
     });
-    // u_in points back along the incoming segment: going straight on, both are opposite
+    // u_in points backward along the incoming segment; on a straight polyline u_in and u_out are opposite.
     const FT straight = -dot(u_in, u_out), lost = (std::max)(in.lost, out.lost);
     const auto add_side = [&](bool is_left) {
       const Point from = quarter_turn(is_left ? u_out : u_in), to = FT(-1) * quarter_turn(is_left ? u_in : u_out);
       m_out.add_flat_sector(p, &from, &to, is_left ? left : right);
     };
     if (!CGAL::is_zero(turn) || !CGAL::is_positive(straight)) add_side(reflex_left);
-    // which side is reflex is open
+    // Rounding leaves open which side is reflex.
     if (CGAL::is_positive(lost) && CGAL::abs(turn) <= FT(2) * lost * straight) add_side(!reflex_left);
   }
 
@@ -306,38 +307,38 @@ private:
     return false;
   }
 
-  // At a pinched vertex, all directions of the fans that the polyline does not enter.
-  void add_other_fans(Index v, Index c, Index d, Root root)
+  // Adds all directions of the fans of a pinched vertex that the polyline does not enter.
+  void add_other_fans(Index v, Index c, Index d, Source_ref source_ref)
   {
     if (!m_mesh.has_several_fans(v)) return;
     m_mesh.for_each_fan(v, [&](Index first) {
       if (!same_fan(first, c) && (d == no_index || !same_fan(first, d)))
-        m_out.fans.push_back({v, Ray(), Ray(), first, root});
+        m_out.fans.push_back({v, Ray(), Ray(), first, source_ref});
     });
   }
 
-  // Of a segment 2^-28 edges long. On edges at its vertex rounding turns rays from its other end by 2^-25 then, and a path that
-  // bends by this is longer by 2^-53 of its length.
+  // Uncertainty of a segment 2^-28 edges long. On edges at its vertex, rounding then turns rays from its other end by 2^-25,
+  // and a path that bends by this angle is longer by 2^-53 of its length.
   static FT largest_lost_angle() { return FT(1. / (1 << 18)); }
 
-  // The rays that can be shortest between two neighbouring source directions a and b (counterclockwise) at a vertex:
-  // a right angle away from each, less `lost`, the angle up to which the two directions are known. If this is large, a segment is
-  // so short that on the edges at v rounding loses the rays from its other end: rays from v take their place.
-  void add_gap(Index v, const Ray& a, const Ray& b, Root root, const FT& lost)
+  // Adds the rays that can be shortest between two neighbouring source directions a and b (counterclockwise) at a vertex: a
+  // right angle away from each, less the uncertainty `lost` of the directions. A larger uncertainty belongs to a segment so
+  // short that rounding loses the rays from its other end on the edges at v; then rays start from v in all directions.
+  void add_gap(Index v, const Ray& a, const Ray& b, Source_ref source_ref, const FT& lost)
   {
     if (lost > largest_lost_angle())
     {
       const Index first = m_mesh.first_on_border(a.corner);
       if (a.corner == b.corner)
-      { // all round, but for a wedge in one corner, if the gap is not this wedge
+      { // all directions except a wedge in one corner, unless the gap is this wedge
         if (!CGAL::is_positive(cross(a.x, a.y, b.x, b.y)))
-          m_out.fans.push_back({v, Ray(), Ray(), first != no_index ? first : a.corner, root});
+          m_out.fans.push_back({v, Ray(), Ray(), first != no_index ? first : a.corner, source_ref});
       }
-      else if (!m_sector.passes_border(a, b)) m_out.fans.push_back({v, a, b, a.corner, root});
+      else if (!m_sector.passes_border(a, b)) m_out.fans.push_back({v, a, b, a.corner, source_ref});
       else
       {
-        m_out.fans.push_back({v, a, Ray(), first, root});
-        m_out.fans.push_back({v, Ray(), b, first, root});
+        m_out.fans.push_back({v, a, Ray(), first, source_ref});
+        m_out.fans.push_back({v, Ray(), b, first, source_ref});
       }
       return;
     }
@@ -345,15 +346,15 @@ private:
     if (m_sector.passes_border(a, b))
     {
       const Index first = m_mesh.first_on_border(a.corner);
-      if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, root});
-      if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, root});
+      if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, source_ref});
+      if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, source_ref});
     }
     else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b, lost) &&
              m_sector.come_in_order(a, from, to))
-      m_out.fans.push_back({v, from, to, from.corner, root});
+      m_out.fans.push_back({v, from, to, from.corner, source_ref});
   }
 
-  void add_fan_between_edges(Index v, Index first, const std::vector<char>& is_source, Root root)
+  void add_fan_between_edges(Index v, Index first, const std::vector<char>& is_source, Source_ref source_ref)
   {
     std::vector<Ray> rays;
     Index c = first;
@@ -365,8 +366,8 @@ private:
         rays.push_back({c, m_mesh[c].apex_x, m_mesh[c].apex_y});
       c = n;
     } while (c != no_index && c != first);
-    if (rays.empty()) m_out.fans.push_back({v, Ray(), Ray(), first, root});
-    for (std::size_t i = 0; i < rays.size(); ++i) add_gap(v, rays[i], rays[(i + 1) % rays.size()], root, FT(0));
+    if (rays.empty()) m_out.fans.push_back({v, Ray(), Ray(), first, source_ref});
+    for (std::size_t i = 0; i < rays.size(); ++i) add_gap(v, rays[i], rays[(i + 1) % rays.size()], source_ref, FT(0));
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What two windows with overlapping intervals keep of them if distances are only estimated (Estimation.h): each keeps all
+// What two windows with overlapping intervals keep of them if distances are only estimated (Interval_filter.h): each keeps all
 // but those parts where the other one is certainly nearer.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_SHARES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_SHARES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_CERTAIN_OVERLAP_SPLIT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_CERTAIN_OVERLAP_SPLIT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Estimation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,23 +21,23 @@ namespace Geodesic_offset {
 namespace internal {
 
 // The overlap falls into zones: where a is certainly nearer, where b is, and where it is open. The difference of the two
-// distances is monotone on either side of the point collinear with both images (see Window_ties), so bisection with
+// distances is monotone on either side of the point collinear with both images (see Window_bisector), so bisection with
 // estimates finds the limits; the closed form of a tie is not needed.
 //
 // A zone that is too narrow is left open: so what has been cut once is not cut again.
 template <class FT>
-class Window_shares
+class Certain_overlap_split
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-  typedef typename Estimation<FT>::Estimate Estimate;
+  typedef typename Interval_filter<FT>::Estimate Estimate;
 
   // a begins before b, or where b does.
-  Window_shares(const Window& a, const Window& b, const FT& length)
+  Certain_overlap_split(const Window& a, const Window& b, const FT& length)
     : m_a(a), m_b(b), m_least_width(CGAL::to_double(length) / double(1ull << 44))
   {
     const Estimate a1 = estimate(a.b1), b0 = estimate(b.b0), b1 = estimate(b.b1);
-    CGAL_precondition(Estimation<FT>::key(a.b0) <= Estimation<FT>::key(b.b0));
+    CGAL_precondition(Interval_filter<FT>::key(a.b0) <= Interval_filter<FT>::key(b.b0));
     m_low = b0.inf();
     m_high = (std::min)(a1.sup(), b1.sup());
     if (m_high - b0.sup() <= m_least_width) return;

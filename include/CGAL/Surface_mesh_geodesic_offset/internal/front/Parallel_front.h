@@ -7,14 +7,14 @@
 // distances at vertices where they meet, it sees what was known at the beginning of the round. So the result depends
 // neither on the number of threads nor on which of them does what.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_TAKING_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_TAKING_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_FRONT_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_FRONT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_mail.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_messages.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Halfedge_taking.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Sequential_front.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Worker_team.h>
 
 #include <CGAL/assertions.h>
@@ -32,7 +32,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <class Traits>
-class Halfedge_taking<Traits, Parallel_tag>
+class Parallel_front
 {
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
@@ -42,8 +42,8 @@ class Halfedge_taking<Traits, Parallel_tag>
 public:
   typedef Front_partition Partition;
 
-  Halfedge_taking(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
-                  const Merging_tolerance<FT>& tolerance)
+  Parallel_front(Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
+                 const Merging_tolerance<FT>& tolerance)
     : m_state(state), m_team((std::min)(Worker_team::possible_size(), unsigned(state.parts.number()))),
       m_waiting(state.parts.number())
   {
@@ -57,7 +57,7 @@ public:
   bool advance()
   {
     bool is_left = Number_policy<FT>::is_finite(m_nearest_told);
-    std::size_t next = first_told();
+    std::size_t next = first_message();
     for (const Waiting& w : m_waiting)
     {
       is_left |= w.has_events;
@@ -74,11 +74,11 @@ public:
   }
 
   // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
-  void pass_faces(const Face_passing<FT>& passing, Passed_faces& passed)
+  void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed)
   {
     m_turns.clear();
     for (Index i = 0; i < m_part.size(); ++i)
-      if (m_waiting[i].first <= m_state.current() || has_bit(m_told | m_gives_up, i)) m_turns.push_back({i, 1});
+      if (m_waiting[i].first <= m_state.current() || has_bit(m_recipients | m_gives_up, i)) m_turns.push_back({i, 1});
     m_gives_up = 0;
     round(m_turns.size() >= worthwhile_faces,
           [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
@@ -98,15 +98,15 @@ public:
 
   // Works on all halfedges and vertices of the bucket, in rounds of what waits there: the halfedges, if there are any, else
   // the vertices.
-  void take_all(const Ray_spreading<Traits>& spreading)
+  void process_bucket(const Ray_spreading<Traits>& spreading)
   {
     while (true)
     {
       // distances of vertices must not be left for a round in which rays start from vertices, where others read them
-      const bool is_told = m_told != 0 && (m_tells_vertices || first_told() <= m_state.current());
-      if (const std::size_t halfedges = find_turns(&Waiting::halfedges, m_due); halfedges > 0 || is_told)
+      const bool is_recipient = m_recipients != 0 && (m_tells_vertices || first_message() <= m_state.current());
+      if (const std::size_t halfedges = find_turns(&Waiting::halfedges, m_pending); halfedges > 0 || is_recipient)
       {
-        round(halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->take_halfedges(i, worker); });
+        round(halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->process_halfedges(i, worker); });
         m_tells_vertices = false;
       }
       else if (const std::size_t vertices = find_turns(&Waiting::vertices, 0); vertices > 0)
@@ -153,8 +153,8 @@ private:
     Index halfedges = 0, vertices = 0;      // in this bucket
     bool has_events = false;
     bool has_shared_arrivals = false;
-    Parts told = 0; // parts that were told something; how many halfedges they have to take in this bucket
-    Index due = 0;
+    Parts recipients = 0; // parts that were told something; how many halfedges they have to take in this bucket
+    Index pending = 0;
     FT nearest_told = Number_policy<FT>::infinity();
   };
 
@@ -168,21 +168,21 @@ private:
   static bool has_bit(Parts parts, Index i) { return parts >> i & 1u; }
 
   // The bucket of the nearest of what was told.
-  std::size_t first_told() const { return m_state.part(0).queue.bucket_of(m_nearest_told); }
+  std::size_t first_message() const { return m_state.part(0).queue.bucket_of(m_nearest_told); }
 
   // Those parts take turns in which something waits, or which were told something, `due` more in all. Returns how much
   // there is to do.
-  std::size_t find_turns(Index Waiting::*number, std::size_t due)
+  std::size_t find_turns(Index Waiting::*number, std::size_t pending)
   {
     m_turns.clear();
-    std::size_t sum = due;
-    const std::size_t told = std::bitset<Front_partition::largest_number>(m_told).count();
-    const std::size_t due_for_each = told > 0 ? due / told : 0;
+    std::size_t sum = pending;
+    const std::size_t recipients = std::bitset<Front_partition::largest_number>(m_recipients).count();
+    const std::size_t pending_for_each = recipients > 0 ? pending / recipients : 0;
     for (Index i = 0; i < m_part.size(); ++i)
     {
       const std::size_t n = m_waiting[i].*number;
       sum += n;
-      if (has_bit(m_told, i)) m_turns.push_back({i, n + 1 + due_for_each});
+      if (has_bit(m_recipients, i)) m_turns.push_back({i, n + 1 + pending_for_each});
       else if (n > 0) m_turns.push_back({i, n + 1});
     }
     return sum;
@@ -200,10 +200,10 @@ private:
     f(worker, i);
     look_at(i);
     Waiting& w = m_waiting[i];
-    w.told = part.sender.told();
-    w.due = Index(part.sender.due());
+    w.recipients = part.sender.recipients();
+    w.pending = Index(part.sender.pending());
     w.nearest_told = part.sender.nearest();
-    w.has_shared_arrivals = !part.sender.shared_arrivals().empty();
+    w.has_shared_arrivals = !part.sender.shared_updates().empty();
   }
 
   template <class Function>
@@ -221,29 +221,29 @@ private:
   // After a round: who will have to read what, and what is for all.
   void deliver()
   {
-    m_told = 0;
-    m_due = 0;
+    m_recipients = 0;
+    m_pending = 0;
     m_nearest_told = Number_policy<FT>::infinity();
     std::fill(m_senders.begin(), m_senders.end(), Parts(0));
     for (const Turn& t : m_turns)
     {
       const Waiting& w = m_waiting[t.part];
-      m_told |= w.told;
-      m_due += w.due;
+      m_recipients |= w.recipients;
+      m_pending += w.pending;
       m_nearest_told = (std::min)(m_nearest_told, w.nearest_told);
-      for_each_bit(w.told, [this, &t](Index i) { this->m_senders[i] |= bit(t.part); });
+      for_each_bit(w.recipients, [this, &t](Index i) { this->m_senders[i] |= bit(t.part); });
     }
     Parts changed = 0;
     for (const Turn& t : m_turns)
     {
       if (!m_waiting[t.part].has_shared_arrivals) continue;
-      auto& arrivals = m_part[t.part].sender.shared_arrivals();
-      for (const auto& [vertex, arrival] : arrivals)
+      auto& updates = m_part[t.part].sender.shared_updates();
+      for (const auto& [vertex, update] : updates)
       {
-        m_state.update_vertex(vertex, arrival);
+        m_state.update_vertex(vertex, update);
         changed |= bit(m_state.parts.of_vertex(vertex));
       }
-      arrivals.clear();
+      updates.clear();
     }
     for_each_bit(changed, [this](Index i) { this->look_at(i); });
   }
@@ -287,7 +287,7 @@ private:
     for_each_bit(m_senders[part], [&](Index i) {
       Front_box<FT>& box = this->m_part[i].sender.box_for(part, this->m_round - 1);
       for (Index f : box.faces) this->m_state.schedule(f);
-      for (const auto& [vertex, arrival] : box.arrivals) this->m_state.update_vertex(vertex, arrival);
+      for (const auto& [vertex, update] : box.updates) this->m_state.update_vertex(vertex, update);
       for (const auto& w : box.windows) this->append(w, arena);
       for (const auto& w : box.single_windows) this->append(w, arena);
       box.clear();
@@ -308,13 +308,13 @@ private:
     m_state.enqueue(w.halfedge, list, 1, minimum(w.window));
   }
 
-  void take_halfedges(Index part, unsigned worker)
+  void process_halfedges(Index part, unsigned worker)
   {
     CGAL_precondition(m_state.is_awake(part));
     Bucket_queue& queue = m_state.part(part).queue;
     Index h;
     while (m_state.pop_halfedge(queue, h))
-      take_halfedge(h, m_state, m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker),
+      process_halfedge(h, m_state, m_state.part(part), *m_batches[worker], m_state.field.lists.arena(worker),
                     m_part[part].sender);
   }
 
@@ -335,9 +335,9 @@ private:
   unsigned m_round = 0;
   // of the round before: the parts that were told something, by whom each, the halfedges that they have to take in this
   // bucket, and the smallest distance in there
-  Parts m_told = 0;
+  Parts m_recipients = 0;
   std::vector<Parts> m_senders = std::vector<Parts>(Front_partition::largest_number, 0);
-  std::size_t m_due = 0;
+  std::size_t m_pending = 0;
   FT m_nearest_told = Number_policy<FT>::infinity();
   bool m_tells_vertices = false; // there may be distances of vertices among it
   Parts m_gives_up = 0; // parts with faces to give up

@@ -3,8 +3,8 @@
 //
 // When the front has passed a face: then all distances in it are final. And whether it has passed a corner without a word.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_PASSING_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_PASSING_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -36,13 +36,13 @@ struct Passed_faces
 };
 
 template <class FT>
-class Face_passing
+class Face_finalizer
 {
   typedef Wavefront_state<FT> State;
 
 public:
   // `tolerance`: by how much more than rounding distances may be too small.
-  Face_passing(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
+  Face_finalizer(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
 
   // Looks at the faces of a part that wait in the bucket. Those that the front has passed are added to `passed`, the others
   // wait on.
@@ -106,7 +106,7 @@ private:
     const std::size_t before = hidden.size();
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      const FT along_edge = m_state.along_edge(h, Root()).distance;
+      const FT along_edge = m_state.along_edge(h, Source_ref()).distance;
       const FT allowed = along_edge + (m_tolerance.relative * along_edge + m_tolerance.absolute);
       if (along_edge <= m_state.maximum && m_state.is_shorter(allowed, m_state.field.distance[m_state.mesh.source(h)]))
         hidden.push_back(h);

@@ -4,8 +4,8 @@
 // What the parts of the front tell each other: each writes into its own boxes in one round, and in the next one each reads
 // those that are for it, in the order of the parts. So the order does not depend on which thread works on which part.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MAIL_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MAIL_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MESSAGES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MESSAGES_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -49,14 +49,14 @@ struct Front_box
     Window window;
   };
 
-  std::vector<std::pair<Index, Vertex_arrival<FT>>> arrivals;
+  std::vector<std::pair<Index, Vertex_update<FT>>> updates;
   std::vector<Windows> windows;
   std::vector<Single_window> single_windows;
   std::vector<Index> faces; // that the front has reached
 
   void clear()
   {
-    arrivals.clear();
+    updates.clear();
     windows.clear();
     single_windows.clear();
     faces.clear();
@@ -75,11 +75,11 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Wavefront_state<FT>::Output Output;
   typedef Front_box<FT> Box;
-  typedef std::vector<std::pair<Index, Vertex_arrival<FT>>> Arrivals;
+  typedef std::vector<std::pair<Index, Vertex_update<FT>>> Updates;
 
   Front_sender(Wavefront_state<FT>& state, Index part) : m_state(&state), m_part(part)
   {
-    CGAL_assertion(state.parts.number() <= Front_partition::largest_number); // the bits of m_told
+    CGAL_assertion(state.parts.number() <= Front_partition::largest_number); // the bits of m_recipients
     for (auto& places : m_place) places.assign(state.parts.number(), none);
   }
 
@@ -87,14 +87,14 @@ public:
   void begin(unsigned round)
   {
     m_parity = round & 1u;
-    m_told = 0;
-    m_due = 0;
+    m_recipients = 0;
+    m_pending = 0;
     m_nearest = Number_policy<FT>::infinity();
   }
 
   // The parts that were told something, by bits; how many halfedges they have to take in this bucket; the smallest distance.
-  std::uint64_t told() const { return m_told; }
-  std::size_t due() const { return m_due; }
+  std::uint64_t recipients() const { return m_recipients; }
+  std::size_t pending() const { return m_pending; }
   const FT& nearest() const { return m_nearest; }
 
   // What was told another part in the round before.
@@ -105,22 +105,22 @@ public:
   }
 
   // What vertices were told where faces of several parts meet.
-  Arrivals& shared_arrivals() { return m_shared_arrivals; }
+  Updates& shared_updates() { return m_shared_updates; }
 
-  void update_vertex(Index v, const Vertex_arrival<FT>& a)
+  void update_vertex(Index v, const Vertex_update<FT>& a)
   {
-    if (!m_state->parts.has_alone(v)) m_shared_arrivals.emplace_back(v, a);
-    else box(m_state->parts.of_vertex(v), a.distance).arrivals.emplace_back(v, a);
+    if (!m_state->parts.has_alone(v)) m_shared_updates.emplace_back(v, a);
+    else box(m_state->parts.of_vertex(v), a.distance).updates.emplace_back(v, a);
     m_last[1] = m_last[0];
     m_last[0] = {v, a.distance};
   }
 
   // The same in a round in which nobody but this part reads what is known of vertices that it has alone: that changes at
   // once. The others are told only what may make a difference.
-  void update_apex(Index v, const Vertex_arrival<FT>& a)
+  void update_apex(Index v, const Vertex_update<FT>& a)
   {
     if (m_state->parts.has_alone(v)) m_state->update_vertex(v, a);
-    else if (m_state->may_change(v, a)) m_shared_arrivals.emplace_back(v, a);
+    else if (m_state->may_change(v, a)) m_shared_updates.emplace_back(v, a);
   }
 
   void schedule(Index f)
@@ -153,7 +153,7 @@ private:
 
   Box& box(Index part, const FT& nearest)
   {
-    m_told |= std::uint64_t(1) << part;
+    m_recipients |= std::uint64_t(1) << part;
     m_nearest = (std::min)(m_nearest, nearest);
     std::uint8_t& place = m_place[m_parity][part];
     if (place == none)
@@ -166,7 +166,7 @@ private:
 
   Box& box_for_windows(Index part, const FT& nearest)
   {
-    if (m_state->part(m_part).queue.bucket_of(nearest) <= m_state->current()) ++m_due;
+    if (m_state->part(m_part).queue.bucket_of(nearest) <= m_state->current()) ++m_pending;
     return box(part, nearest);
   }
 
@@ -189,9 +189,9 @@ private:
   unsigned m_parity = 0; // of the round
   std::vector<Box> m_box[2];            // for those parts that were ever told anything
   std::vector<std::uint8_t> m_place[2]; // of the box for each part
-  Arrivals m_shared_arrivals;
-  std::uint64_t m_told = 0;
-  std::size_t m_due = 0;
+  Updates m_shared_updates;
+  std::uint64_t m_recipients = 0;
+  std::size_t m_pending = 0;
   FT m_nearest = Number_policy<FT>::infinity();
   Update m_last[2];
 };

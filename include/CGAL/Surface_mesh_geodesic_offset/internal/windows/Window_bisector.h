@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where two windows on one halfedge give equal distances, for floating point numbers. (For others see Window_shares.h.)
+// Where two windows on one halfedge give equal distances, for floating point numbers. (For others see Certain_overlap_split.h.)
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_TIES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_TIES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_BISECTOR_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_BISECTOR_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -35,13 +35,13 @@ struct Pairs_distances
 
 // One tie of two windows a and b.
 template <class Traits>
-class Window_tie
+class Bisector_crossing
 {
 public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_tie(const Traits& traits, const Window& a, const Window& b)
+  Bisector_crossing(const Traits& traits, const Window& a, const Window& b)
     : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object()),
       m_scale(a.d1 + b.d0)
   {
@@ -109,13 +109,13 @@ public:
   {
     CGAL_precondition(u <= v && (gu > 0) != (gv > 0));
     Place p;
-    if (BOOST_UNLIKELY(!closed_form(u, v, p.t))) return Window_tie(*this).iterate(u, gu, v, gv);
+    if (BOOST_UNLIKELY(!closed_form(u, v, p.t))) return Bisector_crossing(*this).iterate(u, gu, v, gv);
     FT other;
     at(p.t, p.t, p.d, other);
     if (BOOST_LIKELY(compare(p.d, other) == EQUAL)) return p;
     // of a copy, so that this object can be in registers
     const FT g = p.d - other;
-    return (g > 0) == (gu > 0) ? Window_tie(*this).iterate(p.t, g, v, gv) : Window_tie(*this).iterate(u, gu, p.t, g);
+    return (g > 0) == (gu > 0) ? Bisector_crossing(*this).iterate(p.t, g, v, gv) : Bisector_crossing(*this).iterate(u, gu, p.t, g);
   }
 
 private:
@@ -222,13 +222,13 @@ private:
 // images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
 // signs at lo, there, and at hi tell which.
 template <class Traits>
-class Window_ties
+class Window_bisector
 {
 public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_ties(const Traits& traits, const Window& a, const Window& b) : m_tie(traits, a, b)
+  Window_bisector(const Traits& traits, const Window& a, const Window& b) : m_tie(traits, a, b)
   {
     const bool a_ends_first = a.b1 < b.b1;
     m_low = b.b0;
@@ -289,7 +289,7 @@ private:
     }
   }
 
-  const Window_tie<Traits> m_tie;
+  const Bisector_crossing<Traits> m_tie;
   FT m_low, m_high, m_a_low, m_a_high, m_b_low, m_b_high;
   int m_first_sign = 0;
   int m_number = 0;

@@ -3,8 +3,8 @@
 //
 // What a window that was merged within a tolerance carries in the place of its pseudo-source: the bound of its error.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_MERGED_ORIGIN_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_MERGED_ORIGIN_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_MERGE_ERROR_CODE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_MERGE_ERROR_CODE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -20,7 +20,7 @@ namespace internal {
 
 // The image of a merged window is no vertex and no source, so the number of a pseudo-source is free to say how large the
 // error may be: a float without its sign and its last two bits, rounded upward. Numbers of vertices are smaller.
-struct Merged_origin
+struct Merge_error_code
 {
   static_assert(sizeof(float) == sizeof(Index) && std::numeric_limits<float>::is_iec559, "32 bits, without sign 31");
 

@@ -3,13 +3,13 @@
 //
 // The way out of a face through one of the two other edges: the children of windows, and what pruning leaves of them.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAY_OUT_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAY_OUT_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_CHILD_WINDOW_WRITER_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_CHILD_WINDOW_WRITER_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Paired_exit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_pruning.h>
 
@@ -20,7 +20,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 template <class Traits, bool is_left_>
-struct Way_out
+struct Child_window_writer
 {
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
@@ -51,7 +51,7 @@ struct Way_out
 
   // A window that leaves here with all its rays, while the way is open.
   template <bool is_parallel>
-  BOOST_FORCEINLINE void take_whole(const Window_propagation<Traits>& face, const Paired_exit<Traits, is_left>& edge,
+  BOOST_FORCEINLINE void take_whole(const Window_propagation<Traits>& face, const Simd_edge_exit<Traits, is_left>& edge,
                                     const Window& w)
   {
     if constexpr (Pairs_ends<Traits>::value)
@@ -96,9 +96,9 @@ private:
   // By one load and one store.
   static void take_origin(const Window& w, Window& child)
   {
-    const Root root = w.root;
+    const Source_ref source_ref = w.source_ref;
     const Index bits = w.bits;
-    child.root = root;
+    child.source_ref = source_ref;
     child.bits = bits;
   }
 
