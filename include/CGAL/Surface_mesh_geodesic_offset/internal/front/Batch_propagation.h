@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All windows of a halfedge, unfolded across its face at once. Nothing but the result of the batch itself is written, so
-// that several batches can be worked on at one time.
+// Propagates all windows of a halfedge across its face at once. Writes its own result only, so several batches may run at the
+// same time.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BATCH_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BATCH_PROPAGATION_H
@@ -42,12 +42,12 @@ public:
   {
   }
 
-  // Propagates the fresh ones of the n windows w of a halfedge, its lower envelope or a row, across the face. `split`: the
-  // best distance given to the apex through the halfedge so far, and where its ray enters.
+  // Propagates the new ones of the n windows w of a halfedge, a lower envelope or a monotone list, across the face. `split`:
+  // the smallest distance of the apex through this halfedge so far, and the entry of its ray.
   void operator()(Index h, const Window* w, std::size_t n, FT& split_distance, FT& split_entry)
   {
     const Index beyond_left = m_mesh.twin(m_mesh.previous(h)), beyond_right = m_mesh.twin(m_mesh.next(h));
-    m_state.field.lists.prefetch_place(beyond_left); // where the children will go
+    m_state.field.lists.prefetch_place(beyond_left); // destination of the children
     m_state.field.lists.prefetch_place(beyond_right);
     CGAL_precondition(std::is_sorted(w, w + n, Window_order<FT, Window>::begins_before));
     CGAL_expensive_precondition(std::all_of(w, w + n, has_interval<FT>));
@@ -68,7 +68,7 @@ public:
               m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
     Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
                 m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
-    // the far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q
+    // The far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q.
     left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
     right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
     const Exit* const exit = m_exit.data();
@@ -86,7 +86,7 @@ public:
     m_right.finish(right.output);
   }
 
-  // The result: what arrives at the apex, and what goes onto the twins of the two other halfedges.
+  // Result: updates for the apex, and windows on the twins of the two other halfedges.
   Index apex() const { return m_apex; }
   const std::vector<Update>& updates() const { return m_updates; }
   const Output& left() const { return m_left; }
@@ -99,12 +99,12 @@ private:
   typedef Child_window_writer<Traits, true> Left;
   typedef Child_window_writer<Traits, false> Right;
 
-  // The sides of the apex on which rays pass. Those that hit it at an end of the window are told apart only if side tests
-  // are exact for all rays.
+  // The sides of the apex that the rays of a window pass. Windows with the apex on a bounding ray are distinguished only if
+  // side tests are exact for all rays.
   enum Exit : int { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
   static constexpr bool is_exact = !Number_policy<FT>::is_inexact;
 
-  // The windows from i on that leave through one edge with all their rays. Returns where they end.
+  // Propagates the windows from i on that leave with all rays through one edge. Returns their end.
   template <class Way>
   BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,
                                          std::size_t n, Way& way) const
@@ -136,8 +136,8 @@ private:
       split<false>(face, w, exit, d_apex, left, right);
   }
 
-  // One angle, one split: only the window that is best at the apex keeps all its rays. Another one keeps, on the side of the
-  // best ray's entry, the rays that enter before it.
+  // One angle, one split: only the window nearest to the apex keeps all its rays. The others keep, on the side of the nearest
+  // ray's entry, the rays that enter before it.
   template <bool is_parallel>
   BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
                             Left& left, Right& right)
@@ -155,10 +155,10 @@ private:
       right.template take<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex);
   }
 
-  // Tells through which edges the windows leave the face, and updates the distance of the apex by the best of the windows
-  // that cover it. Unless numbers are exact, rounding may leave the apex between two windows. So a window that just misses
-  // it gives it the length of the path round its end, which is always valid, and if none covers it, so do its neighbours
-  // on either side. Finds the best distance given to the apex through h so far, and where its ray enters.
+  // Finds the exits of the windows, and updates the apex by the nearest window that covers it. With inexact numbers, rounding
+  // may leave the apex between two windows. So a window that misses the apex closely updates it around its end, which is a
+  // valid path; if no window covers the apex, so do the two neighbours of the apex. Also finds the smallest distance of the
+  // apex through h so far, and the entry of its ray.
   void sort_by_exit(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n)
   {
     if (m_exit.size() < n)
@@ -211,8 +211,8 @@ private:
     if (is_exact) return;
     if (last_left && !covered) update_apex_around_end(h, face, *last_left, last_left->b1, last_left->d1);
     if (first_right && !covered) update_apex_around_end(h, face, *first_right, first_right->b0, first_right->d0);
-    // The path to the apex along an edge from another corner of the face is shorter only in needle faces, where windows have
-    // the round-off of much longer edges.
+    // The path to the apex along an edge of the face is shorter only in needles, where windows have the rounding error of much
+    // longer edges.
     const FT along_edge = (std::min)(FT(m_state.field.distance[m_mesh.source(h)] + face.left_length),
                                      FT(m_state.field.distance[m_mesh.target(h)] + face.right_length));
     if (!Number_policy<FT>::is_finite(m_known) || !m_state.is_shorter(along_edge, m_known)) return;
@@ -233,7 +233,7 @@ private:
     return exit_near_apex(h, face, w);
   }
 
-  // The same by side tests.
+  // Exit of a window near the apex, by side tests.
   BOOST_NOINLINE Exit exit_near_apex(Index h, const Window_propagation<Traits>& face, const Window& w)
   {
     const auto compare = m_traits.compare_entry_with_apex_2_object();
@@ -252,13 +252,13 @@ private:
     return !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
   }
 
-  // The path that leaves the window at its end b, at distance d.
+  // Updates the apex by the path around the end b of a window, at distance d.
   void update_apex_around_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
   {
     if (!(d < m_known)) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
-    // if the window misses the apex by rounding only, the way to the image tells the direction better, also in tiny faces
+    // The direction to the image is more precise than that to the end, also in tiny faces.
     const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
     const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
     const bool is_bent = off > away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
@@ -267,7 +267,7 @@ private:
     update_apex(h, face, d + length, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
   }
 
-  // (bx, by): from the apex back towards the source, in the frame of h.
+  // (bx, by): vector from the apex toward the source, in the frame of h.
   void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by,
                    const Window& w, bool is_bent = false, bool is_beside_end = false)
   {
@@ -283,9 +283,9 @@ private:
   std::vector<Update> m_updates;
   std::size_t m_number = 0;
   Index m_apex;
-  FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the best through the halfedge, where this enters
+  FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the smallest through the halfedge, its entry
   std::vector<Exit> m_exit;
-  std::vector<FT> m_apex_distance; // of those that leave through both edges
+  std::vector<FT> m_apex_distance; // of windows that leave through both edges
 };
 
 } // namespace internal

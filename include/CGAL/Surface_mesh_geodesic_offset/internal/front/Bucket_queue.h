@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of the wavefront: buckets of equal width in distance. Within a bucket, halfedges come before vertices, so
-// that a vertex becomes a pseudo-source once its distance is settled, and faces come first, as they are finished when
-// the front enters the bucket.
+// The order of the wavefront: buckets of equal width in distance. Within a bucket, faces come first, as the front finalizes
+// them when it enters the bucket; then halfedges; then vertices, as a pseudo-source starts with its final distance.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BUCKET_QUEUE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_BUCKET_QUEUE_H
@@ -57,7 +56,7 @@ public:
   }
   void push_face(std::size_t bucket, Index f) { at(bucket).faces.push_back(f); }
 
-  // Moves on to the next bucket that is not empty; false when there is nothing left that can move the front.
+  // Advances to the next nonempty bucket. Returns false if no event is left that can move the front.
   bool advance()
   {
     if (!has_events()) return false;
@@ -65,8 +64,8 @@ public:
     return true;
   }
 
-  // The same in steps, for queues that move on together: whether anything waits that can move the front; the first bucket
-  // that is not empty, `none` if all are; and moving on to a bucket, which must not be behind that one.
+  // The steps of advance(), for several queues that advance together: a test for events that can move the front; the first
+  // nonempty bucket, `none` if all are empty; the move to a bucket, at or before that bucket.
   static constexpr std::size_t none = ~std::size_t(0);
 
   bool has_events() const { return m_events != 0; }
@@ -85,11 +84,11 @@ public:
     m_current = bucket;
   }
 
-  // How many wait in this bucket.
+  // Number of elements in the current bucket.
   std::size_t number_of_halfedges() const { return m_ring[m_begin].halfedges.size(); }
   std::size_t number_of_vertices() const { return m_ring[m_begin].vertices.size(); }
 
-  // The halfedge that is next, or i halfedges later, unless others come first; no_index if there is none in this bucket.
+  // The i-th next halfedge of the current bucket, if no other is added before; no_index if there is none.
   Index next_halfedge(std::size_t i = 0) const
   {
     const std::vector<Index>& h = m_ring[m_begin].halfedges;
@@ -137,8 +136,8 @@ private:
 
   double m_width, m_scale;
   std::size_t m_current = 0;
-  std::size_t m_events = 0;   // halfedges and vertices waiting
-  std::vector<Bucket> m_ring; // of a power of two; the current one is at m_begin
+  std::size_t m_events = 0;   // pending halfedges and vertices
+  std::vector<Bucket> m_ring; // size: a power of two; current bucket: m_begin
   std::size_t m_begin = 0;
 };
 

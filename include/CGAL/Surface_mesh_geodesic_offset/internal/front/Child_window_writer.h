@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The way out of a face through one of the two other edges: the children of windows, and what pruning leaves of them.
+// Writes the children of windows that leave a face through one of the two other edges, after pruning.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_CHILD_WINDOW_WRITER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_CHILD_WINDOW_WRITER_H
@@ -28,8 +28,8 @@ struct Child_window_writer
 
   bool is_open() const { return output.is_open(); }
 
-  // A window of which the rays on one side of `bound`, where its distance is d_bound, leave here; at_apex: those up to the
-  // apex, where the distance is d_apex.
+  // Adds the rays of a window on one side of `bound`, where its distance is d_bound. at_apex: the rays up to the apex, where
+  // the distance is d_apex.
   template <bool is_parallel>
   BOOST_FORCEINLINE void take(const Window_propagation<Traits>& face, const Window& w, const FT& bound, const FT& d_bound,
                               bool at_apex, const FT& d_apex)
@@ -49,7 +49,7 @@ struct Child_window_writer
     if (pruning.trim(child)) Wavefront_state<FT>::keep(output, maximum);
   }
 
-  // A window that leaves here with all its rays, while the way is open.
+  // Adds a window with all its rays.
   template <bool is_parallel>
   BOOST_FORCEINLINE void take_whole(const Window_propagation<Traits>& face, const Simd_edge_exit<Traits, is_left>& edge,
                                     const Window& w)
@@ -93,7 +93,7 @@ private:
     output.keep(nearest);
   }
 
-  // By one load and one store.
+  // Copies the origin by one load and one store.
   static void take_origin(const Window& w, Window& child)
   {
     const Source_ref source_ref = w.source_ref;
@@ -102,7 +102,7 @@ private:
     child.bits = bits;
   }
 
-  // One end after the other.
+  // Adds a window with all rays, one end after the other.
   template <bool is_parallel>
   BOOST_NOINLINE void take_by_parts(const Window_propagation<Traits>& face, const Window& w)
   {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// When the front has passed a face: then all distances in it are final. And whether it has passed a corner without a word.
+// Finds faces that the front has passed, whose distances are final, and vertices that every window missed through rounding.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Faces that the front has passed, and halfedges whose sources have been hidden from it by rounding.
+// Finalized faces, and halfedges whose sources rounding has hidden from all windows.
 struct Passed_faces
 {
   std::vector<Index> faces, hidden;
@@ -41,11 +41,10 @@ class Face_finalizer
   typedef Wavefront_state<FT> State;
 
 public:
-  // `tolerance`: by how much more than rounding distances may be too small.
+  // `tolerance`: bound of the error of distances beyond rounding.
   Face_finalizer(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
 
-  // Looks at the faces of a part that wait in the bucket. Those that the front has passed are added to `passed`, the others
-  // wait on.
+  // Examines the faces of a part in the current bucket. Appends finalized faces to `passed`; other faces stay pending.
   void look(Index part, Passed_faces& passed) const
   {
     Bucket_queue& queue = m_state.part(part).queue;
@@ -58,8 +57,8 @@ public:
     }
   }
 
-  // Looks for corners of a face that the front has passed which are farther than along an edge: in needle faces all paths
-  // may be equally long up to rounding, and then each of two windows can leave a vertex to the other one.
+  // Finds corners of a finalized face that are farther than a path along an edge. In needles all paths may be equal up to
+  // rounding, and each of two windows may leave a vertex to the other.
   bool finds_hidden(Index f, std::vector<Index>& hidden) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
@@ -83,7 +82,7 @@ public:
     passed.push_back(f);
   }
 
-  // No point of the face is farther than this: a corner's distance and the way from there.
+  // Upper bound of the distances in a face: a corner's distance plus the longer edge there.
   FT largest_distance(Index f) const
   {
     const Unfolded_mesh<FT>& mesh = m_state.mesh;
@@ -97,8 +96,8 @@ public:
   }
 
 private:
-  // Buckets ahead. A face with a much longer edge than most is looked at again there, so that no bucket is made for each
-  // step along that edge.
+  // Largest number of buckets ahead. A face with a much longer edge than most is examined again there, so that the number of
+  // buckets stays bounded.
   static constexpr std::size_t farthest = 1 << 12;
 
   BOOST_NOINLINE bool finds_hidden_certainly(Index f, std::vector<Index>& hidden) const
@@ -114,11 +113,11 @@ private:
     return hidden.size() > before;
   }
 
-  // Puts the face into a later bucket, if it must wait: until the bucket behind that in which its last gaps are closed.
+  // Puts the face into a later bucket if it is still pending, at most the bucket after the one that closes its last gaps.
   bool waits_on(Index f, Bucket_queue& queue) const
   {
     char& state = m_state.face_state[f];
-    if (state & State::BOUNDED) return false; // the bound never grows
+    if (state & State::BOUNDED) return false; // the bound does not grow
     const FT bound = largest_distance(f);
     const bool is_bounded = Number_policy<FT>::is_finite(bound);
     const std::size_t done = (is_bounded ? queue.bucket_of(bound) : queue.current()) + 2;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the parts of the front tell each other: each writes into its own boxes in one round, and in the next one each reads
-// those that are for it, in the order of the parts. So the order does not depend on which thread works on which part.
+// Messages between the parts of the front. Each part writes into its own boxes in one round; in the next round, each recipient
+// reads its boxes in the order of the parts. So the order does not depend on the assignment of parts to threads.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MESSAGES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_MESSAGES_H
@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// What one part tells another in a round.
+// Messages from one part to another in a round.
 template <class FT>
 struct Front_box
 {
@@ -52,7 +52,7 @@ struct Front_box
   std::vector<std::pair<Index, Vertex_update<FT>>> updates;
   std::vector<Windows> windows;
   std::vector<Single_window> single_windows;
-  std::vector<Index> faces; // that the front has reached
+  std::vector<Index> faces; // reached by the front
 
   void clear()
   {
@@ -63,11 +63,10 @@ struct Front_box
   }
 };
 
-// The boxes of one part, by the part for which they are: those of this round, and those of the one before, which are read
-// meanwhile. What concerns vertices where parts meet is for all.
+// The boxes of one part, per recipient, of this round and of the previous round, which is read meanwhile. Updates of shared
+// vertices go to all parts.
 //
-// Can take the place of the state where rays are spread behind a vertex: of the distances in there it sees those of before,
-// and what it was told itself.
+// Replaces the state when rays start behind a vertex: it reads distances of the previous round and its own updates.
 template <class FT>
 class Front_sender
 {
@@ -83,7 +82,7 @@ public:
     for (auto& places : m_place) places.assign(state.parts.number(), none);
   }
 
-  // What it is told from now on is told in this round, and read in the next one.
+  // Starts a round; its messages are read in the next round.
   void begin(unsigned round)
   {
     m_parity = round & 1u;
@@ -92,19 +91,19 @@ public:
     m_nearest = Number_policy<FT>::infinity();
   }
 
-  // The parts that were told something, by bits; how many halfedges they have to take in this bucket; the smallest distance.
+  // The recipients, as bits; the number of their pending halfedges in this bucket; the smallest distance.
   std::uint64_t recipients() const { return m_recipients; }
   std::size_t pending() const { return m_pending; }
   const FT& nearest() const { return m_nearest; }
 
-  // What was told another part in the round before.
+  // The box of the previous round for a part.
   Box& box_for(Index part, unsigned round)
   {
     CGAL_precondition(m_place[round & 1u][part] != none);
     return m_box[round & 1u][m_place[round & 1u][part]];
   }
 
-  // What vertices were told where faces of several parts meet.
+  // Updates of vertices where faces of several parts meet.
   Updates& shared_updates() { return m_shared_updates; }
 
   void update_vertex(Index v, const Vertex_update<FT>& a)
@@ -115,8 +114,8 @@ public:
     m_last[0] = {v, a.distance};
   }
 
-  // The same in a round in which nobody but this part reads what is known of vertices that it has alone: that changes at
-  // once. The others are told only what may make a difference.
+  // Overload for rounds in which only this part reads its unshared vertices: they change at once. Other parts receive only
+  // updates that may change something.
   void update_apex(Index v, const Vertex_update<FT>& a)
   {
     if (m_state->parts.has_alone(v)) m_state->update_vertex(v, a);
@@ -130,7 +129,7 @@ public:
     else box(part, Number_policy<FT>::infinity()).faces.push_back(f);
   }
 
-  // The ends of g must be the last two vertices that were updated.
+  // Precondition: the ends of g are the last two vertices that were updated.
   void add(Index g, Window& w)
   {
     CGAL_precondition(m_last[0].vertex == m_state->mesh.source(g) || m_last[1].vertex == m_state->mesh.source(g));
@@ -187,7 +186,7 @@ private:
   Wavefront_state<FT>* m_state;
   Index m_part;
   unsigned m_parity = 0; // of the round
-  std::vector<Box> m_box[2];            // for those parts that were ever told anything
+  std::vector<Box> m_box[2];            // for all recipients so far
   std::vector<std::uint8_t> m_place[2]; // of the box for each part
   Updates m_shared_updates;
   std::uint64_t m_recipients = 0;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The division of a mesh into parts for several threads: faces that follow each other in memory, and so mostly are
+// Division of a mesh into parts for several threads. A part consists of faces that are consecutive in memory, mostly
 // neighbours.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTITION_H
@@ -26,14 +26,14 @@ class Front_partition
 public:
   static constexpr Index largest_number = 64;
 
-  // `shares_all`: whether what is known of any vertex may be read from anywhere.
+  // `shares_all`: true if every thread may read every vertex.
   template <class FT>
   Front_partition(const Unfolded_mesh<FT>& mesh, bool shares_all) : m_vertex(mesh.number_of_vertices(), no_part)
   {
     const Index faces = Index(mesh.number_of_faces());
     m_bits = bits_of_a_part(faces);
     if (faces > 0) m_number = ((faces - 1) >> m_bits) + 1;
-    std::vector<std::uint8_t> last(m_vertex.size(), no_part); // parts round each vertex; `m_vertex`: the first ones
+    std::vector<std::uint8_t> last(m_vertex.size(), no_part); // last part around each vertex; `m_vertex`: first part
     for (Index f = 0; f < faces; ++f)
     {
       if (mesh.source(3 * f) == no_index) continue; // no face
@@ -55,8 +55,8 @@ public:
 private:
   static constexpr std::uint8_t no_part = 0xff;
 
-  // A front is as long as the square root of the number of faces, and so are what it does in a round, and the parts that
-  // make the rounds even. Smaller ones have too many windows on their borders, and take too many turns.
+  // The length of a front, the work per round and the number of parts for balanced rounds grow with the square root of the
+  // number of faces. Smaller parts have too many windows on their borders and too many turns.
   static int bits_of_a_part(Index faces)
   {
 #ifdef CGAL_GEODESIC_OFFSET_BITS_OF_A_PART // for tests, which want many parts of small meshes

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts into which the front is divided: each element of the mesh belongs to one. In a round, what is known of the front
-// there is written by none but the thread that works on this part; vertices where parts meet wait for the end of the round.
-// So threads need no locks.
+// The parts of the front: each element of the mesh belongs to one. In a round, only the thread that works on a part writes the
+// front's data there; shared vertices are written at the end of the round. So threads need no locks.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTS_H
@@ -19,11 +18,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Says to which part an element belongs. One part, or as a Front_partition has it, which must live as long.
+// Maps elements to parts: one part, or those of a Front_partition, which must outlive this object.
 class Front_parts
 {
 public:
-  // The owner of a vertex, by bits below this one, which says that faces of other parts meet there.
+  // Flag beside the owner of a vertex: faces of other parts meet there.
   static constexpr std::uint8_t is_shared = 0x80;
 
   Front_parts() = default;
@@ -36,7 +35,7 @@ public:
   Index of_halfedge(Index h) const { return h / 3 >> m_bits; }
   Index of_vertex(Index v) const { return m_vertex ? m_vertex[v] & Index(is_shared - 1) : 0; }
 
-  // Whether all faces round a vertex are of its part.
+  // True if all faces around a vertex belong to its part.
   bool has_alone(Index v) const { return !m_vertex || !(m_vertex[v] & is_shared); }
 
 private:

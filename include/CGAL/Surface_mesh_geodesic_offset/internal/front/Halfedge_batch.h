@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is done with the windows of one halfedge when it is taken: they are reduced to their lower envelope, merged
-// within the tolerance, and what is new of it is propagated across the face. Nothing but the result is written.
+// Processes the windows of one halfedge: reduces them to their lower envelope, merges them within the tolerance, and propagates
+// new windows across the face. Writes its own result only.
 //
-// Where only distances at vertices are wanted, windows that are in a row, as the children of one batch mostly are, are
-// propagated as they are: neighbours cut each other's ends where they meet the windows of another batch, one or two faces
-// later, at no cost but a window now and then that would have gone before. And windows that were reduced are not written
-// anew, unless they are for the second time: what they have lost is lost again should others come. More windows give no
-// other distances.
+// If only distances at vertices are wanted, a monotone list, as the children of one batch mostly are, is propagated without the
+// reduction. Its neighbours are cut when they meet the windows of another batch, one or two faces later, at the cost of a few
+// more windows. A reduced list is written back only at its second batch: later windows cut the same parts again. Distances do
+// not change by more windows.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_HALFEDGE_BATCH_H
@@ -42,8 +41,8 @@ public:
   {
   }
 
-  // Propagates what is new in the list of a halfedge, of which only flags and the split are written. Returns what is to take
-  // the place of its windows, their lower envelope, valid until the next call; null if they may stay.
+  // Propagates the new windows of a halfedge. Of the list, only flags and the split change. Returns the lower envelope that
+  // replaces the windows, valid until the next call; null if the windows stay.
   const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
   {
     m_nearest_gap = Number_policy<FT>::infinity();
@@ -57,7 +56,7 @@ public:
       }
     }
     CGAL_precondition(list.processed <= list.size);
-    // what was taken before is told apart by its place in the list, and by a flag where it meets what is new
+    // Processed windows are known by their place in the list; a flag marks them in the envelope.
     for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
     // Merged windows have errors far above those that late gaps avoid, and are fewer if gaps are closed at once.
     const std::vector<Window>& envelope =
@@ -69,10 +68,10 @@ public:
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
 
-  // The distance of the nearest gap in the list that is closed once the front has passed it; infinite if there is none.
+  // Distance of the nearest gap that is closed after the front has passed it; infinite if there is none.
   const FT& nearest_gap() const { return m_nearest_gap; }
 
-  // What came of the propagation.
+  // Result of the propagation.
   const Batch_propagation<Traits>& propagated() const { return m_propagate; }
   const Window_merging<FT>& merging() const { return m_merging; }
 

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The front on several threads, in rounds. The mesh is divided into parts, always the same. In a round, any thread works on
-// a part: it takes in what other parts have told this one in the round before, and then takes all halfedges of the part
-// that wait in the bucket, as a front of one part would, or spreads rays from its vertices. Of what parts share, the
-// distances at vertices where they meet, it sees what was known at the beginning of the round. So the result depends
-// neither on the number of threads nor on which of them does what.
+// The front on several threads, in rounds. The division of the mesh into parts is always the same. In a round, any thread works
+// on a part: it reads the messages of the previous round, then processes all pending halfedges of the part's bucket like a
+// sequential front, or spreads rays from its vertices. Distances at vertices shared by parts are those of the beginning of the
+// round. So the result depends neither on the number of threads nor on their assignment to parts.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_FRONT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_PARALLEL_FRONT_H
@@ -53,7 +52,7 @@ public:
       m_batches.push_back(std::make_unique<Halfedge_batch<Traits>>(state, source_of, traits, tolerance));
   }
 
-  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
+  // Advances to the next nonempty bucket. Returns false if no event is left that can move the front.
   bool advance()
   {
     bool is_left = Number_policy<FT>::is_finite(m_nearest_told);
@@ -67,13 +66,13 @@ public:
     return is_left;
   }
 
-  // Says that others have changed the state.
+  // Notifies the front of changes of the state from outside.
   void look_at_all_parts()
   {
     for (Index i = 0; i < m_part.size(); ++i) look_at(i);
   }
 
-  // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
+  // Examines the faces of the bucket. Appends finalized faces to `passed`.
   void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed)
   {
     m_turns.clear();
@@ -85,7 +84,7 @@ public:
     for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
   }
 
-  // Gives up the lists of faces that the front has passed, in the next round.
+  // Releases the lists of finalized faces, in the next round.
   void release(const std::vector<Index>& faces)
   {
     for (Index f : faces)
@@ -96,13 +95,12 @@ public:
     }
   }
 
-  // Works on all halfedges and vertices of the bucket, in rounds of what waits there: the halfedges, if there are any, else
-  // the vertices.
+  // Processes all halfedges and vertices of the bucket, in rounds: halfedges as long as any are pending, otherwise vertices.
   void process_bucket(const Ray_spreading<Traits>& spreading)
   {
     while (true)
     {
-      // distances of vertices must not be left for a round in which rays start from vertices, where others read them
+      // Updates of vertices must be read before a round in which rays start from vertices.
       const bool is_recipient = m_recipients != 0 && (m_tells_vertices || first_message() <= m_state.current());
       if (const std::size_t halfedges = find_turns(&Waiting::halfedges, m_pending); halfedges > 0 || is_recipient)
       {
@@ -119,7 +117,7 @@ public:
     }
   }
 
-  // Who works on it, and may do something else between rounds.
+  // The threads, free for other work between rounds.
   Worker_team& team() { return m_team; }
 
   const Window_merging<FT>& merging() const { return m_batches.front()->merging(); }
@@ -131,11 +129,11 @@ public:
   }
 
 private:
-  // Rounds of less work, in parts whose faces are looked at, halfedges, or vertices, take less time than other threads need
-  // to notice them.
+  // Least work of a round for several threads: parts with pending faces, halfedges, vertices. The wake-up of threads costs more
+  // than smaller rounds.
   static constexpr std::size_t worthwhile_faces = 4, worthwhile_halfedges = 8, worthwhile_vertices = 16;
 
-  // What a part has for itself, beside its share of the state.
+  // Data of a part beside its share of the state.
   struct alignas(64) Part
   {
     Part(Wavefront_state<FT>& state, Index part) : sender(state, part) {}
@@ -145,7 +143,7 @@ private:
     std::vector<Index> given_up; // faces
   };
 
-  // How a part is after its last turn.
+  // Queue snapshot of a part after its last turn.
   struct alignas(64) Waiting
   {
     std::size_t first = Bucket_queue::none; // bucket
@@ -153,7 +151,7 @@ private:
     Index halfedges = 0, vertices = 0;      // in this bucket
     bool has_events = false;
     bool has_shared_arrivals = false;
-    Parts recipients = 0; // parts that were told something; how many halfedges they have to take in this bucket
+    Parts recipients = 0; // recipients of its messages, and the number of their pending halfedges in this bucket
     Index pending = 0;
     FT nearest_told = Number_policy<FT>::infinity();
   };
@@ -167,11 +165,11 @@ private:
   static Parts bit(Index i) { return Parts(1) << i; }
   static bool has_bit(Parts parts, Index i) { return parts >> i & 1u; }
 
-  // The bucket of the nearest of what was told.
+  // Bucket of the nearest message.
   std::size_t first_message() const { return m_state.part(0).queue.bucket_of(m_nearest_told); }
 
-  // Those parts take turns in which something waits, or which were told something, `due` more in all. Returns how much
-  // there is to do.
+  // Selects the parts with pending elements and the recipients, which have `pending` more in all. Returns the number of pending
+  // elements.
   std::size_t find_turns(Index Waiting::*number, std::size_t pending)
   {
     m_turns.clear();
@@ -188,7 +186,7 @@ private:
     return sum;
   }
 
-  // What a part does first in its turn, and what is noted after it.
+  // A turn of a part: reads messages and releases lists before f, and takes the snapshot after it.
   template <class Function>
   void take_turn(Index i, unsigned worker, const Function& f)
   {
@@ -218,7 +216,7 @@ private:
     if ((m_round & 15u) == 0) m_state.field.lists.balance_arenas();
   }
 
-  // After a round: who will have to read what, and what is for all.
+  // After a round: finds the recipients, and updates shared vertices.
   void deliver()
   {
     m_recipients = 0;
@@ -280,7 +278,7 @@ private:
     part.given_up.clear();
   }
 
-  // What other parts have told this one in the round before.
+  // Reads the messages of other parts from the previous round.
   void receive(Index part, unsigned worker)
   {
     Arena& arena = m_state.field.lists.arena(worker);
@@ -329,18 +327,18 @@ private:
   Wavefront_state<FT>& m_state;
   Worker_team m_team;
   std::vector<Part> m_part;
-  std::vector<Waiting> m_waiting; // of each part
-  std::vector<Turn> m_turns;      // of the round, in the order of the parts
-  std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // of each thread
+  std::vector<Waiting> m_waiting; // per part
+  std::vector<Turn> m_turns;      // of the round, in the order of parts
+  std::vector<std::unique_ptr<Halfedge_batch<Traits>>> m_batches; // per thread
   unsigned m_round = 0;
-  // of the round before: the parts that were told something, by whom each, the halfedges that they have to take in this
-  // bucket, and the smallest distance in there
+  // Of the previous round: recipients, the senders of each, pending halfedges of the recipients in this bucket, and the
+  // smallest distance in the messages.
   Parts m_recipients = 0;
   std::vector<Parts> m_senders = std::vector<Parts>(Front_partition::largest_number, 0);
   std::size_t m_pending = 0;
   FT m_nearest_told = Number_policy<FT>::infinity();
-  bool m_tells_vertices = false; // there may be distances of vertices among it
-  Parts m_gives_up = 0; // parts with faces to give up
+  bool m_tells_vertices = false; // true if messages may have updates of vertices
+  Parts m_gives_up = 0; // parts with lists to release
 };
 
 } // namespace internal

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rays that start at a point or a segment: from the sources, and from pseudo-sources on the way.
+// Starts rays from sources and pseudo-sources.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
@@ -29,11 +29,11 @@ public:
   {
   }
 
-  // Everything that starts from the sources, but for primitives before the given one.
+  // Starts the rays of all source primitives from `first_primitive` on.
   void start(Index first_primitive)
   {
     const auto starts = [&](const auto& what) { return what.source_ref.primitive() >= first_primitive; };
-    // first the vertices that are sources, which have their own fans; then what reaches vertices, maybe at no distance
+    // Source vertices, which have their own fans, come before distances of other vertices, which may be 0 as well.
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
         if (starts(s) && (s.back.corner == no_index) == is_source)
@@ -50,7 +50,7 @@ public:
     {
       if (!starts(l.window)) continue;
       m_state.schedule(l.face);
-      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays are those of a fan
+      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays belong to a fan
       const Face_frame<FT> frame(m_mesh, l.face);
       for (int k = 0; k < 3; ++k)
         if (l.window.edge == 3 || l.window.edge == k) leave_face(l.face, frame, k, l.window);
@@ -59,8 +59,8 @@ public:
       if (starts(l.window)) leave_face(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window);
   }
 
-  // Behind a vertex reached along a direction, shortest paths go on only at angles of at least pi to it on either side. What
-  // comes of it is told to `front`: the state itself, or something that keeps it for later.
+  // Starts the rays behind a vertex: shortest paths continue only at angles of at least pi to their direction on either side.
+  // `front` receives them: the state, or messages for later.
   template <class Front>
   void spread_from_pseudo_source(Index v, Front& front) const
   {
@@ -90,14 +90,14 @@ public:
   }
 
 private:
-  // The part of a window that starts in a face and leaves it through halfedge k.
+  // Adds the part of a window from inside a face that leaves the face through halfedge k.
   void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.source_ref, local.bits};
     frame.window_to_twin(m_traits, k, w);
-    // Rays along the edge do not leave through it. Rounding of the direction must not make them cross it.
+    // Rays along the edge do not leave through it, whatever the rounding of their direction.
     if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
     const auto towards = [&](const Point_in_face<FT>& c) {
@@ -118,8 +118,8 @@ private:
     if (in_front(m_mesh[g].length, w)) m_state.add(g, w);
   }
 
-  // Cuts off what is behind a segment. Distances that are negative by rounding of coordinates only are zero: where the edge,
-  // of the given length, is nearly parallel to the segment, distances of this size belong to a long part of the window.
+  // Cuts off the part of a window behind its segment. Negative distances within the rounding of coordinates become zero: on an
+  // edge nearly parallel to the segment, they belong to a long part of the window. `length`: that of the edge.
   static bool in_front(const FT& length, Window& w)
   {
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
@@ -152,7 +152,7 @@ private:
     return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
-  // The rays from v in a sector, or in its margin: windows on the edges opposite to v, and distances along the edges.
+  // Starts the rays from v in a sector or its margin: windows on the edges opposite to v, and updates along the edges.
   template <class Front>
   void spread(Index v, const Ray& from, const Ray& to, Index first, Source_ref source_ref, Index pseudo_source, Front& front,
               bool is_margin = false) const

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the halfedges and vertices of the front's bucket are worked on: here one after the other, each on what the one before
-// has left. Parallel_front.h does it in rounds.
+// The front on one thread: processes the halfedges and vertices of a bucket one by one. Parallel_front is its counterpart for
+// several threads.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_SEQUENTIAL_FRONT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_SEQUENTIAL_FRONT_H
@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Takes the list of a halfedge: reduces it to its lower envelope, if it must, and propagates what is new. What comes of it
-// is told to `front`: the state itself, or something that keeps it for later.
+// Processes the list of a halfedge: reduces it to its lower envelope if required, and propagates new windows. `front` receives
+// the results: the state, or messages for later.
 template <class Traits, class Arena, class Front>
 BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits::FT>& state,
                                      typename Wavefront_state<typename Traits::FT>::Part& part,
@@ -64,14 +64,14 @@ public:
   {
   }
 
-  // One part is all of the front.
+  // One part: the whole front.
   struct Partition
   {
     Partition(const Unfolded_mesh<FT>&, bool) {}
     Front_parts parts() const { return Front_parts(); }
   };
 
-  // Moves on to the next bucket in which anything waits; false when there is nothing left that can move the front.
+  // Advances to the next nonempty bucket. Returns false if no event is left that can move the front.
   bool advance()
   {
     Bucket_queue& queue = m_state.part(0).queue;
@@ -80,19 +80,19 @@ public:
     return is_left;
   }
 
-  // Says that others have changed the state.
+  // Notifies the front of changes of the state from outside.
   void look_at_all_parts() {}
 
-  // Looks at the faces of the bucket; those that the front has passed are added to `passed`.
+  // Examines the faces of the bucket. Appends finalized faces to `passed`.
   void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.look(0, passed); }
 
-  // Gives up the lists of faces that the front has passed.
+  // Releases the lists of finalized faces.
   void release(const std::vector<Index>& faces)
   {
     m_state.field.lists.release_faces(faces, m_state.field.lists.arena(0));
   }
 
-  // Works on all halfedges and vertices of the bucket.
+  // Processes all halfedges and vertices of the bucket.
   void process_bucket(const Ray_spreading<Traits>& spreading)
   {
     Bucket_queue& queue = m_state.part(0).queue;
@@ -105,7 +105,7 @@ public:
         return;
   }
 
-  // Who works on it.
+  // The threads.
   Single_worker team() const { return Single_worker(); }
 
   const Window_merging<FT>& merging() const { return m_batch.merging(); }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long ago the front reached the faces that it has not passed yet: every face with a point nearer than the oldest of
-// them is finished.
+// The bucket in which the front reached each pending face. Every face with a point nearer than the oldest of these buckets is
+// finalized.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_UNFINISHED_FACES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_UNFINISHED_FACES_H
@@ -26,17 +26,17 @@ namespace internal {
 class Unfinished_faces
 {
 public:
-  // No faces: nobody will ask.
+  // Zero faces: no query will follow.
   Unfinished_faces(std::size_t number_of_faces, const Front_parts& parts)
     : m_parts(parts), m_reached_in(number_of_faces, 0), m_counts(parts.number())
   {
   }
 
-  // The front has reached face f in this bucket; buckets never decrease.
+  // Records that the front reaches face f in this bucket; buckets do not decrease.
   void add(Index f, std::size_t bucket)
   {
     if (m_reached_in.empty()) return;
-    // beyond the range of an index: early is always right
+    // Saturates at the range of an index; an earlier bucket is always valid.
     const Index b = Index((std::min)(bucket, std::size_t((std::numeric_limits<Index>::max)() - 1)));
     Counts& counts = m_counts[m_parts.of_face(f)];
     if (counts.numbers.empty()) counts.first = b;
@@ -55,7 +55,7 @@ public:
     --counts.numbers[m_reached_in[f] - counts.first];
   }
 
-  // The bucket in which the oldest of them was reached; `otherwise` if there is none.
+  // Bucket of the oldest pending face; `otherwise` if there is none.
   std::size_t oldest(std::size_t otherwise)
   {
     for (Counts& counts : m_counts)
@@ -71,10 +71,10 @@ public:
   }
 
 private:
-  // Of a part of the front.
+  // Counts of a part of the front.
   struct alignas(64) Counts
   {
-    std::deque<Index> numbers; // of unfinished faces, by bucket
+    std::deque<Index> numbers; // of pending faces, per bucket
     std::size_t first = 0;     // bucket of the first number
   };
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 3 of the pipeline: the wavefront. A halfedge is taken with its whole list of windows, and the list, or its lower
-// envelope, is propagated across the face at once; vertices where shortest paths bend become pseudo-sources; faces that the
-// front has passed are handed to the consumer and released.
+// Step 3 of the pipeline: the wavefront. A halfedge is processed with its whole list of windows: the list, or its lower
+// envelope, is propagated across the face at once. Vertices where shortest paths bend become pseudo-sources. The consumer
+// receives finalized faces, whose lists are then released.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_H
@@ -61,15 +61,14 @@ public:
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
 
-  // Propagates what starts from the primitives from `first_primitive` on. What the field says already stays where nothing
-  // improves it.
+  // Propagates from the source primitives `first_primitive` and later. Known distances stay unless a shorter path is found.
   //
-  // consumer.take(faces, team) is called with the faces that the front has passed, with each once, while the distances at
-  // their corners and, if it reads them, the lists of their halfedges are final and still there, and with those who may work
-  // on them; consumer.settle(distance) whenever all faces with points nearer than the distance have been taken.
+  // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
+  // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
+  // all faces with points nearer than `distance` have been taken.
   //
-  // goes_on(distance, faces) is asked ever so often, once all points up to the distance are final; `faces` is the number of
-  // those that the front has passed. If it says no, the distance becomes the distance limit.
+  // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
+  // finalized faces. If it returns false, `distance` becomes the distance limit.
   template <class Consumer, class Condition>
   void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {
@@ -81,7 +80,7 @@ public:
     while (m_front.advance() || reveals_hidden_vertices())
     {
       if (m_state.current() > asked)
-      { // less one bucket, against rounding
+      { // minus one bucket, against rounding
         asked = m_state.current();
         const FT final_up_to = FT(double(asked - 1) * m_state.bucket_width());
         if (!goes_on(final_up_to, m_number_of_passed))
@@ -93,7 +92,7 @@ public:
       }
       if constexpr (Consumer::reads_lists)
         if (const std::size_t oldest = m_state.unfinished.oldest(m_state.current()); oldest > settled)
-        { // less one bucket, against rounding
+        { // minus one bucket, against rounding
           consumer.settle(FT(double(oldest - 1) * m_state.bucket_width()));
           settled = oldest;
         }
@@ -114,13 +113,13 @@ public:
 
   const FT& maximum() const { return m_state.maximum; }
 
-  // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
+  // True if rounding has hidden a vertex from the window that gives its distance, as in needles.
   bool has_bent_paths() const { return m_state.has_bent_paths(); }
 
   FT largest_distance(Index f) const { return m_passing.largest_distance(f); }
 
 private:
-  // The faces that are reached and not finished.
+  // Calls f for each pending face.
   template <class Function>
   void for_each_unfinished_face(const Function& function)
   {
@@ -128,7 +127,7 @@ private:
       if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f))) function(f);
   }
 
-  // When nothing is left that moves the front: whether some vertices move it yet.
+  // Called when no event is left: reveals hidden vertices. Returns true if one of them moves the front.
   bool reveals_hidden_vertices()
   {
     for_each_unfinished_face([this](Index f) { this->m_passing.finds_hidden(f, this->m_passed.hidden); });
@@ -174,7 +173,7 @@ private:
   const Face_finalizer<FT> m_passing;
   Ray_spreading<Traits> m_spreading;
   Front m_front;
-  Passed_faces m_passed; // that the consumer has not taken yet
+  Passed_faces m_passed; // not yet passed to the consumer
   bool m_is_update = false;
   std::size_t m_number_of_passed = 0;
 };

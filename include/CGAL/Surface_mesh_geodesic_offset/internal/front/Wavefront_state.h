@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The state of the wavefront: the field so far, the queues of its parts, and the ways to add to them.
+// The state of the wavefront: the field so far, the queues of the parts, and the operations that add to them.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_STATE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WAVEFRONT_STATE_H
@@ -30,8 +30,8 @@ struct Wavefront_counts
   std::size_t windows_created = 0, windows_propagated = 0;
 };
 
-// What a vertex is told: the length of a path to it, that leaves it along `back`, straight to a pseudo-source or to the
-// source. A bent path has gone round the end of a window that misses the vertex by rounding.
+// Candidate distance update for a vertex: the length of a path that leaves the vertex along `back`, straight to a pseudo-source
+// or a source. A bent path goes around the end of a window that misses the vertex through rounding.
 template <class FT>
 struct Vertex_update
 {
@@ -54,7 +54,7 @@ public:
   enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8, TIES = 16, HAS_MARGINS = 32 };
   enum Face_state : char { SCHEDULED = 1, BOUNDED = 2 };
 
-  // What a part of the front has for itself. What is added to an element changes nothing but this, and what is known there.
+  // Data of a part of the front. An operation on an element changes only the data of its part and of the element.
   struct alignas(64) Part
   {
     explicit Part(double bucket_width) : queue(bucket_width) {}
@@ -65,8 +65,8 @@ public:
     Output single;
   };
 
-  // The field says what is known already. `needs_all_envelopes`: whether the lists of a face that the front has passed must be
-  // lower envelopes, and not just contain them.
+  // `field` has the known distances. `needs_all_envelopes`: true if the lists of a finalized face must be lower envelopes, not
+  // supersets of them.
   Wavefront_state(const Unfolded_mesh<FT>& unfolded, const FT& maximum_distance, bool needs_all_envelopes,
                   Geodesic_field<FT>& geodesic_field, const Front_parts& front_parts = Front_parts())
     : mesh(unfolded), maximum(maximum_distance), needs_envelopes(needs_all_envelopes), field(geodesic_field),
@@ -80,7 +80,7 @@ public:
 
   Part& part(Index i) { return m_part[i]; }
 
-  // The bucket that the front is at. Queues move on to it when something is to be done in their part.
+  // The current bucket of the front. The queue of a part advances to it when the part has work.
   std::size_t current() const { return m_current; }
   void move_to(std::size_t bucket)
   {
@@ -88,7 +88,7 @@ public:
     m_current = bucket;
   }
   double bucket_width() const { return m_part.front().queue.width(); }
-  FT passed() const { return FT(double(m_current) * bucket_width()); } // the distance that the front has passed
+  FT passed() const { return FT(double(m_current) * bucket_width()); } // distance passed by the front
 
   Part& awake_part(Index i)
   {
@@ -109,13 +109,13 @@ public:
     return sum;
   }
 
-  // Whether rounding has hidden a vertex from the window that gives it its distance, as it does in needle faces.
+  // True if rounding has hidden a vertex from the window that gives its distance, as in needles.
   bool has_bent_paths() const
   {
     return std::any_of(m_part.begin(), m_part.end(), [](const Part& p) { return p.has_bent_paths; });
   }
 
-  // Takes a halfedge out of the queue. What will be needed of the next ones is asked for.
+  // Removes a halfedge from the queue, and prefetches the data of the next ones.
   BOOST_FORCEINLINE bool pop_halfedge(Bucket_queue& queue, Index& h) const
   {
     if (!queue.pop_halfedge(h)) return false;
@@ -123,8 +123,8 @@ public:
     return true;
   }
 
-  // A vertex where shortest paths bend becomes a pseudo-source once the front is there. A straight path tells the direction
-  // better than a bent one that is as long.
+  // Applies a candidate update. A vertex where shortest paths bend becomes a pending pseudo-source. The direction of a straight
+  // path is more precise than that of a bent path of equal length.
   void update_vertex(Index v, const Update& a)
   {
     const FT& d = a.distance;
@@ -146,7 +146,7 @@ public:
       if (BOOST_UNLIKELY(d <= known + rounding && (a.is_beside_end || d >= known - rounding))) add_tie(v);
     }
     if (!(d < known)) return;
-    // what rounding improves comes from no other source_ref, and is no reason to spread again
+    // An improvement within rounding has the same source, and needs no second spreading.
     const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
     if (ties && (vertex_state[v] & HAS_SPREAD)) return;
     known = d;
@@ -158,13 +158,13 @@ public:
     if (a.is_beside_end) vertex_state[v] |= TIES;
     Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
-    if (a.back.corner == no_index || d > maximum) return; // a source spreads by itself
+    if (a.back.corner == no_index || d > maximum) return; // fans of sources start elsewhere
     if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, FT(least_hiding_distance))) return;
     vertex_state[v] |= WAITS;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
 
-  // Paths of several images may tie at v.
+  // Records that paths of several images may tie at v.
   BOOST_NOINLINE void add_tie(Index v)
   {
     if (vertex_state[v] & TIES) return;
@@ -174,9 +174,8 @@ public:
     queue.push_vertex((std::max)(queue.bucket_of(field.distance[v]), queue.current()), v);
   }
 
-  // Whether a vertex is so near to the image of the window that gives it its distance that rounding loses directions behind
-  // it (see least_clear_distance). Paths by way of the vertex, in all directions, take the place of what is lost: they are too
-  // long by 8 u L at most.
+  // True if a vertex is so near to the image of its window that rounding loses directions behind it (least_clear_distance).
+  // Paths through the vertex in all directions replace the lost ones; they are at most 8 u L too long.
   bool is_beside_image(Index v, Index pseudo_source, const FT& least = FT(least_clear_distance)) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
@@ -191,8 +190,8 @@ public:
     }
   }
 
-  // The angle of the gap that a vertex beside the image leaves behind it, twice over; zero if it is not beside the image. Of paths
-  // that tie up to the rounding of an edge, the directions differ by up to the square root of this rounding over the distance.
+  // Twice the angle of the gap that a vertex next to its image leaves behind it; zero for other vertices. Directions of paths
+  // that tie up to the rounding of an edge differ by at most the square root of this rounding over the distance.
   FT hidden_angle(Index v) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
@@ -211,10 +210,10 @@ public:
     return is_source ? field.distance[v] : FT(field.distance[v] - field.distance[pseudo_source]);
   }
 
-  // The same of the apex of a batch.
+  // Apex update; the parallel sender has its own overload.
   void update_apex(Index v, const Update& a) { update_vertex(v, a); }
 
-  // Whether update_vertex() may do anything.
+  // False if update_vertex() would change nothing.
   BOOST_FORCEINLINE bool may_change(Index v, const Update& a) const
   {
     const FT& known = field.distance[v];
@@ -222,10 +221,10 @@ public:
     return a.distance <= known + known * Number_policy<FT>::rounding(64) || (!a.is_bent && (vertex_state[v] & IS_BENT));
   }
 
-  // Whether a vertex that has spread has to spread margins, too.
+  // True if a vertex has spread its sectors but must still spread its margins.
   bool lacks_margins(Index v) const { return (vertex_state[v] & (HAS_SPREAD | TIES | HAS_MARGINS)) == (HAS_SPREAD | TIES); }
 
-  // The way to the source of h along an edge of the face of h, the shorter one, in place of one with the given source_ref.
+  // Update of the source of h by the shorter path along an edge of the face of h, in place of a path with the given source.
   Update along_edge(Index h, Source_ref source_ref) const
   {
     const Index p = mesh.previous(h), v = mesh.target(h), u = mesh.source(p);
@@ -238,14 +237,14 @@ public:
     return {is_by_v ? by_v : by_u, back, field.source_ref_via(corner, source_ref), pseudo_source};
   }
 
-  // Whether a distance is shorter than the one that is known, and not by rounding only.
+  // True if a distance is shorter than the known one by more than rounding.
   static bool is_shorter(const FT& distance, const FT& known)
   {
     return distance < known && !(known - known * Number_policy<FT>::rounding(64) <= distance); // known may be infinite
   }
 
-  // The source of h, which rounding has hidden from the windows, takes what comes along an edge of the face of h. The
-  // windows that have missed it are lost to the faces behind it too, so rays start from it all round.
+  // Updates the source of h, a hidden vertex, by a path along an edge of the face of h. The windows that missed it are lost to
+  // the faces behind it too, so rays start from it in all directions.
   void reveal_vertex(Index h)
   {
     const Index v = mesh.source(h);
@@ -258,7 +257,7 @@ public:
     queue.push_vertex(queue.bucket_of(a.distance), v);
   }
 
-  // A face that the front has reached is looked at again when the front may have passed it. Its part must be awake.
+  // Records a face reached by the front for examination when the front may have passed it. Its part must be awake.
   void schedule(Index f)
   {
     if (face_state[f]) return;
@@ -269,14 +268,13 @@ public:
     queue.push_face(queue.current() + 2, f);
   }
 
-  // Adds a window to the list of g, trimmed by the distances of the ends of g.
+  // Adds a window to the list of g, trimmed by the distances at the ends of g.
   void add(Index g, Window& w)
   {
     if (admits(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
   }
 
-  // Whether g takes a window, trimmed by the ends of g, at distances ds and dt: if something is left of it, and not beyond
-  // the maximum.
+  // Trims a window by the distances ds and dt at the ends of g. Returns true if a part of it remains within the maximum.
   bool admits(Index g, const FT& ds, const FT& dt, Window& w) const
   {
     if (!takes_windows(g)) return false;
@@ -296,17 +294,17 @@ public:
     append(output);
   }
 
-  // A border or a face that the front has passed takes none.
+  // False for a border and for a finalized face.
   bool takes_windows(Index g) const { return g != no_index && !is_finished[mesh.face(g)]; }
 
-  // Takes the next window, unless it is farther than the maximum.
+  // Accepts the next window unless it is beyond the maximum.
   static BOOST_FORCEINLINE void keep(typename Output::Cursor& output, const FT& maximum)
   {
     const FT nearest = minimum(output.next());
     if (!certainly_less(maximum, nearest)) output.keep(nearest);
   }
 
-  // Writes windows behind the list of their halfedge, and puts the halfedge into the queue.
+  // Appends windows to the list of their halfedge, and enqueues the halfedge.
   void append(const Output& output) { append(output, field.lists.arena(0)); }
   void append(const Output& output, Window_arena<Window>& arena)
   {
@@ -318,8 +316,8 @@ public:
     enqueue(h, list, n, output.nearest());
   }
 
-  // Puts a halfedge that has n more windows into the bucket of the nearest one, or into the current one if that is later,
-  // unless it waits in an earlier one. Its part must be awake.
+  // Puts a halfedge with n new windows into the bucket of the nearest one, at least the current bucket, unless it is pending in
+  // an earlier one. Its part must be awake.
   void enqueue(Index h, Window_list<FT>& list, std::size_t n, const FT& nearest)
   {
     CGAL_precondition(is_awake(parts.of_halfedge(h)) && list.has_new());
@@ -328,7 +326,7 @@ public:
     const std::size_t bucket = (std::max)(p.queue.bucket_of(nearest), p.queue.current());
     if (bucket >= list.bucket) return;
     list.bucket = bucket;
-    mesh.prefetch_face(h); // into the outer caches at least
+    mesh.prefetch_face(h); // at least into the outer caches
     p.queue.push_halfedge(bucket, h);
   }
 
@@ -348,11 +346,12 @@ public:
   Geodesic_field<FT>& field;
   const Front_parts parts;
   std::vector<char> vertex_state, face_state; // bits
-  std::vector<char> is_finished;              // whether the front has passed a face; all parts read it
+  std::vector<char> is_finished;              // true for finalized faces; read by all parts
   Unfinished_faces unfinished;
 
 private:
-  // The width of a bucket, in mean edges. Where the front is divided it makes larger rounds, which wait less for their ends.
+  // Width of a bucket, in mean edges. The parallel front has wider buckets for larger rounds, as each round ends with a
+  // barrier.
   static double bucket_edges(const Front_parts& parts) { return parts.number() > 1 ? 0.35 : 0.25; }
 
   std::vector<Part> m_part;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Memory for lists of windows: blocks that are used again while they are hot.
+// Memory for lists of windows: blocks that are reused while they are in the cache.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_ARENA_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_ARENA_H
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Blocks of 4, 8, 16, ... windows. A freed block is used again for the next list of its size.
+// Blocks of 4, 8, 16, ... windows. A freed block serves the next list of its size.
 template <class Window>
 class Window_arena
 {
@@ -59,7 +59,7 @@ public:
   }
   std::size_t number_of_free_blocks(Index size_class) const { return m_free[size_class].size(); }
 
-  // Gives n free blocks to another arena.
+  // Moves n free blocks to another arena.
   void give(Window_arena& other, Index size_class, std::size_t n)
   {
     CGAL_precondition(n <= number_of_free_blocks(size_class));
@@ -97,7 +97,7 @@ struct Window_block
 
   Window_block() = default;
 
-  // A copy of n > 0 windows in a block of an arena.
+  // Copies n > 0 windows into a block of an arena.
   Window_block(Window_arena<Window>& arena, const Window* first, std::size_t n)
     : size(Index(n)), size_class(Window_arena<Window>::size_class(n))
   {

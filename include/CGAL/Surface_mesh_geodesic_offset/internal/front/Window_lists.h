@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The first `taken` windows are already propagated, sorted and disjoint if envelopes are needed; the others wait.
+// The first `processed` windows are propagated, and sorted and disjoint if envelopes are required; the others are pending.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
 struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_t))) Window_list
 {
@@ -37,19 +37,19 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
   Index size = 0;
   Index processed = 0;
   Index size_class = 0;
-  bool has_gap = false; // that is closed in the bucket in which the list waits
+  bool has_gap = false; // true if a gap is closed in the list's bucket
   std::size_t bucket = not_queued;
-  FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": the best distance given to the
-  FT split_entry = FT(0);                            // apex through this halfedge, and where its ray enters
-  Window_block<Window> waiting;                      // more of those that wait
+  FT split_distance = Number_policy<FT>::infinity(); // "one angle, one split": smallest distance of the
+  FT split_entry = FT(0);                            // apex through this halfedge, and the entry of its ray
+  Window_block<Window> waiting;                      // more pending windows
 
   bool has_new() const { return processed != size || waiting.data; }
   const Window* begin() const { return data; }
   const Window* end() const { return data + size; }
 };
 
-// Each part of the front has its own lists, so that several threads may work on different parts at one time. Their blocks
-// come from an arena, which may be another one each time; each thread has its own.
+// Each part of the front has its own lists, so several threads may work on different parts. Blocks come from arenas, one per
+// thread.
 template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
 class Window_lists
 {
@@ -64,7 +64,7 @@ public:
   {
   }
 
-  // Source primitives may send windows of their own to every edge.
+  // The number of source primitives, each of which may have own windows on every edge.
   void set_number_of_primitives(std::size_t n) { m_number_of_primitives = n; }
 
   bool has(Index h) const { return h < m_place.size() && m_place[h] != no_index; }
@@ -74,7 +74,7 @@ public:
     return has(h) ? part_of(h).lists[m_place[h]] : empty;
   }
 
-  // The list of a halfedge; null if it has none.
+  // The list of a halfedge; null if there is none.
   List* find(Index h) { return m_place[h] == no_index ? nullptr : &part_of(h).lists[m_place[h]]; }
 
   List& get_or_create(Index h)
@@ -98,7 +98,7 @@ public:
     return part.lists[m_place[h]] = List();
   }
 
-  // Writes n windows behind the last one of the list of a halfedge; a block that waits comes after them.
+  // Appends n windows to the list of a halfedge, before its pending block.
   void append(Index h, List& list, const Window* first, std::size_t n) { append(h, list, first, n, m_arenas.front()); }
   void append(Index h, List& list, const Window* first, std::size_t n, Arena& arena)
   {
@@ -106,13 +106,13 @@ public:
     count(h, std::ptrdiff_t(n));
   }
 
-  // Puts a block behind the windows of the list of a halfedge. Windows are copied only if there are two blocks already.
+  // Appends a block to the list of a halfedge. Copies windows only if the list has two blocks already.
   void append(Index h, List& list, const Window_block<Window>& block, Arena& arena)
   {
     CGAL_precondition(block.data != nullptr && block.size > 0 && block.size <= Arena::capacity(block.size_class));
     count(h, std::ptrdiff_t(block.size));
     if (!list.data)
-    { // a block is as good as another
+    { // takes over the block
       list.data = block.data;
       list.size = block.size;
       list.size_class = block.size_class;
@@ -134,7 +134,7 @@ public:
     CGAL_postcondition(list.size == windows.size() && !list.waiting.data);
   }
 
-  // Gives up the lists of all halfedges of faces. They have not been asked for long: they are fetched all together.
+  // Releases the lists of all halfedges of faces. They are no longer in the cache, so they are prefetched together.
   void release_faces(const std::vector<Index>& faces, Arena& arena)
   {
     for (Index f : faces)
@@ -150,7 +150,7 @@ public:
     return m_arenas[i];
   }
 
-  // Threads that free more blocks than they need would leave the others without: the free ones are shared out again.
+  // Distributes free blocks evenly: some threads free more blocks than they need.
   void balance_arenas()
   {
     if (m_arenas.size() < 2) return;
@@ -171,11 +171,11 @@ public:
 
   std::ptrdiff_t number_of_windows(Index part) const { return m_part[part].live; }
 
-  // The largest number so far; with several parts, of those that were noted.
+  // Peak of the number of windows; with several parts, of the recorded numbers.
   std::size_t peak() const { return m_part.size() == 1 ? std::size_t(m_part.front().peak) : m_peak; }
   void note_number(std::size_t n) { m_peak = (std::max)(m_peak, n); }
 
-  // Says that the next halfedges of a queue will be taken soon. prefetch_face(h) says it of the face of h.
+  // Software prefetch of the lists of the next halfedges of a queue; prefetch_face(h) prefetches the face of h.
   template <class Queue, class Prefetch_face>
   BOOST_FORCEINLINE void prefetch_next(const Queue& queue, const Prefetch_face& prefetch_face) const
   {
@@ -191,8 +191,8 @@ public:
   }
 
 private:
-  // Longer lists, on small meshes, come of faces so thin that none of the windows is certainly nearer than another one:
-  // their number doubles in every face.
+  // Longer lists on small meshes come from faces so thin that no window is certainly nearer than another; then the number of
+  // windows doubles in every face.
   static constexpr std::size_t longest = 1 << 12;
 
   void reserve(List& list, std::size_t n, Arena& arena) const
@@ -209,7 +209,7 @@ private:
     list.size_class = c;
   }
 
-  // Writes behind the last window, without counting.
+  // Appends windows without counting.
   void write(List& list, const Window* first, std::size_t n, Arena& arena) const
   {
     reserve(list, list.size + n, arena);
@@ -232,11 +232,11 @@ private:
     CGAL_assertion(part.free.size() <= part.lists.size());
     if (part.free.size() < part.lists.size()) return;
     CGAL_assertion(part.live == 0);
-    part.lists = std::vector<List>(); // the front has left the part
+    part.lists = std::vector<List>(); // no lists are left in the part
     part.free = std::vector<Index>();
   }
 
-  // Says that there are more windows, or less, in the part of a halfedge.
+  // Changes the number of windows in the part of a halfedge.
   void count(Index h, std::ptrdiff_t change)
   {
     Part& part = part_of(h);
@@ -244,12 +244,12 @@ private:
     if (part.live > part.peak) part.peak = part.live;
   }
 
-  // Says that a list will be asked for soon: its windows; earlier, what says where these are; and earlier, where that is.
+  // Software prefetch of a list in three steps, from last to first: its windows, the list, and its place.
   BOOST_FORCEINLINE void prefetch(Index h) const
   {
     if (h == no_index || m_place[h] == no_index) return;
     const List& list = part_of(h).lists[m_place[h]];
-    // by one branch, not by a loop of which the number of turns could not be foreseen
+    // One branch instead of a loop, whose number of turns is unpredictable.
     internal::prefetch(list.data, 4 * sizeof(Window));
     if (list.size > 4) internal::prefetch(list.data + 4, 4 * sizeof(Window));
     if (list.waiting.data) internal::prefetch(list.waiting.data, 4 * sizeof(Window));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Merging of neighbouring windows whose images differ, within a tolerance: what makes builds of bounded error cheap.
+// Merging of neighbouring windows with different images within a tolerance, which makes builds of bounded error cheap.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_MERGING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_MERGING_H
@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// By how much distances may be too small.
+// Largest error of distances; they may be too small.
 template <class FT>
 struct Merging_tolerance
 {
-  FT relative = FT(0); // part of the distance
+  FT relative = FT(0); // fraction of the distance
   FT absolute = FT(0); // length
 
   bool is_zero() const { return !(relative > FT(0)) && !(absolute > FT(0)); }
@@ -32,7 +32,7 @@ struct Merging_tolerance
 
 struct Merging_counts
 {
-  std::size_t windows_merged = 0; // those that have gone
+  std::size_t windows_merged = 0; // number of windows removed
   double error_bound = 0, relative_error_bound = 0;
 
   void add(const Merging_counts& other)
@@ -47,30 +47,29 @@ struct Merging_counts
 //
 //   (1)  f = F at both ends of the run,   (2)  f <= F between them,   (3)  F - f <= what the tolerance leaves.
 //
-// Distances become smaller, and by no more than the error that is carried along: a window whose error is e gives to every
-// point that its rays reach a distance that is at most e less than the length of some path on the mesh. On the edge that is
-// so by e = (largest error of the run) + (largest F - f), and behind it, as both grow by the length of the ray. A vertex has
-// the error of its window, and passes it on as a pseudo-source. Comparisons with other windows and with ways by vertices
-// take rays away; that changes no error, so they need not know of it.
+// Error. Distances become smaller, by at most the error stored with the window: a window of error e gives every point that its
+// rays reach a distance at least the length of some path on the mesh minus e. On the edge, e = (largest error of the run) +
+// (largest F - f) satisfies this, and so it does behind the edge, as both sides grow by the length of the ray. A vertex has the
+// error of its window, and passes it on as a pseudo-source. Comparisons with other windows and vertices only remove rays, which
+// changes no error.
 //
-// Distances become no larger, and no point is lost. Follow any path over the halfedges that it crosses, each in the
-// direction in which it is crossed: if the windows of one give no more than the length of the path so far, so do those of
-// the next. For a window gives to a point that its rays reach the shortest of all ways through its interval. If a path
-// leaves the rays of its window, say to the left, it comes into those of a neighbour: by (1) and (2) the rays at the ends of
-// f are not inside of those of F, so no gap opens between neighbours that met. The way through the window is then shortest
-// round its left end, and there the neighbour has the same distance, by (1). That is what (1) is for: if distances jumped
-// from neighbour to neighbour, a path that crosses from window to window would add up jumps without a bound. A window that
-// is cut or dropped for another one, or for a way by a vertex, is no smaller than that there, as in an exact build.
+// Completeness. Distances do not grow, and no point is lost. Follow a path over the halfedges that it crosses, each in the
+// direction of the crossing. If the windows of one halfedge are at most the length of the path so far, so are those of the
+// next, since a window gives a point that its rays reach the shortest of all paths through its interval. If a path leaves the
+// rays of its window, say to the left, it enters those of a neighbour: by (1) and (2) the rays at the ends of f are not inside
+// those of F, so no gap opens between neighbours that met. The shortest path through the window then goes around its left end,
+// where the neighbour has the same distance, by (1). Without (1), distances would jump from neighbour to neighbour, and a path
+// across many windows would add up jumps without a bound. A window is cut or dropped only where another window or a vertex is
+// nearer, as in an exact build.
 //
-// The windows with (1) are a family of one parameter, the distance r0 of the image from the first end: of two of them the
-// nearer image gives the smaller distances everywhere between the ends. So each condition of (2) is a bound for r0 in
+// Choice. The windows with (1) form a family with one parameter, the distance r0 of the image from the first end. Of two of
+// them, the nearer image gives smaller distances everywhere between the ends. So each condition of (2) is a bound of r0 in
 // closed form, and the largest r0 is best.
 //
-// All this is up to rounding, which is not counted as error: there are thousands of merges on the way along a strip. An
-// image that the run has already is kept if it satisfies (1), so that rounding does not move images again and again: those
-// that are equal stay equal. A new image is as good as the distances from which it comes. Where rays graze the edge, as in
-// needles, or the run is narrow, they do not tell directions; there is none then. And whether the rays at the ends are
-// inside of others is never left to the distances.
+// Rounding is not part of the error: there are thousands of merges along a strip. An image of the run that satisfies (1) is
+// kept, so that rounding does not move images repeatedly. A new image is as precise as the distances that determine it. Where
+// rays graze the edge, as in needles, or the run is narrow, distances do not determine directions, and no new image is made.
+// Whether the rays at the ends enclose those of the run is tested directly, not by distances.
 template <class FT>
 class Window_merging
 {
@@ -86,8 +85,8 @@ public:
   bool is_on() const { return m_is_on; }
   const Merging_counts& counts() const { return m_counts; }
 
-  // The windows of a halfedge, sorted and disjoint; those that were propagated before stay as they are. The result is
-  // valid until the next call.
+  // Merges the windows of a halfedge, which are sorted and disjoint. Propagated windows stay unchanged. The result is valid
+  // until the next call.
   const std::vector<Window>& operator()(const std::vector<Window>& windows)
   {
     if constexpr (Number_policy<FT>::is_inexact)
@@ -95,8 +94,8 @@ public:
     return windows;
   }
 
-  // The error of the distance of a vertex, or of a window, with that origin. If a pseudo-source on the way has come nearer
-  // since, its new error is right for the old distance, too.
+  // Error of the distance of a vertex or window with the given origin. If a pseudo-source has come nearer since, its new error
+  // is valid for the old distance too.
   double error_of_origin(Index origin) const
   {
     while (origin != no_index && !Merge_error_code::is_merged(origin)) origin = m_field.back[origin].pseudo_source;
@@ -115,10 +114,10 @@ private:
     return m_windows;
   }
 
-  // Adds the window i, merged with as many of those behind it and before `end` as can be. Returns the first that was not.
+  // Adds window i, merged with as many of its successors before `end` as possible. Returns the first unmerged one.
   std::size_t add_longest_run(const std::vector<Window>& windows, std::size_t i, std::size_t end)
   {
-    // twice as many more each time as long as that goes well, then by halves
+    // Doubles the step after each success, then halves it.
     Window run = windows[i], longer;
     std::size_t good = i + 1;
     bool grows = true;
@@ -157,13 +156,13 @@ private:
     return (std::min)(FT(m_tolerance.absolute + m_tolerance.relative * distance), FT(distance / 2));
   }
 
-  // One window m for all of [first, end), if the tolerance allows it.
+  // Merges [first, end) into one window m. Returns false if the tolerance does not allow it.
   bool merge(const Window* first, const Window* end, Window& m) const
   {
     return merge_with(first, end, m, false) || merge_with(first, end, m, true);
   }
 
-  // The same, with an image that the run has already, or with a new one.
+  // Merges with an image of the run, or with a new image.
   bool merge_with(const Window* first, const Window* end, Window& m, bool is_new) const
   {
     const Window& last = *(end - 1);
@@ -176,7 +175,7 @@ private:
     if (is_new ? !place_image(first, end, unit, m) : !passes_ends(m, unit)) return false;
     if (!encloses(*first, last, m)) return false;
     const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
-    // first where most runs fail: between the windows
+    // Most runs fail between the windows, so this test comes first.
     const FT at_ends = allowed_at((std::min)(m.d0, m.d1)) + rounding;
     for (const Window* w = first; w != &last; ++w)
       if (!(w->d1 - m.distance_at(w->b1) + FT(error_of_origin(w->pseudo_source())) <= at_ends)) return false;
@@ -211,14 +210,14 @@ private:
     return *std::max_element(first, end, [](const Window& a, const Window& b) { return a.b1 - a.b0 < b.b1 - b.b0; });
   }
 
-  // (1), up to rounding.
+  // Condition (1), up to rounding.
   static bool passes_ends(const Window& m, const FT& unit)
   {
     return CGAL::abs(FT(m.distance_at(m.b0) - m.d0)) <= unit && CGAL::abs(FT(m.distance_at(m.b1) - m.d1)) <= unit;
   }
 
-  // In the gap between two windows the distance is at most that of an end and the way from there, by either end. f grows by
-  // less than the way, so the difference is largest where the two tie.
+  // Largest F - f in the gap between two windows, where F is the shorter path around an end. f grows more slowly than these
+  // paths, so the maximum is where both are equal.
   static FT deviation_in_gap(const Window& a, const Window& b, const Window& m)
   {
     const FT gap = b.b0 - a.b1, rise = b.d0 - a.d1;
@@ -226,15 +225,15 @@ private:
     return (a.d1 + b.d0 + gap) / 2 - m.distance_at(FT(a.b1 + (gap + rise) / 2));
   }
 
-  // Whether the rays at the ends of m are not inside of those of the first and the last window, up to rounding. Of rays that
-  // graze the edge the derivatives do not tell.
+  // True if the rays at the ends of m are not inside those of the first and last window, up to rounding. For rays that graze
+  // the edge, derivatives do not decide this.
   static bool encloses(const Window& first, const Window& last, const Window& m)
   {
     return !turns_right(first, m, m.b0) && !turns_right(m, last, m.b1);
   }
 
-  // Whether the ray of v through (b, 0) is to the right of that of u by more than rounding. The less they rise from the
-  // edge, the less is allowed.
+  // True if the ray of v through (b, 0) turns right of that of u by more than rounding. The allowance falls with the slope of
+  // the rays.
   static bool turns_right(const Window& u, const Window& v, const FT& b)
   {
     const FT ux = u.is_parallel() ? FT(-u.x) : FT(b - u.x), vx = v.is_parallel() ? FT(-v.x) : FT(b - v.x);
@@ -243,23 +242,23 @@ private:
     return u.y * vx - ux * v.y < -allowance * length_v;
   }
 
-  // Puts the image of m, which has its interval and the distances at its ends, as far away as (2) allows at the ends of the
+  // Sets the image of m, whose interval and distances at the ends are given, as far away as (2) allows at the ends of the
   // windows [first, end). Let l be the length of the interval, c = (d1 - d0) / l, n = l^2 - (d1 - d0)^2. Then
   //
   //   x - b0 = n / 2l - c r0    as  r0^2 - (x - b0)^2 = r1^2 - (l - (x - b0))^2  and  r1 = r0 + c l
   //
-  // The derivative of f at b0 is -(x - b0) / r0; it must not be larger than that of F, and likewise at b1. At a point at q
+  // The derivative of f at b0 is -(x - b0) / r0; it must be at most that of F, and likewise at b1. At a point at q
   // behind b0 where F is above the chord of the two distances by k, f <= F is
   //
   //   r0 <= ((1 - c^2) q (l - q) + 2 q c k + k^2) / -2k
   //
-  // if k < 0, and nothing otherwise. Without any bound f is linear: rays are parallel.
+  // if k < 0, and no condition otherwise. Without any bound f is linear: rays are parallel.
   bool place_image(const Window* first, const Window* end, const FT& unit, Window& m) const
   {
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0;
     if (!(CGAL::abs(rise) < l)) return false;
     const FT n = (l - rise) * (l + rise), c = rise / l;
-    const FT farthest = FT(1 << 8) * (m.d0 + m.d1 + l); // beyond, rounding is more than what is gained
+    const FT farthest = FT(1 << 8) * (m.d0 + m.d1 + l); // beyond, rounding exceeds the gain
     const FT unlimited = 2 * farthest;
     FT r0 = unlimited;
     const auto limit = [&r0](const FT& r)
@@ -281,8 +280,8 @@ private:
       stay_below((w + 1)->b0, (w + 1)->d0);
     }
     if (!(r0 > FT(0)) || !(r0 + rise > FT(0))) return false;
-    // Rays are as far off as rounding, of the distances, divided by the width of the run across them. Where that is much of
-    // the width, as in needles, the image is noise.
+    // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
+    // width, as in needles, the image is noise.
     if (n < Number_policy<FT>::rounding(1 << 14) * (m.d0 + m.d1) * (m.d0 + m.d1)) return false;
     if (r0 == unlimited)
     {
@@ -301,14 +300,14 @@ private:
     return m.y < FT(0);
   }
 
-  // The derivative of the distance.
+  // Derivative of the distance.
   static FT slope(const Window& w, const FT& b, const FT& d)
   {
     return w.is_parallel() ? FT(-w.x) : FT((b - w.x) / (d - w.sigma));
   }
 
-  // The largest w - m on the interval of w; false if m is larger by more than rounding somewhere. The difference is monotone
-  // but for the point collinear with both images.
+  // Largest w - m on the interval of w. Returns false if m is larger somewhere by more than rounding. The difference is
+  // monotone on either side of the point collinear with both images.
   static bool deviation(const Window& w, const Window& m, const FT& rounding, FT& largest)
   {
     const FT g0 = w.d0 - m.distance_at(w.b0), g1 = w.d1 - m.distance_at(w.b1);

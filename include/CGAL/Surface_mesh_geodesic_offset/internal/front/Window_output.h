@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Windows on their way to one halfedge: collected first, then appended to its list in one go.
+// Buffer of windows for one halfedge, appended to its list at once.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_OUTPUT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_OUTPUT_H
@@ -23,13 +23,13 @@ template <class FT, class Window>
 class Window_output
 {
 public:
-  // Where the next window goes; in registers while a batch is propagated.
+  // Write position, kept in registers while a batch is propagated.
   class Cursor
   {
   public:
     bool is_open() const { return m_next != nullptr; }
 
-    // A place for one more window, and taking it, with its smallest distance.
+    // Place of the next window; keep() accepts it, with its smallest distance.
     Window& next() const { return *m_next; }
     void keep(const FT& nearest)
     {
@@ -43,7 +43,7 @@ public:
     FT m_nearest = Number_policy<FT>::infinity();
   };
 
-  // For up to n windows on a halfedge, if it takes any.
+  // Starts output of up to n windows for a halfedge; none is written if it is closed.
   Cursor start(Index halfedge, bool is_open, std::size_t n)
   {
     m_halfedge = halfedge;
@@ -54,7 +54,7 @@ public:
     return cursor;
   }
 
-  // All have been written.
+  // Ends the output.
   void finish(const Cursor& cursor)
   {
     m_size = cursor.is_open() ? std::size_t(cursor.m_next - m_windows.data()) : 0;
