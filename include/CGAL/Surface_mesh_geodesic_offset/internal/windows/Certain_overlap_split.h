@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What two windows with overlapping intervals keep of them if distances are only estimated (Interval_filter.h): each keeps all
-// but those parts where the other one is certainly nearer.
+// Split of the overlap of two windows if distances are only estimated (Interval_filter.h): each window keeps all parts except
+// those where the other one is certainly nearer.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_CERTAIN_OVERLAP_SPLIT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_CERTAIN_OVERLAP_SPLIT_H
@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The overlap falls into zones: where a is certainly nearer, where b is, and where it is open. The difference of the two
-// distances is monotone on either side of the point collinear with both images (see Window_bisector), so bisection with
-// estimates finds the limits; the closed form of a tie is not needed.
+// The overlap consists of zones: a certainly nearer, b certainly nearer, open. The difference of the distances is monotone on
+// either side of the point collinear with both images (see Window_bisector), so bisection with estimates finds the limits of
+// the zones; the closed form of the bisector is not needed.
 //
-// A zone that is too narrow is left open: so what has been cut once is not cut again.
+// A zone that is too narrow is left open, so that a window that was cut once is not cut again.
 template <class FT>
 class Certain_overlap_split
 {
@@ -32,7 +32,7 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   typedef typename Interval_filter<FT>::Estimate Estimate;
 
-  // a begins before b, or where b does.
+  // Precondition: a does not begin behind b.
   Certain_overlap_split(const Window& a, const Window& b, const FT& length)
     : m_a(a), m_b(b), m_least_width(CGAL::to_double(length) / double(1ull << 44))
   {
@@ -55,10 +55,10 @@ public:
     m_end_of_lead = b0.sup();
   }
 
-  // Whether neither is certainly nearer anywhere: then both are to be kept as they are.
+  // True if neither window is certainly nearer anywhere; both are then kept unchanged.
   bool is_open() const { return m_size == 0; }
 
-  // Calls f(window) for the parts that are kept of a, first to last. The first one begins where a does, if there is one.
+  // Calls f(window) for the kept parts of a, first to last. The first one begins where a begins, if a keeps any part.
   template <class Function>
   void for_each_part_of_first(const Function& f) const
   {
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  enum Nearer { FIRST = -1, OPEN = 0, SECOND = 1 }; // the sign of the difference of distances
+  enum Nearer { FIRST = -1, OPEN = 0, SECOND = 1 }; // sign of the difference of distances
   struct Zone
   {
     int nearer;
@@ -92,7 +92,7 @@ private:
     }
   }
 
-  // What is left of w between two cuts; those at the ends of the overlap, or beyond, are no cuts.
+  // The part of w between two cuts; a limit at or beyond the end of the overlap is no cut.
   Window part(Window w, double from, double to) const
   {
     if (from > m_low)
@@ -110,7 +110,7 @@ private:
 
   void find_zones()
   {
-    // positive on one side of the collinear point
+    // Positive on one side of the collinear point.
     const Estimated_distance<FT> a(m_a), b(m_b);
     const Estimate n = a.x * b.y - b.x * a.y,
                    den = (a.is_parallel ? Estimate(0) : b.y) - (b.is_parallel ? Estimate(0) : a.y);
@@ -134,7 +134,7 @@ private:
     append(sign_at(difference, v), q, v);
   }
 
-  // The part [p, q] of [u, v] where a monotone function may change its sign; p = q = v if it certainly doesn't.
+  // The part [p, q] of [u, v] where a monotone function may change its sign; p = q = v if it certainly does not.
   template <class Function>
   void find_change(const Function& f, double u, double v, double& p, double& q) const
   {
@@ -162,7 +162,7 @@ private:
     if (sv != 0) q = last_with_sign(f, sv, q, open_at);
   }
 
-  // As near to `open_at` as the sign is certain.
+  // The point nearest to `open_at` where the sign is certain.
   template <class Function>
   double last_with_sign(const Function& f, int s, double from, double open_at) const
   {
@@ -194,7 +194,7 @@ private:
       m_zones[m_size - 1].to = to;
     else
     {
-      CGAL_assertion(m_size < 8); // two signs, with what is open between them, on both sides of the turning point, and the tail
+      CGAL_assertion(m_size < 8); // two signs and an open zone on both sides of the turning point, and the tail
       m_zones[m_size++] = Zone{nearer, from, to};
     }
   }

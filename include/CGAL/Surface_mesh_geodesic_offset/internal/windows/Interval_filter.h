@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Estimates of numbers, for decisions that may be left open: those that prune, trim or order. An estimate of a floating
-// point number is the number itself; an estimate of an exact number is an interval of doubles. Then
+// Estimates of numbers, for decisions that may stay open: pruning, trimming, ordering. The estimate of a floating-point number
+// is the number itself; the estimate of an exact number is an interval of doubles.
 //
-//   - a window is pruned only where an estimate says so with certainty, CGAL::certainly(a < b); what stays open is kept;
-//   - a window is cut where an estimate says, rounded so that it keeps more rays rather than fewer, lower_cut() and
-//     upper_cut(). Any set of rays within a window's own will do, so the cut needs no exactness: it is a double;
-//   - a bounding box is one of estimates, lower_bound() and upper_bound().
+//   - A window is pruned only where estimates are certain, CGAL::certainly(a < b). Otherwise it is kept.
+//   - A window is cut at an estimate rounded so that more rays stay, lower_cut() and upper_cut(). Any subset of its rays is a
+//     valid window, so the cut is a double.
+//   - Bounding boxes consist of estimates, lower_bound() and upper_bound().
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_INTERVAL_FILTER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_INTERVAL_FILTER_H
@@ -26,21 +26,21 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Bounds of an exact number that are near to it, without a decision whether it is zero, if the number type can do that.
+// Close bounds of an exact number, without a decision about its sign if the number type supports that.
 template <class FT>
 inline std::pair<double, double> bounds_of(const FT& x)
 {
   return CGAL::to_interval(x);
 }
 
-// For the places where windows end. No better than by estimates, if the number type has nothing better.
+// Comparison of ends of windows; that of estimates if the number type has no better one.
 template <class FT>
 inline Uncertain<Comparison_result> compare_bounds(const FT& a, const FT& b)
 {
   return CGAL::compare(Interval_nt<>(bounds_of(a)), Interval_nt<>(bounds_of(b)));
 }
 
-// For number types whose comparisons are to be taken for true: floating point ones.
+// For floating-point numbers, whose comparisons count as true.
 template <class FT, bool is_inexact = Number_policy<FT>::is_inexact>
 struct Interval_filter
 {
@@ -49,14 +49,14 @@ struct Interval_filter
   static constexpr bool leaves_open = false;
 
   static const FT& estimate(const FT& x) { return x; }
-  static const FT& key(const FT& x) { return x; } // for what is only ordered
+  static const FT& key(const FT& x) { return x; } // for ordering only
   static const FT& lower_cut(const Estimate& t) { return t; }
   static const FT& upper_cut(const Estimate& t) { return t; }
   static const FT& lower_bound(const Estimate& t) { return t; }
   static const FT& upper_bound(const Estimate& t) { return t; }
 };
 
-// For exact ones.
+// For exact numbers.
 template <class FT>
 struct Interval_filter<FT, false>
 {
@@ -84,14 +84,14 @@ inline bool certainly_less(const FT& a, const FT& b)
   return CGAL::certainly(estimate(a) < estimate(b));
 }
 
-// The number that is less, for what needs either; if that stays open, the first.
+// Smaller of two estimates; the first if undecided.
 template <class FT>
 inline const FT& lesser(const FT& a, const FT& b)
 {
   return certainly_less(b, a) ? b : a;
 }
 
-// The smallest distance on the interval of a window; where it stays open which one that is, one that is not larger.
+// Smallest distance on the interval of a window; a lower bound if undecided.
 template <class FT>
 inline FT minimum(const Window<FT>& w)
 {
@@ -101,7 +101,7 @@ inline FT minimum(const Window<FT>& w)
   return lesser(w.d1, w.d0);
 }
 
-// The distance function of a window along its halfedge, estimated.
+// Estimated distance function of a window along its halfedge.
 template <class FT>
 struct Estimated_distance
 {

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The windows of one halfedge, reduced to the lower envelope of their distances: one sweep over the windows in
-// the order of their intervals merges neighbours with the same image and cuts overlapping ones where their
-// distances tie.
+// The lower envelope of the windows of one halfedge: one sweep over the windows, ordered by their intervals, merges neighbours
+// with the same image and cuts overlapping ones at their bisectors.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
@@ -35,19 +34,19 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  // What is known of an end of the halfedge: its distance, negative if there is none yet, and where this comes from.
+  // An end of the halfedge: its distance, negative if unknown, and the origin of its distance.
   struct End
   {
     FT distance = FT(-1);
     Source_ref source_ref = Source_ref();
   };
 
-  // `source_of[primitive]` tells which windows may merge: those of one source.
+  // `source_of[primitive]`: windows merge only within one source.
   Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
-  // The windows [first, last) and [more, more_last) are in any order, on a halfedge of the given length. The result is
-  // sorted and disjoint, valid until the next call. With numbers whose order may stay open, neighbours may overlap where
-  // both may be the nearer one. Gaps nearer than `passed`, the distance that the front has passed, are closed.
+  // Returns the lower envelope of the windows [first, last) and [more, more_last), in any order, on a halfedge of the given
+  // length. It is sorted and disjoint, and valid until the next call. With number types whose order may stay open, neighbours
+  // may overlap where either may be nearer. Gaps nearer than `passed`, the distance passed by the front, are closed.
   const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr,
                                         const End& source = End(), const End& target = End(),
@@ -63,7 +62,7 @@ public:
     m_least_overlap = -m_max_gap;
     if constexpr (Number_policy<FT>::is_inexact) m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
     m_rounding = Number_policy<FT>::rounding(1);
-    m_gap_rounding = Number_policy<FT>::rounding(256); // that of pruning_allowance(), by which windows are dropped at ties
+    m_gap_rounding = Number_policy<FT>::rounding(256); // equals that of pruning_allowance(), by which windows are dropped at ties
     m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
@@ -92,22 +91,22 @@ public:
     return m_envelope;
   }
 
-  // The distance of the nearest gap that is closed once the front has passed it; infinite if there is none.
+  // Distance of the nearest gap that is closed after the front has passed it; infinite if there is none.
   const FT& nearest_gap() const { return m_nearest_gap; }
 
-  // Whether the last call has closed gaps: then the envelope has rays that its windows had not.
+  // True if the last call closed gaps; the envelope then has rays that its windows lack.
   bool has_closed_gaps() const { return m_has_closed_gaps; }
 
-  // Whether windows are in a row: none begins or ends before the one before it, and neighbours are not one window. Such ones
-  // are mostly their own lower envelope, but for the ends that neighbours take from each other.
-  // No gap may be closed, either: so distances do not depend on whether a list is swept.
+  // True for a monotone list: no window begins or ends before its predecessor, neighbours cannot merge, and no gap between them
+  // is to be closed. Such a list is mostly its own lower envelope up to the ends that neighbours cut from each other. Distances
+  // do not depend on its reduction.
   static bool is_monotone_list(const Window* first, const Window* last, const FT& length)
   {
     if (first == last) return true;
     const FT largest_rounding = max_gap(length), widest = widest_gap(*first, length);
     const auto may_be_closed = [&](const FT& gap) { return int(gap > largest_rounding) & int(gap < widest); };
     if (may_be_closed(first->b0) | may_be_closed(FT(length - last[-1].b1))) return false;
-    // mostly no less than that of same_image
+    // Mostly at least the allowance of same_image().
     const FT rounding = Number_policy<FT>::rounding(1024);
     const FT allowance = rounding * (first->d0 + last[-1].d1 + last[-1].b1);
     for (; last - first > 1; ++first)
@@ -124,17 +123,17 @@ public:
   }
 
 private:
-  // Gaps between windows of one image up to this are rounding.
+  // Gaps between windows of one image are rounding up to this width.
   static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
 
-  // By how much parallel rays may end beside their segment, as part of the distances: 1.2e-10, below what queries promise.
+  // Largest gap beside parallel rays, as a fraction of the distances: 1.2e-10, below the guaranteed error of queries.
   static constexpr double widest_beside_segment = 1. / (1ull << 33);
 
-  // Up to this part of the distance, an edge is so short that distances along much of it tie: 2^28 u, 2^-24.
+  // Largest length of a short edge, as a fraction of the distance: 2^28 u, 2^-24. Distances tie along much of such an edge.
   static constexpr double short_edge = 1. / (1 << 24);
 
-  // Gaps between windows of different images are closed up to 2^-8 of the length of the halfedge, and on edges far shorter than
-  // the distance, as across a narrow strip, up to 2^28 u of the distance: there distances tie along much of the edge.
+  // Largest gap to be closed between windows of different images: 2^-8 of the length of the halfedge; on edges far shorter than
+  // the distance, as across a narrow strip, 2^28 u of the distance, since distances tie along much of the edge.
   static FT widest_gap(const Window& w, const FT& length)
   {
     const FT by_distance = (std::min)(length, FT(short_edge) * w.d0);
@@ -143,11 +142,11 @@ private:
 
   bool same_image(const Window& a, const Window& b) const
   {
-    if ((a.bits ^ b.bits) & ~2u) return false; // parallel or not, pseudo-source
+    if ((a.bits ^ b.bits) & ~2u) return false; // differ in kind or pseudo-source
     if constexpr (!Number_policy<FT>::is_inexact) return have_one_source(a, b) && same_distances(a, b);
     const FT rounding = Number_policy<FT>::rounding(64); // well below pruning_allowance()
-    // The image of parallel rays is a unit vector. The sigma of other rays is the distance of a vertex, the same in all of its
-    // windows; in margins of its sectors it is larger.
+    // The image of parallel rays is a unit vector. The sigma of point rays is the distance of a vertex, equal in all its
+    // windows, and larger in margins of its sectors.
     const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
     const FT& of_image = a.is_parallel() ? rounding : allowance;
     const FT of_sigma = a.is_parallel() ? allowance : FT(Number_policy<FT>::rounding(16) * (a.sigma + b.sigma));
@@ -203,7 +202,7 @@ private:
       resolve(a, w);
   }
 
-  // Appends w, which begins behind the last window a of the envelope. Closes the gap between them where it can.
+  // Appends w, which begins behind the last window a of the envelope, and closes the gap between them if possible.
   BOOST_FORCEINLINE void push_behind(Window& a, const Window& w)
   {
     const FT gap = w.b0 - a.b1;
@@ -221,7 +220,7 @@ private:
     m_envelope.push_back(w);
   }
 
-  // The last window of the envelope also takes what is up to b1; what it propagated before stays apart.
+  // Extends the last window of the envelope to b1. A propagated window keeps its extent; its new part is separate.
   void extend_last(const FT& b1, const FT& d1)
   {
     m_has_closed_gaps = true;
@@ -235,7 +234,7 @@ private:
     w.d1 = d1;
   }
 
-  // Appends w, which also takes what is between b0 and its begin.
+  // Appends w, extended back to b0.
   void push_begun(const FT& b0, const FT& d0, const Window& w)
   {
     m_has_closed_gaps = true;
@@ -248,9 +247,9 @@ private:
     m_envelope.push_back(part(w, b0, d0, w.b1, w.d1));
   }
 
-  // A gap may hold a window that is farther than both of its neighbours at its ends, by more than the way along the halfedge
-  // and rounding: a narrow fan between two strips is no farther. It is removed where its neighbours close the gap, or where the
-  // gap itself is rounding.
+  // A gap may contain a window that is farther than both neighbours at its ends by more than the length along the halfedge and
+  // rounding; a narrow fan between two strips is no farther. The window is removed if its neighbours close the gap, or if the
+  // gap is rounding.
   void close_occupied_gaps()
   {
     for (std::size_t i = 1; i + 1 < m_envelope.size(); ++i)
@@ -274,7 +273,7 @@ private:
     }
   }
 
-  // Closes the gaps between the first and last windows and the ends of the halfedge, in the same way.
+  // Closes the gaps between the first and last windows and the ends of the halfedge.
   void close_gaps_at_ends(const End& source, const End& target)
   {
     if (m_envelope.empty()) return;
@@ -293,7 +292,7 @@ private:
     first.d0 = d;
   }
 
-  // Whether a window may take over the gap between it and an end of the halfedge, where its distance is then d.
+  // True if a window may fill the gap between it and an end of the halfedge. d: its distance there.
   bool may_take_over_end(const Window& w, const FT& gap, const FT& b, const End& end, FT& d)
   {
     if (!(gap > m_max_gap && gap < m_widest_gap)) return false;
@@ -302,8 +301,8 @@ private:
            ((w.source_ref == end.source_ref && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length)) && is_passed(d);
   }
 
-  // Whether a window may take over a gap beside it, where distances have the given size. Parallel rays end beside their segment
-  // then, and a path would name the wrong part: so they take over narrow gaps only.
+  // True if a window may fill a gap beside it, where distances have the given size. Parallel rays fill narrow gaps only: they
+  // extend beyond their segment then, and a path would name the wrong part.
   static bool may_take_over(const Window& w, const FT& gap, const FT& size)
   {
     return !w.is_parallel() || -w.y * gap <= FT(widest_beside_segment) * size;
@@ -312,12 +311,12 @@ private:
   struct Gap
   {
     enum Taker { NONE, FIRST, SECOND } taker;
-    FT distance; // of the window that takes it, at the other end
+    FT distance; // of the window that fills it, at the other end
   };
 
-  // Which of two neighbours takes over the gap between them, now: their distances agree up to rounding at both ends of the gap.
-  // Rounding has turned a bounding ray then, or has dropped a narrow window: behind an image that is near to the edge, the gap
-  // would grow with the distance. The path of a point in it bends by less than the square root of the rounding of its length.
+  // Finds the neighbour that fills the gap between two windows now: their distances agree up to rounding at both ends of the
+  // gap. Such a gap results from rounding of a bounding ray, or from a dropped narrow window; behind an image near the edge it
+  // would grow with the distance. Paths in it bend by less than the square root of the rounding of their length.
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
@@ -336,7 +335,7 @@ private:
     return result;
   }
 
-  // Whether the front has passed a gap at distance d. Windows that fill it may come until then.
+  // True if the front has passed a gap at distance d. Until then, windows that fill it may arrive.
   bool is_passed(const FT& d)
   {
     if (d < m_passed) return true;
@@ -344,8 +343,7 @@ private:
     return false;
   }
 
-  // The usual cases of two windows that follow each other, without all that may happen else. False if it is another one.
-  // [next, end): the windows that come behind it.
+  // Handles the usual cases of two consecutive windows. Returns false for other cases. [next, end): the windows behind them.
   BOOST_FORCEINLINE bool follows(const Window& w, const Window* const* next, const Window* const* end)
   {
     if (m_envelope.empty()) return false;
@@ -358,10 +356,10 @@ private:
     }
     if (same_image(a, w)) return false;
     const bool a_ends_first = a.b1 < w.b1;
-    // rays that two windows share, as those along the border of a pseudo-source's sector, are found twice
+    // Rays shared by two windows, as on the border of a pseudo-source's sector, are computed twice.
     if (overlap <= m_min_width && a_ends_first)
     {
-      // rays in the margin of a sector are longer, and lose
+      // Rays in the margin of a sector are longer, and lose.
       if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_margin * a.d1))
       {
         begin_behind(w, a.b1, next, end);
@@ -383,7 +381,7 @@ private:
         if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, tie.at(w, high), next, end);
         return true;
       }
-      return false; // t is no number
+      return false; // t is NaN
     }
     FT a_low, a_high = a.d1, w_high = w.d1;
     if (BOOST_LIKELY(a_ends_first))
@@ -395,22 +393,22 @@ private:
     }
     const Comparison_result at_low = tie.compare(a_low, w.d0), at_high = tie.compare(w_high, a_high);
     if (at_low == SMALLER && at_high == SMALLER)
-    { // they tie once
+    { // one bisector
       if (!a_ends_first) return false;
       const auto place = tie.find(low, a_low - w.d0, high, a_high - w_high);
       return share_at(a, w, place.t, place.d, next, end);
     }
     if (at_low == LARGER && at_high == SMALLER && a_ends_first && !tie.may_tie_twice(low, high))
-      return begin_at(w, a_low); // the envelope's is farther
+      return begin_at(w, a_low); // the last window of the envelope is farther
     if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
-    { // the envelope's is nearer
+    { // the last window of the envelope is nearer
       if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next, end);
       return true;
     }
     return false;
   }
 
-  // The last one of the envelope up to t, and w from there on; false, and nothing, if either is too narrow.
+  // Cuts the last window of the envelope at t, and appends w from t on. Returns false without a change if either is too narrow.
   BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
                                   const Window* const* end)
   {
@@ -421,7 +419,7 @@ private:
     return true;
   }
 
-  // All of w, and the last one of the envelope, whose distance is d there, up to where it begins.
+  // Cuts the last window of the envelope, at distance d there, where w begins, and appends w.
   BOOST_FORCEINLINE bool begin_at(const Window& w, const FT& d)
   {
     cut_back(w.b0, d);
@@ -429,7 +427,7 @@ private:
     return true;
   }
 
-  // What is left of a window behind the last one of the envelope.
+  // Keeps the rest of a window behind the last window of the envelope for later.
   BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
                                    const Window* const* end)
   {
@@ -445,14 +443,14 @@ private:
       m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
-  // What is left of a window behind the end t of the last one of the envelope, which moves when the envelope grows.
+  // Keeps the rest of a window behind t, the end of the last window of the envelope, which moves when the envelope grows.
   BOOST_NOINLINE void begin_behind(const Window& w, FT t, const Window* const* next, const Window* const* end)
   {
     if (w.b1 - t > m_min_width) push_rest(w, t, w.distance_at(t), next, end);
   }
 
-  // Cuts off the overlap with a window that begins at t, which is not more than rounding, if any; false, and nothing, if too
-  // little is left. The distance at the end changes by less than the overlap: where that is within its rounding, it stays.
+  // Cuts off the overlap, at most rounding, with a window that begins at t. Returns false without a change if too little
+  // remains. The distance at the end changes by less than the overlap, and stays where that is within its rounding.
   BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap) const
   {
     if (!(t - a.b0 > m_min_width)) return !CGAL::is_positive(overlap);
@@ -461,8 +459,7 @@ private:
     return true;
   }
 
-  // Two overlapping windows with one image are one window. If just one of them was propagated before, the other
-  // keeps only what is new.
+  // Merges two overlapping windows with one image. If one of them is propagated, the other keeps only its new part.
   void unite(Window& a, const Window& w)
   {
     if (a.is_propagated() == w.is_propagated())
@@ -484,8 +481,8 @@ private:
     }
   }
 
-  // Overlapping windows with different images: the overlap goes to the nearer one, piece by piece, by turns from tie to
-  // tie. The last owner keeps its tail beyond the overlap, and so does the other one.
+  // Splits overlapping windows with different images: between consecutive bisectors, the overlap goes to the nearer one. Each
+  // keeps its tail beyond the overlap.
   void resolve(const Window& last, const Window& w)
   {
     const Window a = last;
@@ -509,12 +506,12 @@ private:
         if (to - from > m_min_width) m_envelope.push_back(part(w, from, d_from, to, d_to));
       }
     }
-    const Window& other = a_owns ? a : w; // a_owns has been turned once more
+    const Window& other = a_owns ? a : w; // a_owns was toggled once more
     keep_later(other, ties.high(), ties.distance_at_high(a_owns), other.b1, other.d1);
   }
 
-  // The same if distances are only estimated: each keeps all but those parts where the other one is certainly nearer. Ties
-  // on all of the overlap go to the first.
+  // Overload of resolve() for estimated distances: each window keeps all parts except those where the other is certainly
+  // nearer. If they tie on the whole overlap, the first one keeps it.
   void share(const Window& last, const Window& w)
   {
     const Window a = last;
@@ -539,7 +536,7 @@ private:
     shares.for_each_part_of_second([&](const Window& p) { m_order.push_later(p); });
   }
 
-  // Shortens the last window of the envelope to end at t, where its distance is d; removes it if nothing is left.
+  // Shortens the last window of the envelope to end at t, with distance d; removes it if nothing remains.
   void cut_back(const FT& t, const FT& d)
   {
     CGAL_precondition(!m_envelope.empty());
@@ -574,7 +571,7 @@ private:
     return w;
   }
 
-  // The same, not propagated.
+  // A part of a window, not propagated.
   static Window new_part(const Window& whole, const FT& from, const FT& d_from, const FT& to, const FT& d_to)
   {
     Window w = part(whole, from, d_from, to, d_to);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a window that was merged within a tolerance carries in the place of its pseudo-source: the bound of its error.
+// Code of a merged window in the field of the pseudo-source: the bound of its error.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_MERGE_ERROR_CODE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_MERGE_ERROR_CODE_H
@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The image of a merged window is no vertex and no source, so the number of a pseudo-source is free to say how large the
-// error may be: a float without its sign and its last two bits, rounded upward. Numbers of vertices are smaller.
+// The image of a merged window is neither a vertex nor a source, so the field of the pseudo-source encodes the error: a float
+// without sign and last two bits, rounded up. Indices of vertices are smaller.
 struct Merge_error_code
 {
   static_assert(sizeof(float) == sizeof(Index) && std::numeric_limits<float>::is_iec559, "32 bits, without sign 31");
@@ -44,7 +44,7 @@ struct Merge_error_code
   }
 
 private:
-  static constexpr Index flag = 1u << 29; // the origin has 30 bits in a window
+  static constexpr Index flag = 1u << 29; // a window has 30 bits for the origin
 };
 
 } // namespace internal

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unfolding both ends of a window across a face at once, in the usual case.
+// Unfolds both ends of a window across a face at once, in the usual case.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_SIMD_EDGE_EXIT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_SIMD_EDGE_EXIT_H
@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Whether the functors of the traits take pairs, beyond what the concept says: of floating point numbers, which cost
-// nothing to copy.
+// True if the functors of the traits accept pairs, an extension of the concept, of floating-point numbers, which are cheap to
+// copy.
 template <class Traits>
 struct Pairs_ends
 {
@@ -37,7 +37,7 @@ struct Pairs_ends
                         const Pair&, const Pair&, Pair&, Pair&>::value;
 };
 
-// One of the two other edges of a face, for windows that leave through it with all their rays.
+// One of the two other edges of a face, for windows whose rays all leave through it.
 template <class Traits, bool is_left, bool pairs_ends = Pairs_ends<Traits>::value>
 class Simd_edge_exit
 {
@@ -54,7 +54,7 @@ public:
   {
   }
 
-  // The child, in place. False if it is not one of the usual case: then left_child() or right_child() of the face tells.
+  // Constructs the child in place. Returns false outside the usual case; then use left_child() or right_child() of the face.
   template <bool is_parallel>
   BOOST_FORCEINLINE bool child(Window_pairs<FT>& w) const
   {

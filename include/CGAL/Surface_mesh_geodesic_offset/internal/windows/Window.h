@@ -20,16 +20,18 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Rounding loses directions behind an image that is nearer to an edge than this part of the edge's length L. The ends of
-// windows are rounded to 2 u L, and windows shorter than 8 u L are left out; seen from an image at distance r that is an angle
-// of up to 8 u L / r. At r = 2^-30 L it is 2^33 u, 2e-6, and a path that bends by it is too long by 5e-13 of its length.
+// Least distance of an image from an edge, as a fraction of its length L, at which rounding keeps the directions behind the
+// image. Ends of windows are rounded to 2 u L, and windows shorter than 8 u L are dropped; from an image at distance r, that is
+// an angle of up to 8 u L / r. At r = 2^-30 L the angle is 2^33 u, 2e-6, and a path that bends by it is too long by 5e-13 of
+// its length.
 constexpr double least_clear_distance = 1. / (1 << 30);
 
-// Up to this part of L, a vertex beside the image hides the rays behind it: a gap of the angle 8 u L / r is there, and points of
-// other vertices within the gap are reached by ways round its ends. At r = 2^-13 L the gap is 2^16 u wide, 7e-12.
+// Least distance of a vertex from its image, as a fraction of L, at which it does not hide the rays behind it. At a smaller
+// distance r there is a gap of the angle 8 u L / r, and paths to points of other vertices in the gap go around its ends. At r =
+// 2^-13 L the gap is 2^16 u wide, 7e-12.
 constexpr double least_hiding_distance = 1. / (1 << 13);
 
-// Where a shortest path ends: a primitive of the source set and the side of it.
+// End of a shortest path: a primitive of the source set, and its side.
 struct Source_ref
 {
   Index value = no_index;
@@ -44,14 +46,14 @@ struct Source_ref
   friend bool operator==(Source_ref a, Source_ref b) { return a.value == b.value; }
 };
 
-// A window on a halfedge, in the frame of the halfedge: the face to be entered is above the x axis, the source
-// image (x : y : w) below it (or on it, on a source edge itself).
+// A window on a halfedge, in the frame of the halfedge. The face to enter is above the x axis; the source image (x : y : w) is
+// below it, or on it for a source on the edge.
 //
 //   w = 1, interval window (also behind a pseudo-source):  D(p) = sigma + |p - (x, y)|
 //   w = 0, parallel-source window, (x, y) a unit vector:   D(p) = sigma - (x, y) . p
 //
-// All rays of a window are shortest among the paths with the same face sequence; [b0, b1] is the interval and
-// d0, d1 are the distances at its ends. One cache line for double, and in one.
+// All rays of a window are shortest among the paths with the same face sequence. [b0, b1] is the interval, and d0, d1 are the
+// distances at its ends. A window of doubles fills one aligned cache line.
 template <class FT>
 struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
 {
@@ -89,8 +91,7 @@ struct alignas(sizeof(FT) == 8 ? 64 : alignof(FT)) Window
   }
 };
 
-// Brings a window's image into another frame whose origin is at (ox, oy) and whose x axis has the direction (c, s) in the
-// present one.
+// Transforms the image of a window to another frame with the origin (ox, oy) and the x axis (c, s) in the present one.
 template <class Traits, class FT>
 inline void change_frame(const Traits& traits, Window<FT>& w, const FT& ox, const FT& oy, const FT& c, const FT& s)
 {

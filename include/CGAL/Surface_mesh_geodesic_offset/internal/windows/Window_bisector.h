@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where two windows on one halfedge give equal distances, for floating point numbers. (For others see Certain_overlap_split.h.)
+// Points of equal distance of two windows on one halfedge, for floating-point numbers. (For exact numbers see
+// Certain_overlap_split.h.)
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_BISECTOR_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_BISECTOR_H
@@ -21,7 +22,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Whether the functor for distances takes pairs, beyond what the concept says, of floating point numbers.
+// True if the distance functor accepts pairs of floating-point numbers, an extension of the concept.
 template <class Traits>
 struct Pairs_distances
 {
@@ -33,7 +34,7 @@ struct Pairs_distances
     std::is_invocable_r<Number_pair<FT>, const typename Traits::Compute_distance_2&, Pair, Pair, Pair, Pair, Pair>::value;
 };
 
-// One tie of two windows a and b.
+// One point of equal distance of two windows a and b.
 template <class Traits>
 class Bisector_crossing
 {
@@ -49,7 +50,7 @@ public:
 
   FT at(const Window& w, const FT& t) const { return m_distance(w.x, w.y, w.sigma, w.is_parallel(), t, FT(0)); }
 
-  // Of a at ta, and of b at tb.
+  // Distances of a at ta and of b at tb.
   BOOST_FORCEINLINE void at(const FT& ta, const FT& tb, FT& da, FT& db) const
   {
     if constexpr (Pairs_distances<Traits>::value)
@@ -81,8 +82,8 @@ public:
     return true;
   }
 
-  // Whether the distances tie on a straight line, as those of two images with one sigma do, so that a is nearer before t and
-  // b behind it; not if that is the other way round. No digits are lost but those that the images lack.
+  // True if the bisector is a straight line, as for two images with equal sigma, such that a is nearer before t and b behind
+  // it. t is as precise as the images.
   BOOST_FORCEINLINE bool has_straight_bisector(FT& t) const
   {
     if (((m_a.bits | m_b.bits) & 1u) || m_a.sigma != m_b.sigma) return false;
@@ -92,15 +93,15 @@ public:
     return true;
   }
 
-  // Whether it lies between u and v: only then are there two ties where the signs at u and v are the same.
+  // True if the collinear point lies between u and v; only then may equal signs at u and v enclose two bisector points.
   bool may_tie_twice(const FT& u, const FT& v) const
   {
     FT c;
     return collinear_point(c) && u < c && c < v;
   }
 
-  // The point t between u and v, where the difference g of the two distances has opposite signs, and the distance there: the
-  // closed form first, then a bracketed iteration where the closed form lost digits.
+  // The point t between u and v of equal distance, where the difference g has opposite signs at u and v, and its distance: by
+  // the closed form, and by a bracketed iteration where the closed form lost digits.
   struct Place
   {
     FT t, d;
@@ -113,7 +114,7 @@ public:
     FT other;
     at(p.t, p.t, p.d, other);
     if (BOOST_LIKELY(compare(p.d, other) == EQUAL)) return p;
-    // of a copy, so that this object can be in registers
+    // The iteration uses a copy, so that this object may stay in registers.
     const FT g = p.d - other;
     return (g > 0) == (gu > 0) ? Bisector_crossing(*this).iterate(p.t, g, v, gv) : Bisector_crossing(*this).iterate(u, gu, p.t, g);
   }
@@ -216,11 +217,11 @@ private:
   const FT m_scale;
 };
 
-// The ties of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
+// The points of equal distance of two windows a and b on the overlap [low, high] of their intervals, where b begins within a.
 //
-// The difference g of the two distances is monotone along the halfedge except at the point collinear with both
-// images, where the two rays coincide. So g has at most one root on either side of that point, two in all, and the
-// signs at lo, there, and at hi tell which.
+// The difference g of the distances is monotone along the halfedge except at the point collinear with both images, where the
+// two rays coincide. So g has at most one root on either side of that point, two in all. The signs at low, at the collinear
+// point and at high determine their number.
 template <class Traits>
 class Window_bisector
 {
@@ -247,8 +248,8 @@ public:
       step(from, g_from, previous, c, a_c - b_c, m_tie.compare(a_c, b_c));
     }
     step(from, g_from, previous, m_high, m_a_high - m_b_high, m_tie.compare(m_a_high, m_b_high));
-    // Parallel rays tie with those from the end of their segment. Where these would take some of them, a gap opens behind, since
-    // the rays on the two sides of a place where the distances tie are not the same.
+    // Parallel rays tie with the rays from the end of their segment. If the latter replaced some of them, a gap would open
+    // behind the edge, since rays on the two sides of a bisector diverge.
     if (m_first_sign == 0 && a.is_parallel() != b.is_parallel()) m_first_sign = a.is_parallel() ? -1 : 1;
   }
 
@@ -257,17 +258,17 @@ public:
   const FT& distance_at_low(bool of_a) const { return of_a ? m_a_low : m_b_low; }
   const FT& distance_at_high(bool of_a) const { return of_a ? m_a_high : m_b_high; }
 
-  bool first_is_nearer() const { return m_first_sign <= 0; } // other ties go to the first
+  bool first_is_nearer() const { return m_first_sign <= 0; } // the first also wins ties
   int number() const { return m_number; }
   const FT& operator[](int i) const
   {
     CGAL_precondition(0 <= i && i < m_number);
     return m_ties[i];
   }
-  const FT& distance(int i) const { return m_distances[i]; } // the same for both
+  const FT& distance(int i) const { return m_distances[i]; } // equal for both windows
 
 private:
-  // s: the sign of g_to
+  // s: sign of g_to.
   void step(FT& from, FT& g_from, int& previous, const FT& to, const FT& g_to, int s)
   {
     if (s != 0)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statements about lists of windows, for assertions.
+// Predicates on lists of windows, for assertions.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_CHECKS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_CHECKS_H
@@ -16,20 +16,20 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Whether a window has rays: its interval is not empty, and its distances are not negative, unless by the rounding of
-// coordinates, as beside a source on the edge. With exact numbers: whether their estimates do not exclude it.
+// True if a window has rays: its interval is not empty, and its distances are nonnegative up to the rounding of coordinates
+// near a source. For exact numbers, true unless estimates exclude it.
 template <class FT>
 inline bool has_interval(const Window<FT>& w)
 {
-  FT least(0); // distance
+  FT least(0); // smallest distance
   if constexpr (Number_policy<FT>::is_inexact)
     least = -Number_policy<FT>::rounding(64) * (w.b1 + CGAL::abs(w.x) + CGAL::abs(w.y) + CGAL::abs(w.sigma));
   const bool is_open = Interval_filter<FT>::leaves_open ? CGAL::possibly(estimate(w.b0) <= estimate(w.b1)) : bool(w.b0 < w.b1);
   return is_open && CGAL::possibly(estimate(w.d0) >= estimate(least)) && CGAL::possibly(estimate(w.d1) >= estimate(least));
 }
 
-// Whether windows are ordered by their intervals and do not overlap, on a halfedge of the given length. Exact numbers may
-// overlap where both windows may be the nearer one; then they are ordered by estimates of where they begin.
+// True if windows are ordered by their intervals and disjoint, on a halfedge of the given length. Exact windows may overlap
+// where either may be nearer; they are ordered by estimates of their begin.
 template <class FT>
 inline bool are_in_order(const Window<FT>* first, const Window<FT>* last, const FT& length)
 {
@@ -45,8 +45,8 @@ inline bool are_in_order(const Window<FT>* first, const Window<FT>* last, const 
   return true;
 }
 
-// Whether the distances of a window at the ends of its interval are those of its image, up to the rounding of many faces: each
-// takes them over from the one before. True for merged windows, whose distances decide, and for exact numbers.
+// True if the distances at the ends of a window are those of its image, up to the rounding over many faces, as each window
+// inherits them. Always true for merged windows, whose distances take precedence, and for exact numbers.
 template <class FT>
 inline bool has_consistent_distances(const Window<FT>& w)
 {

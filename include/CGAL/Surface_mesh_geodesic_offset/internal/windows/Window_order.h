@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order in which the windows of one halfedge are swept: by where they begin.
+// The order of the windows of one halfedge in the sweep: by their begin.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ORDER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ORDER_H
@@ -25,7 +25,7 @@ class Window_order
 public:
   static bool begins_before(const Window& a, const Window& b) { return key(a) < key(b); }
 
-  // The windows [first, last), and [more, more_last) behind them. Those that begin at one point keep their order.
+  // Starts with the windows [first, last), then [more, more_last). Windows with equal begin keep their order.
   void start(const Window* first, const Window* last, const Window* more, const Window* more_last)
   {
     m_later.clear();
@@ -48,7 +48,7 @@ public:
   const Window* const* begin() const { return m_order.data(); }
   const Window* const* end() const { return m_order.data() + m_size; }
 
-  // What is left of windows and waits for its turn, the first one at the back. Seldom more than two.
+  // Adds a rest of a window, to be swept later. The first one is at the back; there are seldom more than two.
   void push_later(const Window& w)
   {
     auto it = m_later.end();
@@ -76,8 +76,8 @@ public:
 private:
   static decltype(auto) key(const Window& w) { return Interval_filter<FT>::key(w.b0); }
 
-  // Children of a batch come in order, so there is mostly a run or two; trimming may have moved some of them. False if there
-  // are too many.
+  // Merges sorted runs. Children of a batch are sorted, so there are mostly one or two runs; trimming may move a few windows.
+  // Returns false if there are too many runs.
   bool merge_runs(const Window* first, const Window* last, const Window**& end, int& runs) const
   {
     for (; first != last; ++runs)
@@ -90,7 +90,7 @@ private:
     return true;
   }
 
-  // Merges a run into those that are sorted already, from the back: where it begins behind them, nothing moves.
+  // Merges a run into the sorted ones from the back; nothing moves if it begins behind them.
   const Window** merge(const Window** end, const Window* first, const Window* last) const
   {
     const Window** const new_end = end + (last - first);

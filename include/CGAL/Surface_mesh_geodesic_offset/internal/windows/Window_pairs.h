@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers of a window in pairs, on which the same is done: the image, and the two ends of the interval.
+// The numbers of a window in pairs for equal operations: the image, and the two ends of the interval.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PAIRS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PAIRS_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unfolding a window across a face: its children on the two other edges.
+// Unfolds a window across a face: its children on the two other edges.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PROPAGATION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PROPAGATION_H
@@ -21,12 +21,12 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The face of a halfedge p -> q with apex r, in the frame of the halfedge, and the frames of its exits p -> r and
-// r -> q in the faces beyond.
+// The face of a halfedge p -> q with apex r, in the frame of the halfedge, and the frames of its exits p -> r and r -> q in the
+// faces beyond.
 //
-// A ray through (b, 0) has direction (bW - X, -Y). With the exit's direction (c, s) and, for the right exit, everything
-// mirrored (b counted from q), it meets the left exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y, after the
-// part  s b / D  of its length so far (of the unit for W = 0).
+// A ray through (b, 0) has the direction (bW - X, -Y). (c, s) is the direction of the exit; for the right exit everything is
+// mirrored, with b counted from q. The ray meets the exit at distance  b (-Y) / D  from p, D = s (X - bW) - c Y, after the
+// fraction s b / D  of its length so far (of the unit for W = 0).
 template <class Traits>
 class Window_propagation
 {
@@ -44,15 +44,15 @@ public:
     left_length = mesh[mesh.previous(h)].length;
     right_length = mesh[mesh.next(h)].length;
     (Number_pair<FT>::of(e.apex_x, e.apex_y) / Number_pair<FT>(left_length)).put(cl, sl);
-    // the angle at q from the vectors at q: from the difference length - apex_x it would lose all digits on a tiny edge
+    // The angle at q comes from the vectors at q: length - apex_x would lose all digits on a tiny edge.
     const auto& n = mesh[mesh.next(h)];
     (Number_pair<FT>::of(n.apex_x, n.apex_y) / Number_pair<FT>(length)).put(cr, sr);
   }
 
-  // Distance at the apex, which must be in the window's cone.
+  // Distance at the apex, which must lie in the cone of the window.
   FT distance_at_apex(const Window& w) const { return distance_at(w, apex_x, apex_y); }
 
-  // Where the ray to the apex enters.
+  // Entry of the ray to the apex.
   FT entry_of_apex(const Window& w) const
   {
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y);
@@ -61,8 +61,8 @@ public:
     return t < w.b0 ? w.b0 : t > w.b1 ? w.b1 : t;
   }
 
-  // On which side of the apex the rays of a window pass, if that is clear by much more than rounding: -1 if all of them to
-  // the left, 1 if all to the right, 0 if the window covers the apex. `is_clear` is false else.
+  // Side on which all rays of a window pass the apex: -1 left, 1 right, 0 if the window covers the apex. `is_clear` is false if
+  // that is not certain by much more than rounding.
   template <bool is_parallel>
   BOOST_FORCEINLINE int clear_side(const Window& w, bool& is_clear) const
   {
@@ -76,7 +76,7 @@ public:
     return 0;
   }
 
-  // Does the ray through (b, 0) pass the apex so closely that rounding may have moved it to the other side?
+  // True if the ray through (b, 0) passes the apex so closely that rounding may have moved it to the other side.
   bool passes_apex_closely(const Window& w, const FT& b) const
   {
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
@@ -84,8 +84,8 @@ public:
            closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
   }
 
-  // Whether a bounding ray of a window that covers the apex passes the apex by less than eight times the square root of 2^-46, up
-  // to which distances tie: then a path of another image may tie at the apex.
+  // True if a bounding ray of a window that covers the apex passes it by less than eight times the square root of 2^-46, the
+  // tie tolerance; a path of another image may then tie at the apex.
   bool is_beside_end(const Window& w) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
@@ -93,8 +93,8 @@ public:
     return (std::min)(FT(r - w.b0 * slope), FT(w.b1 * slope - r)) <= FT(1. / (1 << 20)) * length * slope;
   }
 
-  // The child on p -> r of the rays that enter from b0 to `end`; up to the apex, where the distance is apex_distance,
-  // if to_apex. False if nothing is left.
+  // Child on p -> r of the rays that enter from b0 to `end`; if to_apex, up to the apex, at distance apex_distance. Returns
+  // false if nothing remains.
   template <bool is_parallel>
   BOOST_FORCEINLINE bool left_child(const Window& w, const FT& end, const FT& d_end, bool to_apex, const FT& apex_distance,
                                     Window& child) const
@@ -118,7 +118,7 @@ public:
     return CGAL::possibly(estimate(child.b0) < estimate(child.b1));
   }
 
-  // The child on r -> q of the rays that enter from `begin` to b1.
+  // Child on r -> q of the rays that enter from `begin` to b1.
   template <bool is_parallel>
   BOOST_FORCEINLINE bool right_child(const Window& w, const FT& begin, const FT& d_begin, bool from_apex,
                                      const FT& apex_distance, Window& child) const

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The filtering theorem in its sound form, and trimming: a window keeps only the points of its interval to which it is
-// nearer than the paths through the vertices around.
+// The filtering theorem in its sound form, and trimming: a window keeps the points of its interval to which it is nearer than
+// the paths through nearby vertices.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PRUNING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_PRUNING_H
@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A path by way of a vertex takes rays from a window only if it is shorter beyond doubt. In needle faces all paths to points
-// tie up to rounding, and a window that is lost there is not replaced by another one: the vertex may be no pseudo-source.
-// `scale`: no distance, and no coordinate, that is compared is larger.
+// Tolerance by which a path through a vertex must be shorter to remove rays. In needles all paths to a point tie up to
+// rounding, and a window lost there is not replaced, as the vertex may be no pseudo-source. `scale`: upper bound of the
+// compared distances and coordinates.
 template <class FT>
 inline auto pruning_allowance(const typename Interval_filter<FT>::Estimate& scale)
 {
@@ -30,8 +30,8 @@ inline auto pruning_allowance(const typename Interval_filter<FT>::Estimate& scal
   else return Estimate(0);
 }
 
-// The point at distance t from an end of the halfedge, whose vertex has distance dv, where dv + t equals the window's
-// distance; x is the image's coordinate counted from that end. At most one: D(t) - t decreases.
+// The point at distance t from an end of the halfedge, whose vertex has distance dv, where dv + t equals the window's distance;
+// x is the image's coordinate relative to that end. There is at most one, since D(t) - t decreases.
 //   W = 1:  (t + k)^2 = (t - x)^2 + y^2  with k = dv - sigma        W = 0:  dv + t = D(0) - x t
 template <class Window, class Estimate>
 inline Estimate tie_with_end(const Window& w, const Estimate& x, const Estimate& distance_at_end, const Estimate& dv)
@@ -42,21 +42,21 @@ inline Estimate tie_with_end(const Window& w, const Estimate& x, const Estimate&
   return (x * x + y * y - k * k) / (2 * (k + x));
 }
 
-// What the distances of the vertices round a halfedge leave of the windows on it.
+// Removes the parts of windows on a halfedge that nearby vertices dominate.
 template <class FT>
 class Window_pruning
 {
   typedef typename Interval_filter<FT>::Estimate Estimate;
 
 public:
-  // Of the halfedge: its length and the distances of its source and its target.
+  // The halfedge: its length, and the distances of its source and its target.
   Window_pruning(const FT& length, const FT& d_source, const FT& d_target, const Estimate& allowance)
     : m_length(estimate(length)), m_min_width(estimate(FT(Number_policy<FT>::rounding(8) * length))),
       m_by(estimate(d_source) + allowance, estimate(d_target) + allowance), m_ends(Estimate(0), m_length)
   {
   }
 
-  // The far vertex of the edge through which the windows have entered, in the frame of the halfedge.
+  // Sets the far vertex of the edge through which the windows enter, in the frame of the halfedge.
   void set_far_vertex(const FT& x, const FT& y, const FT& distance, const Estimate& allowance)
   {
     m_far_x = estimate(x);
@@ -64,8 +64,8 @@ public:
     m_by_far = estimate(distance) + allowance;
   }
 
-  // The first two cases of the filtering theorem (Xin and Wang; for parallel-source windows Xin, Ying and He, 4.3), with
-  // the ends of the halfedge, and the trimming against the same two vertices. False if nothing is left.
+  // The first two cases of the filtering theorem (Xin and Wang; for parallel-source windows Xin, Ying and He, 4.3), for the
+  // ends of the halfedge, and the trimming by the same two vertices. Returns false if nothing remains.
   BOOST_FORCEINLINE bool trim(Window<FT>& w) const
   {
     const bool at_source = CGAL::certainly(by_source() + estimate(w.b0) < estimate(w.d0));
@@ -74,13 +74,13 @@ public:
     return is_wide(w.b0, w.b1);
   }
 
-  // Whether neither vertex takes anything of a window with the ends b and the distances d there, for floating point numbers.
+  // True if neither vertex removes a part of a window with the ends b and the distances d there, for floating-point numbers.
   BOOST_FORCEINLINE bool leaves_all(const Number_pair<FT>& b, const Number_pair<FT>& d) const
   {
     return (m_by + (m_ends + b.with_second_negated()) < d).bits() == 0;
   }
 
-  // Whether anything is left but what rounding may have made.
+  // True if the interval is wider than rounding.
   BOOST_FORCEINLINE bool is_wide(const FT& b0, const FT& b1) const
   {
     return CGAL::possibly(estimate(b1) - estimate(b0) > m_min_width);
@@ -132,7 +132,7 @@ private:
   Estimate by_target() const { return m_by.second(); }
 
   Estimate m_length, m_min_width;
-  Number_pair<Estimate> m_by, m_ends; // of the source and the target: the path by way of it, and its place
+  Number_pair<Estimate> m_by, m_ends; // of source and target: the path through it, and its position
   Estimate m_far_x, m_far_yy, m_by_far;
 };
 
