@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a polyline runs along the border of the surface all the way, so that it has one side only.
+// Decides whether a polyline runs along the border of the surface everywhere, and so has one side only.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BORDER_POLYLINE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BORDER_POLYLINE_H
@@ -24,7 +24,7 @@ class Border_polyline
 public:
   typedef Point_in_face<FT> Point;
 
-  // `polyline`: what starts from a single polyline.
+  // `polyline`: initial windows of a single polyline.
   Border_polyline(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& polyline) : m_mesh(mesh), m_polyline(polyline)
   {
     for_each_segment([this](const Face_frame<FT>&, Index, const Point& a, const Point& b) {
@@ -35,7 +35,7 @@ public:
 
   bool operator()() const
   {
-    // ten times the rounding of coordinates with six digits; no strip as narrow as that is meant to be a side
+    // Ten times the rounding of coordinates with six digits; a strip of this width is not meant as a side.
     const FT tolerance = FT(1e-5) * m_length;
     return for_each_segment([&](const Face_frame<FT>& frame, Index face, const Point& a, const Point& b) {
       for (int k = 0; k < 3; ++k)
@@ -53,7 +53,7 @@ public:
 private:
   static bool is_near(const Point& p, const Point& q, const FT& tolerance) { return length(p - q) <= tolerance; }
 
-  // Calls f(frame, face, a, b) for the segments of the polyline, as long as it returns true, and tells whether it always did.
+  // Calls f(frame, face, a, b) for the segments of the polyline until it returns false. Returns true if it never did.
   template <class Function>
   bool for_each_segment(const Function& f) const
   {
@@ -62,7 +62,7 @@ private:
     return true;
   }
 
-  // A segment along an edge has two faces; one of them is enough for f.
+  // A segment along an edge has two faces; f needs to hold for one of them.
   template <class Function>
   bool call_in_face(const Source_place<FT>& segment, const Function& f) const
   {

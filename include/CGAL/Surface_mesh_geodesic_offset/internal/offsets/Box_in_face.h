@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bounding boxes in the frame of a face, and a tree over a sequence of them. Windows of one edge lie in order, so boxes of
-// consecutive windows are neighbours: the tree takes them as they come, without sorting. The boxes of exact numbers have
-// bounds of type double, rounded outwards, so no exact number is compared.
+// Bounding boxes in the frame of a face, and a tree over a sequence of them. Boxes of consecutive windows are neighbours, as
+// windows of one edge are ordered, so the tree needs no sorting. The boxes of exact numbers have bounds of type double, rounded
+// outward, so no exact number is compared.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BOX_IN_FACE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_BOX_IN_FACE_H
@@ -67,10 +67,10 @@ class Box_tree
 public:
   typedef Box_in_face<FT> Box;
 
-  // To be followed by build() once all boxes are there.
+  // Call build() after the last box.
   void clear() { m_boxes.clear(); }
   void push_back(const Box& b) { m_boxes.push_back(b); }
-  // Back to the first n boxes, for more of them.
+  // Keeps the first n boxes, for other ones behind them.
   void pop_tree(std::size_t n) { m_boxes.erase(m_boxes.begin() + std::ptrdiff_t(n), m_boxes.end()); }
 
   void build()
@@ -95,7 +95,7 @@ public:
 
   const Box& operator[](std::size_t i) const { return m_boxes[i]; }
 
-  // Calls f(i) for the boxes that meet b, in order, until it returns true; returns whether it did.
+  // Calls f(i) for the boxes that meet b, in order, until f returns true. Returns true if f did.
   template <class Function>
   bool any_of(const Box& b, const Function& f) const
   {
@@ -119,7 +119,7 @@ private:
     return false;
   }
 
-  std::vector<Box> m_boxes;                                  // the given ones, then those of eight together, and so on
+  std::vector<Box> m_boxes;                                  // the given boxes, then bounds of eight each, and so on
   std::vector<std::pair<std::size_t, std::size_t>> m_levels; // first index and number
 };
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 6 of the pipeline: makes curves of what is cut, level by level, and hands them to the caller.
+// Step 6 of the pipeline: builds curves from the cut pieces, level by level, and passes them to the caller.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CURVE_OUTPUT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CURVE_OUTPUT_H
@@ -46,7 +46,7 @@ public:
   {
   }
 
-  // Levels that are skipped have no curves.
+  // Adds a level; skipped levels have no curves.
   void operator()(std::size_t level, const Level_curves<FT>& cut) const
   {
     CGAL_precondition(level >= m_next);

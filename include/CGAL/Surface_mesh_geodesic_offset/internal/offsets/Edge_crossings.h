@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Crossings of levels with an edge. Found once per edge, so that the two faces beside it agree; and always from the same
-// side of it, so that they do not depend on which face is cut first.
+// Crossings of levels with an edge. They are computed once per edge, so that both faces agree, and always from the same side,
+// so that they do not depend on the order of faces.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_EDGE_CROSSINGS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_EDGE_CROSSINGS_H
@@ -27,9 +27,9 @@ public:
   {
   }
 
-  // Calls out(t, falling) for the crossings of a level with the edge of h, as Near_intervals::for_each_end(): t is the
-  // distance from the source of h, the smaller one of the two halfedges. A vertex is near exactly if its distance is less
-  // than the level. `field`: that of the face of h; needed on the border only.
+  // Calls out(t, falling) for the crossings of a level with the edge of h, like Near_intervals::for_each_end(). t is the
+  // distance from the source of the halfedge with the smaller index. A vertex is near exactly if its distance is less than the
+  // level. `field`: that of the face of h; used on the border only.
   template <class OutputFunction>
   void operator()(Index h, const Face_field<FT>& field, const FT& level, const OutputFunction& out)
   {
@@ -44,7 +44,7 @@ public:
     if (g != no_index)
       add_side(g, true);
     else
-    { // no list beyond the border: windows that leave the face here
+    { // no list beyond the border; windows that leave the face here
       const Face_frame<FT>& frame = field.frame();
       const int k = int(h % 3);
       for (const Face_window<FT>& w : field.windows())
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // The windows of a halfedge's list, and those that start inside its face.
+  // Adds the windows of a halfedge's list, and those that start inside its face.
   void add_side(Index h, bool reversed)
   {
     m_field.for_each_window(h, [&](const Window<FT>& w) { m_near.add_window(w, reversed); });

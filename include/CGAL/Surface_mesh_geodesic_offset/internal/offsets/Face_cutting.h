@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One face cut at all levels that pass through it, in two steps: where they cross its edges, and, once these gates have
-// their numbers, the chains of pieces between them. Several threads may do this for several faces, each with an object of
-// its own.
+// Cuts one face at all levels that cross it, in two steps: crossings with its edges; then, when these gates are numbered, the
+// chains of pieces between them. Several threads may cut several faces, each with its own object.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_FACE_CUTTING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_FACE_CUTTING_H
@@ -27,25 +26,25 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Levels, by their indices.
+// A range of level indices.
 struct Level_range
 {
-  std::size_t first, last; // the latter is not one of them
+  std::size_t first, last; // `last` is excluded
   bool is_empty() const { return first >= last; }
   std::size_t size() const { return is_empty() ? 0 : last - first; }
 };
 
-// Of a level and an edge.
+// A crossing of a level with an edge.
 template <class FT>
 struct Crossing
 {
   std::size_t level;
-  FT position; // along the smaller one of the two halfedges
+  FT position; // along the halfedge with the smaller index
   bool falling;
   Index gate;
 };
 
-// A face while it is cut, and what comes of it.
+// A face with the results of its cutting.
 template <class FT>
 struct Face_cut
 {
@@ -68,7 +67,7 @@ struct Face_cut
   {
   }
 
-  // The crossings with halfedge k, which are along it or, `reversed`, along its twin. Gates come counterclockwise.
+  // Adds the crossings with halfedge k, given along it or, `reversed`, along its twin. Gates come counterclockwise.
   void add_gates(int k, const std::vector<Crossing<FT>>& edge, bool reversed)
   {
     for (std::size_t i = 0; i < edge.size(); ++i)
@@ -83,10 +82,10 @@ struct Face_cut
 
   Level_range levels{0, 0};
   Face_field<FT> field;
-  Per_corner<std::vector<Crossing<FT>>> crossings; // with the edges that no face before has looked at
+  Per_corner<std::vector<Crossing<FT>>> crossings; // with the edges that this face examines first
   std::vector<Gate> gates;
   std::vector<Chain> chains; // by level
-  std::vector<Piece> pieces; // of the chains
+  std::vector<Piece> pieces; // of all chains
 };
 
 template <class FT>
@@ -100,7 +99,7 @@ public:
   {
   }
 
-  // The levels that may pass through a face, by what its corners know.
+  // The levels that may cross a face, by the distances of its corners.
   Level_range levels_of(Index face) const
   {
     FT near, far;
@@ -108,7 +107,8 @@ public:
     return {m_levels.first_above(near), (std::min)(m_end, m_levels.first_above(far))};
   }
 
-  // Step 1: the crossings with those edges of the face for which looks_at(halfedge) says so. cut.levels: levels_of(face)
+  // Step 1: the crossings with the edges of the face for which looks_at(halfedge) is true. Precondition: cut.levels is
+  // levels_of(face).
   template <class Condition>
   void find_crossings(Index face, const Condition& looks_at, Face_cut<FT>& cut)
   {
@@ -132,7 +132,7 @@ public:
     }
   }
 
-  // Step 2: the chains between all gates of the face, and loops inside.
+  // Step 2: the chains between all gates of the face, and the loops inside.
   void find_chains(Face_cut<FT>& cut)
   {
     if (cut.levels.is_empty()) return;
@@ -167,8 +167,8 @@ public:
   std::size_t number_of_crossed_cells() const { return m_tracer.number_of_crossed_cells(); }
 
 private:
-  // A point at exactly the level counts as farther: so a level is cut below itself, exact numbers aside. Levels that go
-  // through vertices and along edges, as they often do on CAD meshes, are then as good as any.
+  // A point at exactly the level counts as farther: with inexact numbers, a level is cut slightly below itself. Levels through
+  // vertices and along edges, frequent on CAD meshes, then need no special case.
   FT cut_level(std::size_t i) const { return m_levels[i] - Offset_tolerances<FT>::level_shift(m_levels[i]); }
 
   FT far_end_of(Index face) const
@@ -191,7 +191,7 @@ private:
     for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
     longest *= FT(1) + Number_policy<FT>::rounding(16);
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
-    { // what has no distance is farther than the maximum
+    { // a vertex without a distance is beyond the maximum
       const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], m_field.maximum);
       if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(lowest - longest));
     }
@@ -208,10 +208,10 @@ private:
   const Geodesic_field<FT>& m_field;
   const Vertex_reach<FT>& m_reach;
   const Offset_levels<FT>& m_levels;
-  const std::size_t m_end; // of the levels up to the distance limit
+  const std::size_t m_end; // number of levels up to the distance limit
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;
-  Level_cell<FT> m_cell; // the face, with the gates of one level
+  Level_cell<FT> m_cell; // the face with the gates of one level
 };
 
 } // namespace internal

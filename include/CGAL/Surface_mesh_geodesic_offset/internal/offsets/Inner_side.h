@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which side of a closed polyline is its inside: the one with the smaller area, or the only one if the polyline runs along the
-// border. Found from the polyline's own field: where it bounds, every shortest path to it stays on one side.
+// The inner side of a closed polyline: the one with the smaller area, or the only one if the polyline runs along the border.
+// The field of the polyline alone decides: if the polyline divides the surface, every shortest path to it stays on one side.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INNER_SIDE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INNER_SIDE_H
@@ -27,7 +27,7 @@ class Inner_side
 public:
   typedef typename Traits::FT FT;
 
-  // `polyline`: the only source of its set. Takes one propagation over the whole surface.
+  // `polyline`: a set with this source only. Propagates over the whole surface.
   Inner_side(const Unfolded_mesh<FT>& mesh, const Traits& traits, const Source_set<FT>& polyline)
     : m_mesh(mesh), m_build(mesh, polyline, {Number_policy<FT>::infinity(), true, {}, {}})
   {
@@ -41,7 +41,7 @@ public:
       }
   }
 
-  // Whether the polyline divides its part of the surface.
+  // True if the polyline divides its part of the surface.
   bool divides() const { return m_divides; }
 
   Source_side operator()() const
@@ -61,7 +61,7 @@ private:
     return (a == Source_side::LEFT && b == Source_side::RIGHT) || (a == Source_side::RIGHT && b == Source_side::LEFT);
   }
 
-  // A face that the polyline is farther from than its edges are long lies on one side, if there are sides.
+  // Adds a face. If the polyline is farther away than the edges are long, the whole face lies on one side, if there are sides.
   bool add_whole(Index f)
   {
     FT longest(0), nearest = Number_policy<FT>::infinity();
@@ -79,8 +79,8 @@ private:
     return true;
   }
 
-  // Near the polyline, by small triangles. Two neighbours on different sides although the polyline is farther away than they
-  // are from each other show that there is a way from one side to the other.
+  // Adds a face near the polyline, by small triangles. If two neighbours are on different sides, and the polyline is farther
+  // away than they are from each other, a path leads from one side to the other.
   void add_parts(const Face_field<FT>& field)
   {
     typedef Point_in_face<FT> Point;
@@ -92,7 +92,7 @@ private:
       distance = field.distance(p, nearest);
       return Number_policy<FT>::is_finite(distance) ? field.windows()[nearest].source_ref.side() : Source_side::NONE;
     };
-    // The sides beyond the edges are those of the vertices, which have one for all their faces.
+    // Beyond the edges, the sides are those of the vertices, which have one side for all their faces.
     for (int k = 0; k < 3; ++k)
     {
       const Index vertex = m_mesh.source(3 * field.face() + Index(k));
@@ -121,7 +121,7 @@ private:
           left = side;
           left_distance = distance;
           if (!up)
-          { // what the next row finds under its triangle i
+          { // read by the next row below its triangle i
             below[i] = side;
             below_distance[i] = distance;
           }
@@ -135,7 +135,7 @@ private:
   bool m_divides = true;
 };
 
-// The inner sides of all closed polylines. Throws if there is a polyline without an inside.
+// Inner sides of all closed polylines. Throws if a polyline has no inside.
 template <class Traits>
 std::map<Index, Source_side> inner_sides(const Unfolded_mesh<typename Traits::FT>& mesh, const Traits& traits,
                                          const Source_set<typename Traits::FT>& sources)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Can the distance have a local maximum inside a face? Only if the rays that reach its points come from all around.
+// Decides whether the distance may have a local maximum inside a face: only if rays reach its points from all around.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INTERIOR_MAXIMUM_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_INTERIOR_MAXIMUM_H
@@ -17,15 +17,15 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// False only if the directions of all rays in the face lie in an open half-plane: then the distance grows along the
-// middle one of them everywhere. (Corner functions count where shortest paths go on behind the corner; elsewhere they are
-// never smaller than the rest.)
+// False only if the directions of all rays in the face lie in an open half-plane, as the distance then grows along their middle
+// direction. (Corner functions count only where shortest paths continue behind the corner; elsewhere they are never below the
+// other windows.)
 template <class FT>
 bool may_have_interior_maximum(const Face_field<FT>& field)
 {
   typedef Point_in_face<FT> Point;
-  // A window's directions reach, counterclockwise, from its right ray to its left ray by less than a half turn. Keep the
-  // cone of all directions as [from, to], counterclockwise and less than a half turn wide, as long as there is one.
+  // The directions of a window reach counterclockwise from its right to its left ray, by less than a half turn. [from, to] is
+  // the cone of all directions, counterclockwise, as long as it is narrower than a half turn.
   bool empty = true;
   Point from{FT(1), FT(0)}, to{FT(1), FT(0)};
   for (const Face_window<FT>& w : field.windows())

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The level of one window in the plane of a face: an arc about the window's image, or, for a parallel-source window, a
-// straight segment. It runs with the smaller distances on the left, that is from the window's right ray to its left ray,
-// and turns by less than a half turn.
+// The level of one window in the plane of a face: an arc about the window's image or, for a parallel-source window, a straight
+// segment. It runs from the window's right ray to its left ray, with the smaller distances on the left, and turns by less than
+// a half turn.
 //
-// Points of an arc are ordered by the side tests of their directions from the image, which need no parameter.
+// Side tests of their directions from the image order the points of an arc, without a parameter.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARC_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARC_H
@@ -54,12 +54,12 @@ public:
   const Point& start() const { return m_start; } // on the right ray
   const Point& end() const { return m_end; }     // on the left ray
 
-  // The bounding box of the part in the face, with a margin.
+  // Bounding box of the part in the face, with a margin.
   Box_in_face<FT> box(const FT& margin) const
   {
     Box_in_face<FT> b(m_start);
     b.add(m_end);
-    // an arc of less than a half turn rises over its chord c by at most c^2 / (4 r)
+    // An arc of less than a half turn rises over its chord c by at most c^2 / (4 r).
     const Point c = m_end - m_start;
     b.widen(is_straight() ? margin : FT(margin + dot(c, c) / (FT(4) * m_radius)));
     b.intersect(m_cone->box());
@@ -72,15 +72,15 @@ public:
     return (FT(1) / m_radius) * quarter_turn(p - image());
   }
 
-  // How far q is ahead of p, for points that are less than a half turn apart: its sign is exact up to rounding of the
-  // points; for near points it is the length between them.
+  // Advance from p to q, for points less than a half turn apart: the sign is exact up to the rounding of the points; for near
+  // points, the value is the length between them.
   FT advance(const Point& p, const Point& q) const
   {
     if (is_straight()) return dot(quarter_turn(forward()), q - p);
     return cross(p - image(), q - p) / m_radius;
   }
 
-  // Is q between p and r, which are less than a half turn apart? Not, if it is behind the image.
+  // True if q is between p and r, which are less than a half turn apart, and not behind the image.
   bool is_between(const Point& p, const Point& q, const Point& r) const
   {
     if (is_straight())
@@ -92,17 +92,17 @@ public:
     return CGAL::is_positive(cross(p - image(), u)) && CGAL::is_positive(cross(u, r - image()));
   }
 
-  // The point in the middle between two of its points.
+  // Middle of the arc between two of its points.
   Point middle(const Point& p, const Point& q) const
   {
     if (is_straight()) return foot(FT(0.5) * (p + q));
     const Point a = p - image(), b = q - image();
-    // across the chord, if the arc is wide: then the sum is short
+    // Perpendicular to the chord of a wide arc, where the sum is short.
     const Point u = CGAL::is_positive(dot(a, b)) ? a + b : quarter_turn(a - b);
     return image() + (m_radius / length(u)) * u;
   }
 
-  // How far a point p is from the cone (negative inside).
+  // Distance of p from the cone (negative inside).
   FT outside_cone(const Point& p) const
   {
     FT out = (std::max)(left().value(p), right().value(p));
@@ -118,22 +118,22 @@ public:
            (!starts_in_strip() || !CGAL::is_negative(m_window->distance_at(p)));
   }
 
-  // Distance of p by this window, less the level.
+  // Distance of p through this window minus the level.
   FT excess(const Point& p) const
   {
     if (is_straight()) return dot(forward(), p) - m_radius;
     return length(p - image()) - m_radius;
   }
 
-  // Where the whole circle or line enters, and leaves, the region nearer than another arc's level less a depth. False if
-  // it does not cross the region's boundary.
+  // Points where the whole circle or line enters and leaves the region nearer than another arc's level minus a depth. Returns
+  // false if it does not cross the boundary of the region.
   bool meet(const Level_arc& b, const FT& depth, Point& enter, Point& leave) const
   {
     if (b.is_straight()) return meet({b.forward(), FT(b.m_radius - depth)}, enter, leave);
     return meet_disk(b.image(), FT(b.m_radius - depth), enter, leave);
   }
 
-  // The same for a half-plane. A line has one point in common with its boundary, which is given for both.
+  // Overload for a half-plane. The boundary has one point in common with a line, which is returned twice.
   bool meet(const Half_plane<FT>& s, Point& enter, Point& leave) const
   {
     if (is_straight())
@@ -154,12 +154,12 @@ public:
     return true;
   }
 
-  // The largest distance by which the part from p to q is on the outer side of a half-plane (negative: none is).
+  // Largest signed distance of the part from p to q from a half-plane (positive outside).
   FT largest_value(const Half_plane<FT>& s, const Point& p, const Point& q) const
   {
     FT value = (std::max)(s.value(p), s.value(q));
     if (is_straight()) return value;
-    // the farthest point of the circle, if it is on the part
+    // The farthest point of the circle, if it is on the part.
     if (CGAL::is_positive(cross(p - image(), s.n)) && CGAL::is_positive(cross(s.n, q - image())))
       value = (std::max)(value, FT(s.value(image()) + m_radius));
     return value;
@@ -168,7 +168,7 @@ public:
 private:
   bool starts_in_strip() const { return is_straight() && m_window->origin == STARTS_IN_FACE; }
 
-  // Of a straight one: the nearest point of the line.
+  // Nearest point of the line of a straight segment.
   Point foot(const Point& p) const { return p + (m_radius - dot(forward(), p)) * forward(); }
 
   bool meet_disk(const Point& center, const FT& radius, Point& enter, Point& leave) const
@@ -186,10 +186,10 @@ private:
     }
     const Point u = center - image();
     const FT uu = dot(u, u), sum = m_radius + radius, difference = m_radius - radius;
-    // Heron's formula: 16 times the squared area of the triangle of both images and a common point
+    // Heron's formula: 16 times the squared area of the triangle of both images and a common point.
     const FT area2 = (sum * sum - uu) * (uu - difference * difference);
     if (!CGAL::is_positive(area2)) return false;
-    // from the centre of the smaller circle: small terms keep their digits where the circles touch
+    // From the centre of the smaller circle: small terms keep their digits where the circles touch.
     const bool from_disk = radius < m_radius;
     const FT along = (uu - CGAL::abs(difference) * sum) / (FT(2) * uu);
     const Point half = (square_root<FT>(area2) / (FT(2) * uu)) * quarter_turn(u);

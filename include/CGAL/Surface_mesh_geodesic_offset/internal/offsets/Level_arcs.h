@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arcs of one level in a face, and how far each of them is visible: a part of the boundary of { D < level }.
+// The arcs of one level in a face, and their visible parts, which form the boundary of { D < level }.
 //
-// A window covers the part of an arc that lies in its cone and is nearer by it than the level, and by more than rounding;
-// so windows that tie along a whole arc do not cover each other. As the distance is continuous, an arc becomes invisible
-// only where another arc passes: windows whose arcs are elsewhere need no test.
+// A window covers a part of an arc if the part lies in its cone and is nearer through it than the level by more than rounding.
+// So windows that tie along a whole arc do not cover each other. As the distance is continuous, an arc becomes invisible only
+// where another arc crosses it; windows with other arcs need no test.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARCS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARCS_H
@@ -38,7 +38,7 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  // The face, the longest edge of the faces round it, and bounds of the levels that follow.
+  // Sets the face, the longest edge of the faces around it, and bounds of the following levels.
   void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
@@ -68,9 +68,9 @@ public:
     m_boxes.build();
   }
 
-  // Paths that bend at an end of a window or at a corner. They close the gaps between neighbouring windows of an edge; in
-  // theory there are none, but the front drops windows of the width of rounding, and those that begin at the distance limit
-  // up to rounding. Rarely needed, so this is done on demand.
+  // Adds paths that bend at an end of a window or at a corner. They close gaps between neighbouring windows of an edge, which
+  // arise only where the front drops windows of the width of rounding or beginning at the distance limit. As they are rarely
+  // needed, they are added on demand.
   void add_fans()
   {
     if (m_fans.empty()) make_fans();
@@ -85,7 +85,7 @@ public:
 
   void use_tie(int i) { m_tolerances.use_tie(i); }
 
-  // Calls f(window) for all windows of the face, those of add_fans() among them.
+  // Calls f(window) for all windows of the face, including those of add_fans().
   template <class Function>
   void for_each_window(const Function& f) const
   {
@@ -105,7 +105,7 @@ public:
     return m_arcs[i];
   }
 
-  // Does arc i pass the point p, up to a tie?
+  // True if arc i passes through p, up to a tie.
   bool passes(std::size_t i, const Point& p) const
   {
     const Arc& a = m_arcs[i];
@@ -113,7 +113,7 @@ public:
     return a.outside_cone(p) <= m_tolerances.tie && CGAL::abs(a.excess(p)) <= m_tolerances.tie;
   }
 
-  // Calls f(i) for the arcs, but one, that pass p.
+  // Calls f(i) for the arcs through p except one.
   template <class Function>
   void for_each_through(const Point& p, std::size_t without, const Function& f) const
   {
@@ -133,8 +133,7 @@ public:
     });
   }
 
-  // The first point of arc i, from one point of it to another, from which on it is covered. `to` is moved there; false if
-  // there is none.
+  // Moves `to` to the first covered point of arc i between `from` and `to`. Returns false if there is none.
   bool find_covered(std::size_t i, const Point& from, Point& to) const
   {
     const Arc& a = m_arcs[i];
@@ -160,7 +159,7 @@ private:
 
   void add_arc(const Cone& c)
   {
-    // windows that only touch the level count, too: it may run along the edge by which they enter
+    // Windows that only touch the level count: it may run along the edge by which they enter.
     if (!(c.lowest < m_level + m_margin && c.cone.reaches(m_level))) return;
     if (!c.window->is_parallel() && !CGAL::is_positive(FT(m_level - c.window->sigma))) return;
     const Arc arc(*c.window, c.cone, m_level);
@@ -170,7 +169,7 @@ private:
     m_boxes.push_back(box);
   }
 
-  // At each end of a window, and at each corner: all directions into the face.
+  // Fans at the ends of windows and at corners, with all directions into the face.
   void make_fans()
   {
     const std::vector<Face_window<FT>>& windows = m_field->windows();
@@ -203,15 +202,15 @@ private:
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
-  // Is p covered by the window of b? From a point of the face, the straight path to any other is valid: there the cone does not
-  // count, since an arc may run along its bounding ray.
+  // True if p is covered by the window of b. From a point of the face, the straight path to any other point is valid; the cone
+  // does not count then, since an arc may run along its bounding ray.
   bool covers(const Arc& b, const Point& p) const
   {
     return (b.starts_at_point_of_face() || b.is_in_cone(p)) && b.excess(p) < -m_tolerances.cover;
   }
 
-  // The same for one other arc. The ends of the parts in the disk and in the cone divide the arc into parts that are covered
-  // wholly or not at all; their middle points tell which.
+  // Overload for one other arc b. The ends of the parts in its disk and its cone divide the arc into parts that are covered
+  // wholly or not at all; their middle points decide.
   bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
   {
     Point end[10];
@@ -241,12 +240,12 @@ private:
       add_side(b.right());
     }
     if (b.window().is_parallel() && b.window().origin == STARTS_IN_FACE)
-      add_side({b.forward(), b.radius() - m_level}); // the line of the source
+      add_side({b.forward(), b.radius() - m_level}); // line of the source
     Point p = from;
     for (int k = 0; k <= n; ++k)
     {
       const Point& q = k < n ? end[k] : to;
-      // parts as short as a tie are rounding of the rays
+      // Parts as short as a tie are rounding of the rays.
       const bool is_part = a.advance(p, q) > m_tolerances.tie || !Number_policy<FT>::is_inexact;
       if (is_part && covers(b, a.middle(p, q)))
       {
@@ -261,13 +260,13 @@ private:
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_margin, m_reach;
   Offset_tolerances<FT> m_tolerances;
-  std::vector<Cone> m_cones; // of the windows that have a level in the face
+  std::vector<Cone> m_cones; // of the windows with a level in the face
   std::vector<Face_window<FT>> m_fans;
   std::vector<Cone> m_fan_cones;
   bool m_has_fans = false;
   std::size_t m_first_fan = 0; // arc
   std::vector<Arc> m_arcs;   // of the level
-  Box_tree<FT> m_boxes;      // theirs
+  Box_tree<FT> m_boxes;      // of the arcs
 };
 
 } // namespace internal

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A triangle in which a level is traced: a face, or a part of it. The level crosses the sides of a cell at gates, which are
-// in order, and alternate between the starts and the ends of chains; so whatever is found inside, the chains of
-// neighbouring cells fit together.
+// A triangle in which a level is traced: a face, or a part of it. The level crosses the sides of a cell at gates. Gates are
+// ordered, and alternate between starts and ends of chains, so the chains of neighbouring cells always fit together.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CELL_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CELL_H
@@ -26,13 +25,13 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A crossing of the level with a side of a cell. The level's curve starts in the cell where, counterclockwise along the
-// boundary, the distance rises above the level.
+// A crossing of the level with a side of a cell. A chain starts at a gate where the distance rises above the level,
+// counterclockwise along the boundary.
 template <class FT>
 struct Level_gate
 {
   Point_in_face<FT> point;
-  unsigned char side; // of the cell; of a face: halfedge
+  unsigned char side; // of the cell; for a face, its halfedge
   bool is_start;
   Index id;
 };
@@ -54,10 +53,10 @@ struct Level_cell
     return {n, dot(n, corner[k])};
   }
 
-  // Into the cell, from side k.
+  // Normal of side k, into the cell.
   Point inwards(int k) const { return quarter_turn(direction[k]); }
 
-  // How far inside the cell p is.
+  // Depth of p inside the cell.
   FT depth(const Point& p) const
   {
     return (std::min)({height(0, p), height(1, p), height(2, p)});
@@ -75,7 +74,7 @@ struct Level_cell
     return side_length(2) > side_length(k) ? 2 : k;
   }
 
-  // Gates alternate, and there is an odd number of them on a side exactly if its ends differ.
+  // True if gates alternate and a side has an odd number of them exactly if its ends differ.
   bool is_consistent() const
   {
     bool near = is_near[0];
@@ -90,7 +89,7 @@ struct Level_cell
   }
 
   // Divides the cell from the middle of its longest side to the opposite corner. `crossings(o, u, length, near at o, near at
-  // the end, out)` calls out(t, falling) for the gates on the segment from o; new_id() gives each its number.
+  // the end, out)` calls out(t, falling) for the gates on the segment from o; new_id() returns the number of a new gate.
   template <class Crossings, class New_id>
   std::pair<Level_cell, Level_cell> divided(const Crossings& crossings, const New_id& new_id) const
   {
@@ -108,7 +107,7 @@ struct Level_cell
     second.corner = {p, corner[l], corner[m]};
     second.direction = {direction[k], direction[l], FT(-1) * u};
 
-    // the middle of the side is near as the gates before it say
+    // The preceding gates decide whether the middle of the side is near.
     bool near = is_near[k];
     std::vector<Gate> beyond[2]; // on the other two sides: l, m
     for (const Gate& g : gates)

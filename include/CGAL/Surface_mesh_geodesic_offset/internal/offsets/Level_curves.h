@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pieces of one level so far, and how they make curves: chains of pieces run between gates, and a gate is shared by
-// the two faces beside an edge. So chains are linked by the gates' numbers alone, never by proximity.
+// The pieces of one level, and their curves. Chains of pieces run between gates, and the two faces of an edge share its gates.
+// So chains are linked by the numbers of gates, never by proximity.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CURVES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_CURVES_H
@@ -28,7 +28,7 @@ class Level_curves
 public:
   typedef Level_piece<FT> Piece;
 
-  // A gate, crossed by a chain in each of the two faces beside its edge, or in the one face if it lies on the border.
+  // Adds a gate, which a chain crosses in each of the two faces of its edge, or in one face on the border.
   Index new_gate(bool on_border)
   {
     m_link_at.push_back(no_index);
@@ -36,17 +36,17 @@ public:
     return Index(m_link_at.size() - 1);
   }
 
-  // The second face has come.
+  // Records that the second face of a gate was cut.
   void gate_found()
   {
     CGAL_precondition(m_waiting > 0);
     --m_waiting;
   }
 
-  // Whether all faces that the known curves go through have come.
+  // True if all faces of the known curves were cut.
   bool is_complete() const { return m_waiting == 0; }
 
-  // A chain of pieces between two gates; no_index for a loop.
+  // Adds a chain of pieces between two gates; no_index for a loop.
   void add_chain(Index start, Index end, const Piece* begin_of_pieces, const Piece* end_of_pieces)
   {
     CGAL_precondition((start == no_index) == (end == no_index) && begin_of_pieces != end_of_pieces);
@@ -66,7 +66,7 @@ public:
     m_links.push_back({start, end, Index(first), Index(m_pieces.size())});
   }
 
-  // Calls out(closed, pieces) for each curve; those that start on the border come first.
+  // Calls out(closed, pieces) for each curve, first those that start on the border.
   template <class Function>
   void for_each_curve(const Function& out) const
   {
@@ -103,7 +103,7 @@ private:
     Index first, last; // pieces
   };
 
-  // Neighbouring pieces of one image are one arc, as long as it stays shorter than a half turn.
+  // Neighbouring pieces of one image form one arc while it is shorter than a half turn.
   static bool continues(const Piece& a, const Piece& b)
   {
     if (a.is_straight != b.is_straight || !(a.source_ref == b.source_ref) || a.pseudo_source != b.pseudo_source) return false;
@@ -117,7 +117,7 @@ private:
   std::deque<Piece> m_pieces; // grows without copies
   std::vector<Link> m_links;
   std::vector<Index> m_link_at; // the chain that starts at a gate
-  std::size_t m_waiting = 0;    // gates that only one face has been cut at, yet
+  std::size_t m_waiting = 0;    // gates of which one face was cut so far
 };
 
 } // namespace internal

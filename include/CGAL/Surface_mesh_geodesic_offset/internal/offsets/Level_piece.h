@@ -17,22 +17,21 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A part of an offset curve in one face, in the face's frame: an arc about `center`, counterclockwise, or a segment.
+// A part of an offset curve in one face, in the frame of the face: an arc about `center`, counterclockwise, or a segment.
 //
-// The directions of its ends from the center are the interval of an arc: the tracer orders them by the same side tests by
-// which it ends the piece, so the arc turns by 0 to a half turn. Where rounding has moved an end behind the other one, the
-// piece is a point.
+// The directions of its ends from the center delimit an arc. The tracer orders them by the side tests that end the piece, so
+// the arc turns by 0 to a half turn. If rounding has moved an end behind the other one, the piece is a point.
 template <class FT>
 struct Level_piece
 {
-  Point_in_face<FT> center; // of a segment: unit direction from the source
-  FT radius;                // of a segment: distance of its line from the frame's origin along that direction
+  Point_in_face<FT> center; // for a segment: unit direction from the source
+  FT radius;                // for a segment: distance of its line from the origin along that direction
   Point_in_face<FT> start, end;
   Index face;
   Source_ref source_ref;
   Index pseudo_source; // no_index if none
   bool is_straight;
-  unsigned char start_edge, end_edge; // the halfedge of the face that the end lies on, 3 if it lies inside
+  unsigned char start_edge, end_edge; // halfedge of the face with the end, 3 if the end lies inside
 
   // Distance of a point from the circle or line.
   FT off(const Point_in_face<FT>& p) const
@@ -40,14 +39,14 @@ struct Level_piece
     return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
   }
 
-  // How far the end is ahead of the start: up to the length of the chord, and negative where rounding has moved it behind.
+  // Advance from start to end: at most the length of the chord; negative if rounding has moved the end behind the start.
   FT advance() const
   {
     if (is_straight) return dot(quarter_turn(center), end - start);
     return cross(start - center, end - start) / radius;
   }
 
-  // The point half way between the ends.
+  // Middle between the ends.
   Point_in_face<FT> middle() const
   {
     const Point_in_face<FT> m = FT(0.5) * (start + end), v = m - center;
@@ -55,8 +54,8 @@ struct Level_piece
     return CGAL::is_positive(l) ? center + (radius / l) * v : m;
   }
 
-  // Twice the area of the triangle of the center and the ends of an arc, and the product that goes with it: the tangent of
-  // the turn is the first one divided by the second one.
+  // Numerator and denominator of the tangent of the turn of an arc: twice the area of the triangle of the center and the ends,
+  // and the dot product.
   FT turn_sine() const { return (std::max)(FT(0), FT(cross(start - center, end - center))); }
   FT turn_cosine() const { return dot(start - center, end - center); }
 };

@@ -3,11 +3,11 @@
 //
 // One level inside one face: chains of pieces from gate to gate, and loops.
 //
-// A chain follows an arc while it is visible, goes on with the arc that covers it, or that begins where its cone ends, and
-// ends at the first gate that lies on its arc. Where it meets a side of the cell without a gate, it must turn back along an
-// arc that ties. What is found is accepted if every gate has its chain. Otherwise the cell is divided, with gates on the
-// dividing segment that both parts share. A cell of the size of rounding is crossed straight from gate to gate. So chains
-// always fit together, and what rounding leaves undecided concerns cells of its own size.
+// A chain follows an arc while it is visible, continues with the arc that covers it or that begins where its cone ends, and
+// ends at the first gate on its arc. At a side of the cell without a gate, it must turn back along an arc that ties. The result
+// is accepted if every gate has its chain. Otherwise the cell is divided; both parts share the gates on the dividing segment. A
+// cell of the size of rounding is crossed straight from gate to gate. So chains always fit together, and rounding affects only
+// cells of its own size.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
@@ -40,14 +40,14 @@ public:
   typedef Level_gate<FT> Gate;
   typedef Level_cell<FT> Cell;
 
-  // The face to be cut, the longest edge of the faces round it, and bounds of the levels.
+  // Sets the face, the longest edge of the faces around it, and bounds of the levels.
   void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest, const FT& highest)
   {
     m_arcs.set_face(field, reach, lowest, highest);
   }
 
-  // Calls out(start gate, end gate, pieces) for the chains of pieces that connect all gates, and with no_index for all
-  // loops. `face`: the face as a cell, with its gates.
+  // Calls out(start gate, end gate, pieces) for the chains that connect all gates, and with no_index for all loops. `face`: the
+  // face as a cell, with its gates.
   template <class Function>
   void operator()(const FT& level, const Cell& face, bool search_loops, const Function& out)
   {
@@ -86,16 +86,16 @@ public:
       link(give_out);
   }
 
-  // Cells that were crossed straight although they are larger than rounding: 0, unless a window is missing.
+  // Number of cells that were crossed straight although they are larger than rounding: 0 unless a window is missing.
   std::size_t number_of_forced_joints() const { return m_forced; }
-  // Cells of the size of rounding that were crossed straight.
+  // Number of cells of the size of rounding that were crossed straight.
   std::size_t number_of_crossed_cells() const { return m_crossed; }
 
 private:
   typedef Level_arc<FT> Arc;
 
   static constexpr std::size_t none = std::size_t(-1);
-  static constexpr Index inner_gate = Index(1) << 31; // flag of the number of a gate between cells
+  static constexpr Index inner_gate = Index(1) << 31; // flag of gates between cells
 
   // A part of an arc. It ends where the arc is covered, at the end of the window's cone, at a gate, or at a side of the cell.
   struct Run
@@ -104,7 +104,7 @@ private:
     Point start{FT(0), FT(0)}, end{FT(0), FT(0)};
     FT length = FT(0);
     bool is_covered = false;
-    bool leaves = false; // the cell, where there is no gate
+    bool leaves = false; // leaves the cell where there is no gate
     bool is_valid() const { return arc != none; }
   };
 
@@ -140,7 +140,7 @@ private:
     trace(parts.second, search_loops);
   }
 
-  // The far intervals of the boundary are cut off one by one: every start is joined with the end that follows it.
+  // Cuts off the far intervals of the boundary one by one: joins every start with the end that follows it.
   void cross_straight(const Cell& cell)
   {
     const std::size_t n = cell.gates.size();
@@ -156,7 +156,7 @@ private:
     else ++m_forced;
   }
 
-  // A piece between two gates at the distance of rounding, on the arc that passes nearest to the first one.
+  // A piece between two gates within rounding of each other, on the arc nearest to the first gate.
   Piece straight_piece(const Gate& s, const Gate& e) const
   {
     std::size_t nearest = none;
@@ -170,7 +170,7 @@ private:
     }
     if (nearest != none && least <= m_arcs.tolerances().smallest_cell)
       return piece(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point);
-    // none: a segment, with the smaller distances on the left
+    // Without an arc, a segment with the smaller distances on the left.
     m_arcs.field().distance(s.point, nearest);
     Piece p = piece(m_arcs.field().windows()[nearest], FT(0), s.point, e.point);
     const Point v = e.point - s.point;
@@ -201,7 +201,7 @@ private:
     return false;
   }
 
-  // Chains through all gates of a cell, and loops. False if they do not fit.
+  // Traces chains through all gates of a cell, and loops. Returns false if they do not fit.
   bool walk(const Cell& cell, bool search_loops)
   {
     m_cell = &cell;
@@ -244,7 +244,7 @@ private:
     m_pieces.push_back(piece(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end));
   }
 
-  // How far arc i can be followed in the cell from a point on it. `is_first`: the point is a gate.
+  // The longest run along arc i in the cell from a point on it. `is_first`: the point is a gate.
   Run run_of(std::size_t i, const Point& start, bool is_first) const
   {
     const Arc& a = m_arcs[i];
@@ -253,7 +253,7 @@ private:
     run.start = start;
     run.end = a.end();
     FT farthest = a.advance(start, run.end);
-    // a gate at the start is that of a chain which leaves the cell there before this one enters
+    // A gate at the start belongs to a chain that leaves the cell there before this one enters.
     FT nearest = -(is_first ? tolerance.error : tolerance.tie);
     for (std::size_t g = 0; g < m_cell->gates.size(); ++g)
     {
@@ -269,7 +269,7 @@ private:
     Point end = run.end;
     if (CGAL::is_positive(farthest) && m_arcs.find_covered(i, start, end))
     {
-      // a gate may lie where another arc passes, too
+      // A gate may also lie where another arc crosses.
       if (run.gate == none || a.advance(end, run.end) > tolerance.tie)
       {
         run.gate = none;
@@ -295,12 +295,11 @@ private:
     return run;
   }
 
-  // The next run of a chain, from the end of the last one, or from the gate where the chain starts: of all arcs that pass
-  // there, the one that can be followed farthest. A fan counts only where there is no other, since it ties with the windows
-  // beside its gap; an arc that turns back only if nothing goes ahead: where both sides of a strip are as near to each
-  // other as rounding, each of them passes all points of the other one; the end of a part that is known already only if there
-  // is nothing else: where three arcs meet within rounding, it leads back and forth between two of them; and last an arc that
-  // meets a side without a gate: the strip between it and the next arc is as narrow as rounding there, so the chain turns back.
+  // The next run of a chain, from the end of the last one or from the starting gate: of all arcs through that point, the one
+  // with the longest run. Arcs of lower rank are used only if no other arc continues. A fan ties with the windows beside its
+  // gap. An arc that turns back appears where both sides of a strip are within rounding, and each passes all points of the
+  // other. The end of a known part leads back and forth where three arcs meet within rounding. Last comes an arc that meets a
+  // side without a gate: the strip up to the next arc is as narrow as rounding there, so the chain turns back.
   Run best_run(const Run& last, const Point& p) const
   {
     Run best;
@@ -321,15 +320,15 @@ private:
     return best;
   }
 
-  // Does a run go back along the last one and end where this ends, too? The arcs of coincident segments of sources tie so.
+  // True if a run goes back along the last one and ends at its end. The arcs of coincident source segments tie this way.
   bool repeats(const Run& last, const Run& run) const
   {
     return last.is_covered && run.gate == none && length(run.end - last.end) <= m_arcs.tolerances().tie &&
            length(run.start - last.end) > m_arcs.tolerances().tie;
   }
 
-  // Where a covered run goes over to arc i. The run ends where another arc is nearer by the cover; where both tie is
-  // before, and there the other arc is visible. A run that starts behind that is a point.
+  // The point where a covered run continues with arc i. The run ends where another arc is nearer by the cover tolerance. Both
+  // arcs tie before that point, where the other arc is visible. A run that starts behind the joint is a point.
   Point joint(const Run& run, std::size_t i) const
   {
     const Arc& a = m_arcs[run.arc];
@@ -339,9 +338,9 @@ private:
     return !CGAL::is_negative(a.advance(enter, run.start)) && m_arcs.passes(i, run.start) ? run.start : run.end;
   }
 
-  // Loops that touch no side of the cell: round a source inside, or round a place where the distance is largest. All of an
-  // arc that is visible in the cell belongs to a chain or to a loop. What is visible changes only where other arcs and the
-  // sides of the cell meet the arc: so one point between any two such places is enough.
+  // Traces loops that touch no side of the cell, around a source or a maximum. Each visible part of an arc in the cell belongs
+  // to a chain or a loop. Visibility changes only where other arcs and sides of the cell meet the arc, so one point between
+  // consecutive such points is tested.
   bool walk_loops()
   {
     for (std::size_t i = 0; i < m_arcs.size(); ++i)
@@ -377,11 +376,11 @@ private:
     return true;
   }
 
-  // A loop through a point of an arc, if there is one. False if it is lost on the way.
+  // Traces the loop through a point of an arc, if there is one. Returns false if it cannot be closed.
   bool walk_loop(std::size_t i, const Point& start)
   {
     const FT& tie = m_arcs.tolerances().tie;
-    // a loop may run along the sides, with all its corners on them up to rounding, but not all of it
+    // A loop may have all corners on the sides up to rounding, but must lie inside somewhere.
     FT deepest = m_cell->depth(start);
     if (deepest < -tie) return true;
     bool is_known = false;
@@ -403,8 +402,8 @@ private:
       if (known != none)
       {
         if (is_outside()) return true;
-        if (known < first_followed) return false; // a chain that came from somewhere else goes on here
-        // back on this chain, maybe behind where it started
+        if (known < first_followed) return false; // another chain continues here
+        // The walk is back on this chain, possibly behind its start.
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
@@ -425,7 +424,7 @@ private:
     return is_outside();
   }
 
-  // Does the loop whose pieces begin at `first` run to and fro along one arc, up to a tie? Then a piece runs backwards.
+  // True if the loop whose pieces begin at `first` runs to and fro along one arc, up to a tie. A piece runs backward then.
   bool encloses_nothing(std::size_t first) const
   {
     const auto begin = m_pieces.begin() + std::ptrdiff_t(first);
@@ -437,7 +436,7 @@ private:
                        [&](const Piece& p) { return longest.off(p.start) <= tie && longest.off(p.middle()) <= tie; });
   }
 
-  // Parts of arcs that chains of the cell follow.
+  // A part of an arc that a chain of the cell follows.
   struct Followed
   {
     Point start, end;
@@ -453,9 +452,9 @@ private:
     return false;
   }
 
-  // The number of a part that the run shares with a chain; none if there is none. Where a chain changes arcs, it may go back
-  // and forth within a tie: a run that starts so near to the end of a longer part does not share it. A part without extent,
-  // where a chain starts and ends at one point, shares nothing.
+  // Index of a part that the run shares with a chain; none if there is none. Where a chain changes arcs, it may go back and
+  // forth within a tie: a run that starts near the end of a longer part does not share it. A part without extent, where a chain
+  // starts and ends at one point, is never shared.
   std::size_t followed_by(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
@@ -472,8 +471,8 @@ private:
     return none;
   }
 
-  // Is the run the end of a part that the chains of the cell follow, of which the longer half is behind? A loop that comes back
-  // to its first part finds the beginning of it.
+  // True if the run lies in the second half of a part that chains of the cell follow. A loop that closes reaches the first half
+  // of its first part.
   bool is_known_end(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];
@@ -488,15 +487,15 @@ private:
 
   auto pieces_at(std::size_t i) const { return m_pieces.begin() + std::ptrdiff_t(i); }
 
-  // Joins the chains of cells at the gates between them, and calls out(start, end) for each with its pieces in m_chain.
+  // Joins the chains of cells at the gates between them. Calls out(start, end) for each, with its pieces in m_chain.
   template <class Function>
   void link(const Function& out)
   {
-    std::map<Index, std::size_t> chain_at; // by the start
+    std::map<Index, std::size_t> chain_at; // by start gate
     for (std::size_t i = 0; i < m_chains.size(); ++i)
       if (is_inner(m_chains[i].start)) chain_at.emplace(m_chains[i].start, i);
     std::vector<char> done(m_chains.size(), 0);
-    for (const bool is_loop : {false, true}) // chains from gates of the face first
+    for (const bool is_loop : {false, true}) // first the chains from gates of the face
       for (std::size_t i = 0; i < m_chains.size(); ++i)
       {
         if (done[i] || (!is_loop && is_inner(m_chains[i].start))) continue;
@@ -516,7 +515,7 @@ private:
 
   static bool is_same(const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; }
 
-  // Whether each piece of m_chain ends where the next one starts.
+  // True if each piece of m_chain ends where its successor starts.
   bool are_joined() const
   {
     for (std::size_t i = 1; i < m_chain.size(); ++i)
@@ -526,7 +525,7 @@ private:
 
   static bool is_inner(Index gate) { return gate != no_index && (gate & inner_gate) != 0; }
 
-  // Short pieces become part of a neighbour that passes both of their ends; pieces without extent in any case.
+  // Merges short pieces into a neighbour that passes through both of their ends, and removes pieces without extent.
   void drop_points()
   {
     const Offset_tolerances<FT>& t = m_arcs.tolerances();
@@ -547,15 +546,15 @@ private:
 
   Level_arcs<FT> m_arcs;
   Near_intervals<FT> m_near; // on segments between cells
-  Cell m_face; // its gates are numbered as they come
+  Cell m_face; // its gates are numbered in their order
   const Cell* m_cell = nullptr;
-  std::vector<char> m_is_used; // the gates of the cell that are ends of chains
+  std::vector<char> m_is_used; // per gate of the cell: true if a chain ends there
   std::vector<Point> m_events; // on an arc
   std::vector<Followed> m_followed;
   std::vector<std::size_t> m_last_followed; // per arc
   std::vector<Chain> m_chains;
   std::vector<Piece> m_pieces; // of the chains
-  std::vector<Piece> m_chain;  // being given out
+  std::vector<Piece> m_chain;  // of the chain in output
   Index m_inner_gates = 0;
   int m_divisions = 0; // of the face
   std::size_t m_forced = 0, m_crossed = 0;

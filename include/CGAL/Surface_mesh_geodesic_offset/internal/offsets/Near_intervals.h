@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the distance along a straight segment is less than a level: the union of one interval per window. The segment is an
-// edge, or it divides a face.
+// The intervals of a straight segment where the distance is less than a level: the union of one interval per window. The
+// segment is an edge, or it divides a face.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_NEAR_INTERVALS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_NEAR_INTERVALS_H
@@ -28,7 +28,7 @@ class Near_intervals
 public:
   typedef Point_in_face<FT> Point;
 
-  // `reach`: the longest edge of the faces round the segment.
+  // `reach`: longest edge of the faces around the segment.
   void start(const FT& length, const FT& reach, const FT& level)
   {
     CGAL_precondition(CGAL::is_positive(length));
@@ -42,15 +42,15 @@ public:
   const FT& length() const { return m_length; }
   const FT& level() const { return m_level; }
 
-  // Points up to the distance r from an end of the segment.
+  // Adds the points up to the distance r from an end of the segment.
   void add_end(bool is_source, const FT& r)
   {
     if (is_source) add(FT(0), r, r);
     else add(m_length - r, m_length, r);
   }
 
-  // The distance is less than the level from lo to hi, by `depth` at most. As it is 1-Lipschitz, it is less beyond each end by
-  // as far as it falls short of the level there (d_lo, d_hi). This closes the gaps that rounding leaves between neighbouring
+  // Adds the interval [lo, hi], where the distance is below the level by at most `depth`. As the distance is 1-Lipschitz, the
+  // interval is extended at each end by the depth there (d_lo, d_hi), which closes gaps of rounding between neighbouring
   // windows. `reversed`: lo and hi count from the other end of the segment.
   void add(FT lo, FT hi, const FT& d_lo, const FT& d_hi, const FT& depth, bool reversed)
   {
@@ -60,7 +60,7 @@ public:
     add_whole(lo, hi, depth, reversed);
   }
 
-  // A window of a list, on its own halfedge.
+  // Adds a window of a list, on its own halfedge.
   void add_window(const Window<FT>& w, bool reversed)
   {
     FT lo = w.b0, hi = w.b1;
@@ -68,12 +68,12 @@ public:
       add(lo, hi, lo == w.b0 ? w.d0 : m_level, hi == w.b1 ? w.d1 : m_level, depth([&] { return FT(m_level - minimum(w)); }), reversed);
   }
 
-  // A window in a face, on the segment from o in the unit direction u.
+  // Adds a window in a face, on the segment from o in the unit direction u.
   void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
   {
-    // from a point of the face, all straight paths are valid, and the rounding of a ray along the segment does not matter
+    // From a point of the face all straight paths are valid, so rounding of a ray along the segment does not matter.
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed, FT(0), m_length);
-    // from the ends of a segment of the source, too: rounding may leave an edge that is at right angles to it beside its strips
+    // Add the ends of a source segment as points too: rounding may leave a perpendicular edge at an end beside its strips.
     if (w.origin >= STARTS_IN_FACE)
       for (const Point& end : {w.left, w.right}) add_disk(end, m_level, o, u, reversed, FT(0), m_length);
     add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
@@ -88,18 +88,17 @@ public:
         add(lo, hi, d_lo, d_hi, depth([&] { return FT(m_level - lowest()); }), reversed);
       }
     });
-    // A ray may run along the segment. Up to the slack beside the cone a path bends at the end of the chord: the straight one is
-    // none, and in a narrow corner it is shorter by much more than the slack.
+    // A ray may run along the segment. Within the slack beside the cone, paths bend at the end of the chord; the straight one
+    // is not valid, and much shorter than they are in a narrow corner.
     add_cone(w, o, u, Offset_tolerances<FT>::ray_slack(m_length), [&](const FT& from, const FT& to) {
       for (const Point& bend : {w.left, w.right}) add_disk(bend, FT(m_level - w.distance_at(bend)), o, u, reversed, from, to);
     });
   }
 
-  // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length: alternately from
-  // far to near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are left out, and so are intervals up to
-  // longest_shallow_interval() where the distance is less than the level by no more than half of interval_gap(). The ends of the
-  // segment are near exactly if the caller says so, whatever the intervals are; so the number of calls is odd exactly if both ends
-  // differ.
+  // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length, alternately from far to
+  // near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are dropped, and so are intervals up to
+  // longest_shallow_interval() whose depth is at most half of interval_gap(). The caller decides whether the ends of the
+  // segment are near, so the number of calls is odd exactly if they differ.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
   {
@@ -136,7 +135,7 @@ private:
   struct Interval
   {
     FT first, last;
-    FT depth; // the largest level less distance in it
+    FT depth; // largest value of level minus distance
     friend bool operator<(const Interval& a, const Interval& b)
     {
       return a.first < b.first || (!(b.first < a.first) && a.last < b.last);
@@ -145,7 +144,7 @@ private:
 
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  // Depths are needed to tell what rounding leaves open: exact numbers have none.
+  // Depths decide what rounding leaves open; exact numbers have none.
   template <class Function>
   static FT depth(const Function& f)
   {
@@ -153,7 +152,7 @@ private:
     else return FT(0);
   }
 
-  // Whether the level just touches the segment, in an interval of the given width.
+  // True if the level only touches the segment, in an interval of the given width.
   bool is_shallow(const FT& width, const FT& depth) const
   {
     if (!(width > m_gap)) return true;
@@ -169,7 +168,7 @@ private:
     else add(lo, hi, depth);
   }
 
-  // The part of [lo, hi] in the disk of radius r about c.
+  // Adds the part of [lo, hi] in the disk of radius r about c.
   void add_disk(const Point& c, const FT& r, const Point& o, const Point& u, bool reversed, FT lo, FT hi)
   {
     if (!cut_near_part(c, r, o, u, lo, hi)) return;
@@ -177,7 +176,7 @@ private:
     add_whole(lo, hi, depth([&] { return FT(r - internal::length(c - nearest())); }), reversed);
   }
 
-  // Cuts [lo, hi] down to where the distance of an image (x : y : w), in the frame of the segment, is less than r.
+  // Clips [lo, hi] to the part where the distance from an image (x : y : w), in the frame of the segment, is less than r.
   static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
   {
     if (parallel)
@@ -196,15 +195,15 @@ private:
     return lo < hi;
   }
 
-  // The same for the distance from a point, on the segment from o in the unit direction u.
+  // Overload for the distance from a point, on the segment from o in the unit direction u.
   static bool cut_near_part(const Point& c, const FT& r, const Point& o, const Point& u, FT& lo, FT& hi)
   {
     const Point v = c - o;
     return cut_near_part(false, dot(v, u), cross(u, v), r, lo, hi);
   }
 
-  // Calls f(lo, hi) for the part of the segment that a window's rays reach, or pass within the slack. A source may lie along the
-  // segment, which is then in front of it up to rounding.
+  // Calls f(lo, hi) for the part of the segment reached by a window's rays, or passed within the slack. A source along the
+  // segment is in front of it up to rounding.
   template <class Function>
   void add_cone(const Face_window<FT>& w, const Point& o, const Point& u, const FT& slack, const Function& f) const
   {
@@ -213,14 +212,14 @@ private:
     if (!clip(-cross(l, o - w.left), -cross(l, u), slack * internal::length(l), lo, hi)) return;
     if (!clip(cross(r, o - w.right), cross(r, u), slack * internal::length(r), lo, hi)) return;
     if (w.is_parallel() && (is_inexact || w.origin == STARTS_IN_FACE))
-    { // in front of the source, or of the chord: up to rounding, rays along the chord pass points behind it, too
+    { // in front of the source or chord; by rounding, rays along the chord pass points behind it
       const FT nearest = w.origin == STARTS_IN_FACE ? FT(0) : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
       if (!clip(w.distance_at(o) - nearest, -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi)) return;
     }
     f(lo, hi);
   }
 
-  // Cuts [lo, hi] down to where a + b t >= -allowance.
+  // Clips [lo, hi] to the part where a + b t >= -allowance.
   static bool clip(const FT& a, const FT& b, const FT& allowance, FT& lo, FT& hi)
   {
     const FT g0 = a + b * lo + allowance, g1 = a + b * hi + allowance;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Offset curves of a build, as the public classes pass them on: during the propagation, or afterwards.
+// Offset curves of a build for the public classes: during the propagation, or after it.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_CUTTING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_CUTTING_H
@@ -61,7 +61,7 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   typedef Number_policy<typename Surface::Number> Policy;
-  // levels nearer to each other than rounding would never end
+  // Levels with a spacing within rounding would never end.
   if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * mesh.unfolded().longest_edge())
     throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
                                 "distances");
@@ -70,8 +70,8 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, levels, selection, std::move(inside), f);
 }
 
-// Consumer of finished faces that cuts the levels in them. Calls out(level index, Level_curves) for each level that has curves,
-// as soon as it is finished.
+// Consumer of finalized faces that cuts the levels in them. Calls out(level index, Level_curves) for each finished level with
+// curves.
 template <class FT, class Function>
 class Level_cutter
 {
@@ -101,7 +101,7 @@ public:
     m_seconds_within_propagation += seconds_since(start);
   }
 
-  // Releases the curves up to the distance that the propagation has reached.
+  // Releases the curves up to the distance of the propagation.
   void finish(const FT& distance, Geodesic_offset_statistics& statistics)
   {
     m_extraction.release_all(distance, m_out);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 5 of the pipeline: offset curves from finished faces. Each face yields chains of pieces between gates, the
-// crossings of a level with its edges. A level whose faces are all finished is given out and released.
+// Step 5 of the pipeline: offset curves from finalized faces. Each face yields chains of pieces between gates, the crossings of
+// a level with its edges. A level is passed on and released when all its faces are finalized.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_EXTRACTION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_EXTRACTION_H
@@ -43,7 +43,7 @@ public:
   {
   }
 
-  // Cuts finished faces, each once, at all levels that pass through them. Curves are the same whoever is in the team.
+  // Cuts finalized faces, each once, at all levels that cross them. Curves do not depend on the threads.
   template <class Team>
   void cut(const std::vector<Index>& faces, Team& team)
   {
@@ -60,8 +60,8 @@ public:
     cut_crossed(team);
   }
 
-  // Gives out the levels that are finished if all faces with points nearer than `settled` have been cut: calls
-  // out(level index, curves) with Level_curves, for each level that has any, by increasing level.
+  // Passes on the levels that are finished when all faces with points nearer than `settled` are cut: calls out(level index,
+  // Level_curves) for each level with curves, by increasing level.
   template <class Function>
   void release(const FT& settled, const Function& out)
   {
@@ -73,7 +73,7 @@ public:
     }
   }
 
-  // Gives out all levels that are left up to a distance, once all faces have been cut.
+  // Passes on all remaining levels up to a distance, when all faces are cut.
   template <class Function>
   void release_all(const FT& maximum, const Function& out)
   {
@@ -97,10 +97,10 @@ public:
 
 private:
   typedef std::map<std::size_t, Level_curves<FT>> Curves_of_levels;
-  typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by the halfedge of the first face
+  typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by halfedge of the first face
 
   static constexpr Index no_turn = no_index;
-  static constexpr std::size_t worthwhile = 16; // levels in faces: less takes no longer than others need to notice it
+  static constexpr std::size_t worthwhile = 16; // levels in faces; the wake-up of other threads costs more than fewer
 
   struct Crossed_face
   {
@@ -137,15 +137,15 @@ private:
     m_crossed.clear();
   }
 
-  // Whether the face of a halfedge is cut before the one on the other side.
+  // True if the face of a halfedge is cut before the face on the other side.
   bool is_first_at(Index h) const
   {
     const Index g = m_mesh.twin(h);
     return g == no_index || m_turn[m_mesh.face(h)] < m_turn[m_mesh.face(g)];
   }
 
-  // The gates of a face, of crossings found now or when the face on the other side was cut: what was not found then is not
-  // there. Faces come in their turns.
+  // Numbers the gates of a face, from crossings of this face or of the neighbour that was cut before. Only the first face of an
+  // edge finds crossings. Faces come in their order of turns.
   void number_gates(Face_cut<FT>& cut)
   {
     for (int k = 0; k < 3; ++k)
@@ -167,7 +167,7 @@ private:
     }
   }
 
-  // Takes the crossings, and gives memory for others.
+  // Stores the crossings, and returns reusable memory for others.
   void keep_waiting(Index h, std::vector<Crossing<FT>>& crossings)
   {
     if (m_spare.empty())
@@ -197,15 +197,15 @@ private:
   const Vertex_reach<FT> m_reach;
   const Offset_levels<FT>& m_levels;
   const FT m_maximum;
-  std::vector<Index> m_turn; // of each face: in which order they are cut
+  std::vector<Index> m_turn; // per face: its turn
   Index m_next_turn = 0;
-  std::vector<Crossed_face> m_crossed;                       // the next ones to be cut
-  std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // of each worker
-  std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // of each face at once
+  std::vector<Crossed_face> m_crossed;                       // to be cut next
+  std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
+  std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
   std::vector<typename Waiting_crossings::node_type> m_spare;
-  Curves_of_levels m_curves;          // of the levels that are not finished
-  std::size_t m_number_of_pieces = 0; // given out
+  Curves_of_levels m_curves;          // of unfinished levels
+  std::size_t m_number_of_pieces = 0; // passed on
 };
 
 } // namespace internal

@@ -31,7 +31,7 @@ struct Offset_selection
 
   bool is_everything() const { return side == Offset_side::BOTH && end == Offset_end::ROUND; }
 
-  // Whether it needs the inner sides of closed polylines.
+  // True if the inner sides of closed polylines are needed.
   bool needs_inner_sides() const { return side == Offset_side::INSIDE || side == Offset_side::OUTSIDE; }
 };
 

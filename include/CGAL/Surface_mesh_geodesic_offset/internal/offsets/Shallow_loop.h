@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Closed curves round a place where the distance is largest, but larger than the level by no more than rounding can tell,
-// and open curves that cut off such a vertex of the border: a level that just touches such a place is cut as a loop about it.
+// Closed curves around a maximum that equals the level up to rounding, and open curves that cut off such a vertex of the
+// border. They arise where a level only touches a maximum.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SHALLOW_LOOP_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SHALLOW_LOOP_H
@@ -30,8 +30,8 @@ public:
 
   explicit Shallow_loop(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh), m_edge(mesh.mean_edge_length()) {}
 
-  // Is the curve such a loop? The distance inside is at most the rise of each piece's function; so this is certain. An open
-  // curve is one if it cuts off such a vertex of the border.
+  // True if the curve is such a loop, or an open curve that cuts off such a vertex. The distance inside is at most the rise of
+  // each piece's function, so the result is certain.
   bool operator()(bool closed, const Pieces& pieces, const FT& level) const
   {
     FT sum(0);
@@ -42,8 +42,8 @@ public:
     const Index v = closed ? faces.size() > 2 ? common_vertex(faces) : no_index
                            : vertex_cut_off(pieces.front(), pieces.back());
     if ((!closed || faces.size() > 2) && !is_common(v, faces)) return false; // more than one vertex inside
-    if (CGAL::is_positive(signed_area(pieces, faces, v))) return false; // round a source
-    // the distance rises by no more than half the length
+    if (CGAL::is_positive(signed_area(pieces, faces, v))) return false; // around a source
+    // The distance rises by at most half the length.
     const FT most = Offset_tolerances<FT>::shallow_rise(magnitude);
     return (closed && sum <= FT(2) * most) || rise(pieces, faces, v) <= most;
   }
@@ -51,8 +51,8 @@ public:
 private:
   typedef Point_in_face<FT> Point;
 
-  // An upper bound of the rise of the distance inside. In each face, of the piece whose function rises least: it is convex,
-  // so it is largest at the ends of the pieces of the face, or at the vertex that the loop surrounds.
+  // Upper bound of the rise of the distance inside: per face, that of the piece whose function rises least. The function is
+  // convex, so its maximum is at an end of a piece of the face, or at the vertex inside the loop.
   FT rise(const Pieces& pieces, const std::vector<Index>& faces, Index v) const
   {
     FT result(0);
@@ -90,8 +90,8 @@ private:
     return faces;
   }
 
-  // Twice the area of the polygon of all ends of pieces; positive if the loop runs counterclockwise, with the smaller
-  // distances inside. In each face it is counted from the vertex v, or, in two faces, from a point on their common edge.
+  // Twice the area of the polygon of all ends of pieces; positive if the loop runs counterclockwise, with the smaller distances
+  // inside. In each face it is relative to the vertex v or, in two faces, to a point on their common edge.
   FT signed_area(const Pieces& pieces, const std::vector<Index>& faces, Index v) const
   {
     FT area(0);
@@ -119,8 +119,8 @@ private:
     return no_index;
   }
 
-  // The vertex that the border edges of both ends of an open curve share. Along the border, which has the surface on its left,
-  // the curve starts before the vertex and ends behind it.
+  // The common vertex of the border edges at both ends of an open curve. Along the border, with the surface on its left, the
+  // curve starts before the vertex and ends behind it.
   Index vertex_cut_off(const Piece& first, const Piece& last) const
   {
     if (first.start_edge > 2 || last.end_edge > 2) return no_index;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of a curve that belong to the chosen side of the sources.
+// The parts of a curve on the selected side of the sources.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SIDE_SELECTION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_SIDE_SELECTION_H
@@ -24,7 +24,7 @@ namespace internal {
 class Side_selection
 {
 public:
-  // `inside`: of closed polylines, which side is the inner one; needed where the selection asks for it.
+  // `inside`: inner side per closed polyline; needed only by selections that use it.
   Side_selection(const Offset_selection& selection, const std::vector<Source_primitive>& primitives,
                  std::map<Index, Source_side> inside)
     : m_selection(selection), m_primitives(primitives), m_inside(std::move(inside))
@@ -49,7 +49,7 @@ public:
     }
   }
 
-  // Calls out(closed, pieces) for the longest parts of a curve that belong to the selection and are longer than `shortest`.
+  // Calls out(closed, pieces) for each maximal part of a curve in the selection that is longer than `shortest`.
   template <class FT, class Function>
   void operator()(const FT& shortest, bool closed, std::vector<Level_piece<FT>>&& pieces, const Function& out) const
   {
@@ -59,7 +59,7 @@ public:
       out(closed, std::move(pieces));
       return;
     }
-    // a closed curve is taken from behind a piece that is not wanted
+    // A closed curve starts behind a piece outside the selection.
     if (closed) std::rotate(pieces.begin(), std::find_if_not(pieces.begin(), pieces.end(), is_wanted), pieces.end());
     for (auto first = pieces.begin(); first != pieces.end();)
     {

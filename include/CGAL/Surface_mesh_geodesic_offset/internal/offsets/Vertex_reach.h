@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The size of the faces round a place. The coordinates of windows have the rounding of the largest face that they have come
-// through: beside a face of size 1, those in a face of size 1e-7 are exact to 1e-16, not to 1e-23.
+// The size of the faces around a place. The coordinates of windows have the rounding of the largest face on their path: next to
+// a face of size 1, those in a face of size 1e-7 are exact to 1e-16, not to 1e-23.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_VERTEX_REACH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_VERTEX_REACH_H
@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Per vertex, the longest edge of the faces round it. With exact numbers all is zero: there is no rounding.
+// Per vertex, the longest edge of the faces around it. Zero for exact numbers, which have no rounding.
 template <class FT>
 class Vertex_reach
 {
@@ -35,10 +35,10 @@ public:
     }
   }
 
-  // Of the faces round the ends of an edge.
+  // Longest edge of the faces around the ends of an edge.
   FT of_edge(Index h) const { return (std::max)(at(m_mesh->source(h)), at(m_mesh->target(h))); }
 
-  // Of the faces round the corners of a face.
+  // Longest edge of the faces around the corners of a face.
   FT of_face(Index f) const { return (std::max)(of_edge(3 * f), at(m_mesh->source(3 * f + 2))); }
 
 private:

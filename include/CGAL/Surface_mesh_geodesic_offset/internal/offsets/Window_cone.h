@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of a window's geometry that all levels in a face share: half-planes and unit directions of its bounding rays,
-// the bounding box of the part of the face that its rays reach, and the largest distance there.
+// Geometry of a window that is common to all levels in a face: half-planes and unit directions of its bounding rays, the
+// bounding box of the part of the face in its cone, and the largest distance there.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_WINDOW_CONE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_WINDOW_CONE_H
@@ -56,7 +56,7 @@ public:
   // Unit vectors along the bounding rays.
   const Point& left_direction() const { return m_left_direction; }
   const Point& right_direction() const { return m_right_direction; }
-  // Bounds of the part of the face in the cone, and whether the distances there may be as large as a level.
+  // Bounding box of the part of the face in the cone, and a test whether distances there reach a level.
   const Box_in_face<FT>& box() const { return m_box; }
   bool reaches(const FT& level) const { return CGAL::possibly(Estimate(m_highest) >= estimate(level)); }
 
@@ -92,11 +92,11 @@ private:
     for (int i = 0; i < n; ++i) add(polygon[i], w);
   }
 
-  // Where a function that is linear from a to b, on both sides of zero, is zero, from 0 to 1.
+  // Zero of a linear function between a and b, which have different signs, as a fraction from 0 to 1.
   static Estimate crossing(const Estimate& a, const Estimate& b)
   {
     const Estimate t = a / (a - b);
-    if constexpr (Estimates::leaves_open) return Estimate((std::max)(0., t.inf()), (std::min)(1., t.sup())); // no NaN either
+    if constexpr (Estimates::leaves_open) return Estimate((std::max)(0., t.inf()), (std::min)(1., t.sup())); // also excludes NaN
     else return t;
   }
 
