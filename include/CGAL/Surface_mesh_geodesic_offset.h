@@ -630,10 +630,10 @@ public:
   Face_location locate(const Point_3& p, const FT& tolerance) const { return m_mesh.locate(p, tolerance); }
 
   /// forwards to `Geodesic_mesh::locate()`.
-  Face_location locate(const Ray_3& r) const { return m_mesh.locate(r); }
+  std::optional<Face_location> locate(const Ray_3& r) const { return m_mesh.locate(r); }
 
   /// Overload with a tolerance.
-  Face_location locate(const Ray_3& r, const FT& tolerance) const { return m_mesh.locate(r, tolerance); }
+  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const { return m_mesh.locate(r, tolerance); }
 
   /// forwards to `Geodesic_mesh::locate_with_distance()`.
   std::pair<Face_location, FT> locate_with_distance(const Point_3& p) const { return m_mesh.locate_with_distance(p); }

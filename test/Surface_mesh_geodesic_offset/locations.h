@@ -37,6 +37,20 @@ public:
     return {{source(h, mesh_), target(h, mesh_), target(next(h, mesh_), mesh_)}};
   }
 
+  /// The point with given weights at the soup's corners of a triangle. `Mesh_of_soup` has the vertices and faces of the mesh in the
+  /// order of the soup.
+  template <class Mesh_of_soup>
+  Face_location in_triangle(const Mesh_of_soup& data, const Soup& soup, std::size_t triangle,
+                            const Barycentric_coordinates& weights) const
+  {
+    Face_location result(data.faces[triangle], {{0, 0, 0}});
+    const auto c = corners(result.first);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (c[k] == data.vertices[soup.triangles[triangle][j]]) result.second[k] = weights[j];
+    return result;
+  }
+
   /// Vertices with nonzero weight: one at a vertex, two on an edge, three in a face.
   std::vector<std::pair<vertex_descriptor, double>> support(const Face_location& location) const
   {

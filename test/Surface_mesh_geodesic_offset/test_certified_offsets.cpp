@@ -113,7 +113,7 @@ void check_ours(Case& c, double d)
   ++number_of_offsets;
   CHECK_DETAIL(own.bounds_region, c.name);
   CHECK_DETAIL(own.tolerance <= own_tolerance * c.diagonal, values(d, own.tolerance / c.diagonal));
-  CHECK(own.number_of_reversed_curves == 0 && own.first_reversed_curve == Certificate::no_curve);
+  CHECK(own.number_of_reversed_curves == 0 && !own.first_reversed_curve);
   worst_of_ours = (std::max)(worst_of_ours, own.tolerance / c.diagonal);
   for (const auto& curve : curves)
     CHECK_DETAIL(deviation(c.enclosure, curve, d) <= own.tolerance, values(d, own.tolerance));
@@ -142,7 +142,7 @@ void check_interpolation(Case& c, double d, bool has_points)
       least = (std::max)({least, b.first - d, d - b.second});
     }
   CHECK_DETAIL(other.tolerance >= least, values(other.tolerance, least));
-  CHECK(other.limit != Limit::NONE && other.location.first != Surface_mesh::null_face());
+  CHECK(other.limit != Limit::NONE && other.location);
   if (has_points) least_of_interpolation = (std::min)(least_of_interpolation, other.tolerance / c.diagonal);
 }
 
@@ -229,7 +229,7 @@ void near_the_farthest_point()
     // no curve: the region is the surface
     const std::vector<Polyline> none;
     const Certificate whole = c.enclosure.certify_offset(0.8 * largest, none);
-    CHECK(whole.bounds_region && whole.limit == Limit::REGION_TOO_FAR && whole.curve == Certificate::no_curve);
+    CHECK(whole.bounds_region && whole.limit == Limit::REGION_TOO_FAR && !whole.curve);
     CHECK_DETAIL(std::abs(whole.tolerance - 0.2 * largest) <= 1e-11 * c.diagonal, values(whole.tolerance, 0.2 * largest));
     const auto bounds = c.enclosure.distance_bounds(whole.location);
     CHECK_DETAIL(largest - bounds.first <= 1e-6 * c.diagonal, values(largest, bounds.first));
@@ -378,7 +378,7 @@ void faults()
     bad[i].is_closed = false; // the last segment
     Certificate found = c.enclosure.certify_offset(d, bad);
     CHECK(!found.bounds_region && found.limit == Limit::OPEN_END && found.curve == i && found.tolerance == infinity);
-    CHECK(found.location.first != Surface_mesh::null_face());
+    CHECK(found.location);
 
     bad = good; // a loop
     bad.erase(bad.begin() + std::ptrdiff_t(i));
@@ -456,7 +456,7 @@ void no_region_and_other_sources()
   }
   loop.is_closed = true;
   const Certificate found = c.enclosure.certify_offset(0.3, std::vector<Polyline>{loop});
-  CHECK(!found.bounds_region && found.limit == Limit::NO_REGION && found.location.first != Surface_mesh::null_face());
+  CHECK(!found.bounds_region && found.limit == Limit::NO_REGION && found.location);
   CHECK(c.enclosure.certify_offset(0.3, std::vector<Polyline>{loop, loop}).bounds_region);
 
   // two sources, and the loop of one of them is missing

@@ -105,7 +105,7 @@ public:
           CHECK(piece.source_part() < path.locations.size());
           CHECK(piece.is_arc() || piece.length() <= 1e-12 * diagonal_ ||
                 piece.is_nearest_to_segment());
-          if (piece.pseudo_source() != test::Surface_mesh::null_vertex())
+          if (piece.pseudo_source())
             bent_length += piece.length();
           // rounding of the points of a polyline may bend it by about 1e-11, which creates arcs of such lengths
           arcs += piece.is_arc() && piece.length() > 1e-11 * diagonal_ ? 1 : 0;

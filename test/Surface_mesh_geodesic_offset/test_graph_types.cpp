@@ -77,14 +77,8 @@ std::vector<double> distances(const Numbered<Graph>& data, const Soup& soup, uns
   Random random(seed);
   Geodesic geodesic(data.graph, np);
   const Locations<Graph> locations(data.graph);
-  const auto location = [&](std::size_t triangle, const std::array<double, 3>& weights)
-  {
-    typename Geodesic::Face_location result(data.faces[triangle], {{0, 0, 0}});
-    const auto corners = locations.corners(data.faces[triangle]);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (corners[k] == data.vertices[soup.triangles[triangle][j]]) result.second[k] = weights[j];
-    return result;
+  const auto location = [&](std::size_t triangle, const std::array<double, 3>& weights) {
+    return locations.in_triangle(data, soup, triangle, weights);
   };
   const auto any_triangle = [&] { return uniform_index(random, soup.triangles.size()); };
   geodesic.add_source_point(data.vertices[uniform_index(random, data.vertices.size())]);

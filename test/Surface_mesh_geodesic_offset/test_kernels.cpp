@@ -285,7 +285,7 @@ void concept_archetype()
   const auto located = geodesic.locate_with_distance(Archetype::Point_3(p.x(), p.y(), p.z()));
   CHECK(located.first == location && located.second < 1e-15);
   const typename Geodesic_here::Ray_3 ray(Archetype::Point_3(0, 0, 9), Archetype::Point_3(p.x(), p.y(), p.z()));
-  CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(ray)), geodesic.distance_to_sources(location));
+  CHECK_CLOSE(worst, geodesic.distance_to_sources(geodesic.locate(ray).value()), geodesic.distance_to_sources(location));
   typename Archetype::Calls other_calls;
   Geodesic_here borders(data.mesh, CGAL::parameters::geom_traits(Archetype(other_calls)));
   CHECK(borders.add_source_boundary().size() == 1 && !borders.add_source_sharp_edges(1));

@@ -253,8 +253,7 @@ private:
 
   void check_piece(const Piece& piece)
   {
-    const auto null_vertex = boost::graph_traits<TriangleMesh>::null_vertex();
-    CHECK(piece.pseudo_source() == null_vertex);
+    CHECK(!piece.pseudo_source());
     CHECK(piece.is_arc() != piece.is_segment());
     CHECK(piece.angle() >= 0 && piece.angle() <= pi + 1e-12);
     CHECK(distance(piece.point_2(0), piece.start_2()) <= 1e-13);

@@ -292,7 +292,7 @@ private:
     const double tolerance = 1e-12 * box_.diagonal();
     const std::size_t n = path.locations.size(), part = piece.source_part();
     CHECK(piece.source() == 0);
-    CHECK(piece.pseudo_source() == test::Surface_mesh::null_vertex());
+    CHECK(!piece.pseudo_source());
     CHECK(piece.is_segment() == piece.is_nearest_to_segment());
     if (!CHECK(part < n)) return;
     const Point_2 p = unfolding_.uv(piece.location(0.5)), a = unfolding_.uv(path.locations[part]),

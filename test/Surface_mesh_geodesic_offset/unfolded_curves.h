@@ -123,7 +123,6 @@ public:
 
   void check(const Offset_curve& curve)
   {
-    const auto null_vertex = boost::graph_traits<typename Geodesic::Triangle_mesh>::null_vertex();
     const std::size_t n = curve.number_of_pieces();
     CHECK(n > 0);
     double length = 0;
@@ -145,10 +144,10 @@ public:
         continue;
       }
       double way_to_center = 0;
-      if (piece.pseudo_source() != null_vertex)
+      if (const auto pseudo_source = piece.pseudo_source())
       {
         CHECK(piece.is_arc());
-        way_to_center = geodesic_.distance_to_sources(piece.pseudo_source());
+        way_to_center = geodesic_.distance_to_sources(*pseudo_source);
       }
       if (piece.is_arc())
       {

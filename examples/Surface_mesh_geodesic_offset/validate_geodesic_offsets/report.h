@@ -49,7 +49,7 @@ public:
     }
     if(c.number_of_reversed_curves != 0)
       line("reversed", std::to_string(c.number_of_reversed_curves),
-           "curves with the region on their right, the first one in line " + std::to_string(m_curves.line(c.first_reversed_curve)));
+           "curves with the region on their right, the first one in line " + std::to_string(m_curves.line(*c.first_reversed_curve)));
   }
 
 private:
@@ -61,13 +61,13 @@ private:
   std::string place(const Certificate& c) const
   {
     std::string text;
-    if(c.location.first != Mesh::null_face())
+    if(c.location)
     {
-      const Point p = CGAL::Polygon_mesh_processing::construct_point(c.location, m_mesh);
+      const Point p = CGAL::Polygon_mesh_processing::construct_point(*c.location, m_mesh);
       text = short_number(p.x()) + ' ' + short_number(p.y()) + ' ' + short_number(p.z());
     }
-    if(c.curve != Certificate::no_curve)
-      text += ", curve in line " + std::to_string(m_curves.line(c.curve));
+    if(c.curve)
+      text += ", curve in line " + std::to_string(m_curves.line(*c.curve));
     return text;
   }
 

@@ -220,11 +220,11 @@ public:
     return {l, Geodesic_offset::internal::square_root<FT>((p - data().surface().point(l)).squared_length())};
   }
 
-  /// the location where a ray meets the surface first; if the ray misses the surface, a location whose face is the null face.
+  /// the location where a ray meets the surface first, if it does.
   /// \throws std::invalid_argument as the overload for points, and if the ray is degenerate.
-  Face_location locate(const Ray_3& r) const { return locate(r, data().locator().default_tolerance()); }
+  std::optional<Face_location> locate(const Ray_3& r) const { return locate(r, data().locator().default_tolerance()); }
   /// Overload with a tolerance.
-  Face_location locate(const Ray_3& r, const FT& tolerance) const { return data().locator().locate(r, tolerance); }
+  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const { return data().locator().locate(r, tolerance); }
   /// @}
 
   /// \name Polylines, Sections and Edges

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -40,9 +41,6 @@ surface, and which tolerance is proven for them.
 template <class FaceLocation>
 struct Geodesic_offset_certificate
 {
-  /// an index that stands for no curve
-  static constexpr std::size_t no_curve = std::size_t(-1);
-
   /// whether the curves bound a region that contains the sources.
   bool bounds_region = false;
   /// the smallest tolerance that is proven: all points that are nearer than the requested distance minus the tolerance are in
@@ -51,17 +49,17 @@ struct Geodesic_offset_certificate
   double tolerance = std::numeric_limits<double>::infinity();
   /// what the tolerance is needed for, or why there is no region.
   Offset_certificate_limit limit = Offset_certificate_limit::NONE;
-  /// where. Its face is null if `limit` is `NONE`.
-  FaceLocation location = FaceLocation();
+  /// the place of the limit, if there is one.
+  std::optional<FaceLocation> location;
   /// the bounds of the distance there, or of the distances of the points near there that were bounded together.
   std::pair<double, double> distance_bounds = {0., 0.};
-  /// the index of the curve, or `no_curve`.
-  std::size_t curve = no_curve;
-  /// the number of curves that have the region on their right somewhere; and the index of the first one, or `no_curve`. They do
+  /// the index of the curve of the limit, if there is one.
+  std::optional<std::size_t> curve;
+  /// the number of curves that have the region on their right somewhere; and the index of the first one. They do
   /// not change the tolerance: the region does not depend on the directions of the curves.
   std::size_t number_of_reversed_curves = 0;
   /// see `number_of_reversed_curves`
-  std::size_t first_reversed_curve = no_curve;
+  std::optional<std::size_t> first_reversed_curve;
 };
 
 } // namespace CGAL

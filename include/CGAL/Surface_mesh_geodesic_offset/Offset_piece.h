@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace CGAL {
 
@@ -181,12 +182,10 @@ public:
   /// `Source_side::CAP` beyond an end of an open polyline.
   Source_side side() const { return m_piece->source_ref.side(); }
 
-  /// the vertex where the shortest paths from the source to the points of the piece bend last; `null_vertex()` if these paths
-  /// are straight.
-  vertex_descriptor pseudo_source() const
+  /// the vertex where the shortest paths from the source to the points of the piece bend last, if they bend.
+  std::optional<vertex_descriptor> pseudo_source() const
   {
-    if (m_piece->pseudo_source == Geodesic_offset::internal::no_index)
-      return boost::graph_traits<Triangle_mesh>::null_vertex();
+    if (m_piece->pseudo_source == Geodesic_offset::internal::no_index) return std::nullopt;
     return m_context->surface->vertex_of[m_piece->pseudo_source];
   }
   /// @}

@@ -314,12 +314,11 @@ private:
     c.bounds_region = r.bounds_region;
     c.tolerance = m_certified_mesh->from_unit(r.excess);
     c.limit = r.limit;
-    c.location.first = boost::graph_traits<Triangle_mesh>::null_face();
     if (r.face != Geodesic_offset::internal::no_index)
       c.location = data().surface().location(
         r.face, {m_certified_mesh->from_unit(r.place.x), m_certified_mesh->from_unit(r.place.y)});
     c.distance_bounds = {m_certified_mesh->from_unit(r.bounds.first), m_certified_mesh->from_unit(r.bounds.second)};
-    c.curve = r.curve;
+    if (r.curve != Geodesic_offset::internal::no_curve) c.curve = r.curve;
     c.number_of_reversed_curves = r.reversed.size();
     if (!r.reversed.empty()) c.first_reversed_curve = r.reversed.front();
     return c;

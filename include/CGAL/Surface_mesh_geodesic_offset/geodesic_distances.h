@@ -36,19 +36,8 @@ sets it up once.
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices}
-    \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D point as value}
-    \cgalParamDefault{`get(boost::vertex_point, tm)`}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{the traits}
-    \cgalParamType{a model of `SurfaceMeshGeodesicOffsetTraits`}
-    \cgalParamDefault{`Surface_mesh_geodesic_offset_traits` with the kernel of the points, or with
-                       `Exact_predicates_inexact_constructions_kernel` if the number type of this kernel has no square roots}
-  \cgalParamNEnd
-  \cgalParamNBegin{edge_length_map, vertex_index_map, face_index_map}
-    \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
+  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
+    \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`; `Geodesic_mesh_type` has the default of the traits}
   \cgalParamNEnd
   \cgalParamNBegin{distance_limit, targets, visitor, relative_tolerance, merging_tolerance, concurrency_tag, verbose}
     \cgalParamDescription{as in `Surface_mesh_geodesic_offset::build()`}
@@ -67,9 +56,8 @@ void geodesic_distances(const TriangleMesh& tm, const Sources& sources, VertexDi
   namespace internal = Geodesic_offset::internal;
   internal::check_named_parameters<internal::Distance_call_parameters, NamedParameters>();
   const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
-  auto build = call.build(call.request());
-  call.propagate(build);
-  internal::write_vertex_distances(call.data(), build, distances);
+  const auto build = call.propagated(call.request());
+  internal::write_vertex_distances(call.data(), *build, distances);
 }
 
 } // namespace CGAL

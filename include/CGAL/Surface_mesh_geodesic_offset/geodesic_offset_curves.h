@@ -48,28 +48,13 @@ The time is that of setting up the mesh, linear in its size, and of
 \tparam OutputIterator an output iterator for `Geodesic_offset_curve_type<TriangleMesh, NamedParameters>`
 \tparam NamedParameters a sequence of named parameters
 \param tm the mesh, which must outlive the curves
-\param sources the sources:
-       a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
-       space, the vertices of one polyline, which is closed if its last point is the first one; a range of edges, which are one
-       source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its own.
-       Locations may have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order.
+\param sources the sources, in each form that `geodesic_distances()` accepts
 \param levels a distance, a range of distances, or an `Offset_levels` object
 \param out the output iterator
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices}
-    \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D point as value}
-    \cgalParamDefault{`get(boost::vertex_point, tm)`}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{the traits}
-    \cgalParamType{a model of `SurfaceMeshGeodesicOffsetTraits`}
-    \cgalParamDefault{`Surface_mesh_geodesic_offset_traits` with the kernel of the points, or with
-                       `Exact_predicates_inexact_constructions_kernel` if the number type of this kernel has no square roots}
-  \cgalParamNEnd
-  \cgalParamNBegin{edge_length_map, vertex_index_map, face_index_map}
+  \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
     \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
   \cgalParamNEnd
   \cgalParamNBegin{distance_limit, visitor, concurrency_tag, verbose}

@@ -25,11 +25,7 @@ The label of a vertex is the id of its nearest source. Vertices that no path rea
 \tparam VertexLabelMap a model of `WritablePropertyMap` with the vertex descriptor as key and `std::size_t` as value
 \tparam NamedParameters a sequence of named parameters
 \param tm the mesh
-\param sources the sources:
-       a vertex; a location in a face; a point in space, which is located on the mesh; a `Geodesic_polyline`; a range of points in
-       space, the vertices of one polyline, which is closed if its last point is the first one; a range of edges, which are one
-       source; a `Geodesic_source_set`; or a range of these, such as a range of vertices, each of which is a source of its own.
-       Locations may have the coordinates of another kernel. Sources have the ids 0, 1, 2, ... in their order.
+\param sources the sources, in each form that `geodesic_distances()` accepts
 \param labels the map that receives the labels
 \param np an optional sequence of named parameters, those of `geodesic_distances()`
 \pre All faces of `tm` are triangles with three different vertices.
@@ -43,9 +39,8 @@ void geodesic_voronoi_labels(const TriangleMesh& tm, const Sources& sources, Ver
   namespace internal = Geodesic_offset::internal;
   internal::check_named_parameters<internal::Distance_call_parameters, NamedParameters>();
   const internal::One_call<TriangleMesh, NamedParameters> call(tm, sources, np);
-  auto build = call.build(call.request());
-  call.propagate(build);
-  internal::write_source_labels(call.data(), build, labels);
+  const auto build = call.propagated(call.request());
+  internal::write_source_labels(call.data(), *build, labels);
 }
 
 } // namespace CGAL

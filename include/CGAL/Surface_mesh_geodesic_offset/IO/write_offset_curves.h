@@ -168,22 +168,7 @@ bool write_offset_curves(std::ostream& os, Offset_file_format format, const Offs
 \tparam NamedParameters a sequence of named parameters
 \param file_name the name of the file, which is overwritten
 \param curves the curves
-\param np an optional sequence of named parameters among those listed below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{chord_tolerance}
-    \cgalParamDescription{the largest distance of polylines in the file from their curves, in the units of the mesh's points.
-                          The polylines have few points, see `Geodesic_offset_curve::points()`. The parameter does not affect
-                          arcs, which SVG files have everywhere and DXF files in horizontal planes.}
-    \cgalParamType{a number type, convertible to `double`; positive}
-    \cgalParamDefault{1e-4 of the diagonal of the bounding box of the end points of all pieces}
-  \cgalParamNEnd
-  \cgalParamNBegin{unit}
-    \cgalParamDescription{the unit of the mesh, for DXF and SVG; other formats have no unit}
-    \cgalParamType{`IO::Length_unit`}
-    \cgalParamDefault{`IO::Length_unit::NONE`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
+\param np an optional sequence of named parameters, those of the overload for streams
 
 \return `false` if the file cannot be opened, or if writing fails.
 \throws std::invalid_argument as `offset_file_format()` and the overload for streams; then the file is unchanged

@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <cstddef>
+#include <memory>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -63,10 +63,13 @@ public:
     return Build(data().unfolded(), classified_sources(data(), m_sources), request);
   }
 
-  void propagate(Build& build) const
+  // The build after its propagation, without offset curves.
+  std::unique_ptr<const Build> propagated(const Request& request) const
   {
-    build.template propagate<Concurrency_tag>(data().traits);
-    report(build.statistics, m_np);
+    std::unique_ptr<Build> result(new Build(build(request)));
+    result->template propagate<Concurrency_tag>(data().traits);
+    report(result->statistics, m_np);
+    return result;
   }
 
 private:

@@ -32,6 +32,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
@@ -191,7 +192,7 @@ public:
   }
 
   // The first point of a ray on the surface, snapped likewise; a location in the null face if the ray misses the surface.
-  Face_location locate(const Ray_3& r, const FT& tolerance) const
+  std::optional<Face_location> locate(const Ray_3& r, const FT& tolerance) const
   {
     const Point_3 source = r.source();
     const Vector_3 direction = r.to_vector();
@@ -199,19 +200,20 @@ public:
     check(direction, tolerance);
     if (direction == CGAL::NULL_VECTOR)
       throw std::invalid_argument("Surface_mesh_geodesic_offset: the ray to locate has no direction");
-    Face_location first(Graph_traits::null_face(), {FT(0), FT(0), FT(0)});
+    std::optional<Face_location> first;
     Point_3 nearest = source;
     FT least(0);
     for (const face_descriptor f : hit_faces(r))
     {
       const Triangle_projection<Kernel> triangle = projection(f);
       const FT t = triangle.first_parameter(source, direction);
-      if (first.first != Graph_traits::null_face() && !is_before(t, f, least, first.first)) continue;
+      if (first && !is_before(t, f, least, first->first)) continue;
       least = t;
       nearest = source + t * direction;
       first = Face_location(f, triangle.nearest(nearest));
     }
-    return first.first == Graph_traits::null_face() ? first : snapped(first, nearest, tolerance);
+    if (first) first = snapped(*first, nearest, tolerance);
+    return first;
   }
 
   // Bound of the rounding error of points with the coordinates of the mesh; zero for exact numbers.
