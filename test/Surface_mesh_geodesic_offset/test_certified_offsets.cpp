@@ -231,7 +231,7 @@ void near_the_farthest_point()
     const Certificate whole = c.enclosure.certify_offset(0.8 * largest, none);
     CHECK(whole.bounds_region && whole.limit == Limit::REGION_TOO_FAR && !whole.curve);
     CHECK_DETAIL(std::abs(whole.tolerance - 0.2 * largest) <= 1e-11 * c.diagonal, values(whole.tolerance, 0.2 * largest));
-    const auto bounds = c.enclosure.distance_bounds(whole.location);
+    const auto bounds = c.enclosure.distance_bounds(whole.location.value());
     CHECK_DETAIL(largest - bounds.first <= 1e-6 * c.diagonal, values(largest, bounds.first));
     const Certificate beyond = c.enclosure.certify_offset(1.1 * largest, none);
     CHECK(beyond.bounds_region && beyond.tolerance == 0 && beyond.limit == Limit::NONE);
