@@ -421,7 +421,7 @@ private:
   }
 
   // Where the path from p ends, which starts as told.
-  Geodesic_offset::internal::Leg_end<Number> end_of(const Located_point& p, const Path_start& start) const
+  Geodesic_offset::internal::Suffix_end<Number> end_of(const Located_point& p, const Path_start& start) const
   {
     const Build& b = built();
     Geodesic_offset::internal::No_path_output<Number> nothing;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run of the pipeline: the sources as they were, and the field that came of them.
+// One run of the pipeline: a copy of the sources, and their field.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_BUILD_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_GEODESIC_BUILD_H
@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -49,7 +49,7 @@ public:
     field.start_from(before.field);
   }
 
-  // Propagates without a consumer of finished faces.
+  // Propagates without a consumer of finalized faces.
   template <class Concurrency_tag = Sequential_tag>
   void propagate(const Traits& traits)
   {
@@ -77,7 +77,7 @@ public:
     };
     std::optional<Farthest_point<FT>> search;
     if (m_request.finds_farthest) search.emplace(m_mesh, initial, field);
-    // an update hands over only the faces in which it improves something
+    // An update passes on only the faces that it improves.
     const bool searches_on_the_way = search && m_first_new == 0;
     Searching_consumer<Consumer> searching{searches_on_the_way ? &*search : nullptr, consumer};
     front.run(searching, goes_on, m_first_new);
@@ -105,27 +105,27 @@ public:
 
   bool is_approximate() const { return !m_request.tolerance.is_zero(); }
 
-  // Whether it went on until nothing within the wanted distance was left.
+  // True if the propagation reached all points within the distance limit.
   bool is_whole() const { return !is_cancelled && !has_all_targets; }
 
   const Source_set<FT> sources;
   const Initial_windows<FT> initial;
-  FT maximum; // all points up to this distance are final
+  FT maximum; // distances up to this one are final
   const bool kept;
   bool is_cancelled = false, has_all_targets = false;
   Geodesic_field<FT> field;
-  std::optional<Farthest<FT>> farthest; // if it was asked for, and there is one
+  std::optional<Farthest<FT>> farthest; // if requested and existing
   Geodesic_offset_statistics statistics;
   // of the paths that were asked for
-  mutable Path_legs<FT, Path_crossing<FT>> legs;
-  mutable Path_legs<FT, typename Traits::Point_3> legs_in_space;
+  mutable Path_suffix_cache<FT, Path_crossing<FT>> legs;
+  mutable Path_suffix_cache<FT, typename Traits::Point_3> legs_in_space;
 
 private:
   typedef std::chrono::steady_clock Clock;
 
   static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
-  // Consumer that ignores finished faces.
+  // Consumer that ignores finalized faces.
   struct Nothing
   {
     static constexpr bool reads_lists = false;
@@ -136,7 +136,7 @@ private:
     void settle(const FT&) {}
   };
 
-  // Searches finished faces for the farthest point, if there is a search, and hands them on.
+  // Searches finalized faces for the farthest point if requested, and passes them on.
   template <class Consumer>
   struct Searching_consumer
   {
@@ -153,7 +153,7 @@ private:
     void settle(const FT& distance) { consumer.settle(distance); }
   };
 
-  // Directions at vertices are those of the paths from there, also where rounding is in the way of the straight ones.
+  // Replaces directions at vertices by those of the traced paths, also where rounding hides the straight ones.
   void follow_ways_back()
   {
     const Path_tracing<FT> paths(m_mesh, initial, field);
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  // The ways back from vertices end at an image then, and lead on from there to nowhere.
+  // Stores the errors of merged windows. A merged window has no pseudo-source, so the backtrace ends at its image.
   void take_errors(const Window_merging<FT>& merging, const Merging_counts& counts)
   {
     statistics.windows_merged = counts.windows_merged;
@@ -179,7 +179,7 @@ private:
       if (Merge_error_code::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
   }
 
-  // Whether the distance of a point is known, once the front is at a distance.
+  // True if the distance of a point is final when the front is at a distance.
   template <class Front>
   bool is_final(const Front& front, const Surface_point<FT>& p, const FT& distance) const
   {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The free functions: the mesh, the sources and the build of one call.
+// One call of a free function: its mesh, sources and build.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_ONE_CALL_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_ONE_CALL_H

@@ -30,9 +30,9 @@ public:
 
   void start(const Surface_point<FT>& p) { m_last = p; }
   Passed_crossings<FT>& passed() { return m_passed; }
-  void end_leg(const Leg_end<FT>&) {}
+  void end_leg(const Suffix_end<FT>&) {}
 
-  void append(const Item* q, const Item* last, const Leg_end<FT>& end)
+  void append(const Item* q, const Item* last, const Suffix_end<FT>& end)
   {
     for (; q != last; ++q)
       go_to(q->halfedge == no_index ? Surface_point<FT>::at_vertex(q->source)

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 
@@ -26,7 +26,7 @@ class Path_goals
 public:
   typedef Point_in_face<FT> Point;
   typedef Surface_point<FT> Surface_point_;
-  typedef Leg_end<FT> End;
+  typedef Suffix_end<FT> End;
 
   // Units of rounding of an edge by which the position of a point on the edge is off: a position is a quotient of two cross products,
   // with two roundings in each, times the length.

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a path is handed out as: what it meets, one after the other, or points in space. Its legs are remembered as that.
+// Outputs of paths: the elements that a path meets in order, or points in space. Suffixes are cached in the form of the output.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_OUTPUT_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_OUTPUT_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// What a leg has passed, as it is found.
+// Crossings of a straight part of a path, in order.
 template <class FT>
 struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
 {
@@ -31,13 +31,13 @@ struct Passed_crossings : boost::container::small_vector<Path_crossing<FT>, 128>
   void set_apart(std::size_t) {}
 };
 
-// The same as points in space. They are made at once: a processor that waits for the next turn of the way has the time.
+// Crossings as points in space, computed at once while the processor would wait for the next step of the walk.
 template <class Surface>
 struct Passed_points : boost::container::small_vector<typename Surface::Point_3, 128>
 {
   explicit Passed_points(const Surface& s) : surface(s) {}
 
-  // The first points are known to be apart from each other: a Strip_walk keeps away from vertices.
+  // The first n points are known to be distinct, as a Strip_walk keeps away from vertices.
   void set_apart(std::size_t n) { m_apart = n; }
 
   void remove_repeated()
@@ -54,8 +54,8 @@ private:
   std::size_t m_apart = 0;
 };
 
-// Calls out(p), p a surface point or a located one, where the path starts as told; out(surface point) for each vertex that
-// it passes, and for the source point where it ends; out(crossing) for each edge that it crosses.
+// Calls out(p) for the start p of the path, a surface point or a located point; out(surface point) for each vertex and for the
+// source point at the end; out(crossing) for each crossed edge.
 template <class FT, class Function>
 class Path_elements
 {
@@ -70,12 +70,12 @@ public:
     m_out(p);
   }
 
-  // Takes what a leg passes; the leg is whole with its end.
+  // Receives the crossings of a straight part, which is complete with its end.
   Passed_crossings<FT>& passed() { return m_passed; }
-  void end_leg(const Leg_end<FT>&) {}
+  void end_leg(const Suffix_end<FT>&) {}
 
-  // The items of a leg.
-  void append(const Item* q, const Item* last, const Leg_end<FT>& end)
+  // Appends the items of a straight part.
+  void append(const Item* q, const Item* last, const Suffix_end<FT>& end)
   {
     for (; q != last; ++q)
       if (q->halfedge != no_index) m_out(*q);
@@ -88,7 +88,7 @@ private:
   Passed_crossings<FT> m_passed;
 };
 
-// Ignores the path: for its end alone.
+// Ignores the path, if only its end is wanted.
 template <class FT>
 class No_path_output
 {
@@ -100,14 +100,14 @@ public:
   {
   }
   Passed_crossings<FT>& passed() { return m_passed; }
-  void end_leg(const Leg_end<FT>&) {}
-  void append(const Item*, const Item*, const Leg_end<FT>&) {}
+  void end_leg(const Suffix_end<FT>&) {}
+  void append(const Item*, const Item*, const Suffix_end<FT>&) {}
 
 private:
   Passed_crossings<FT> m_passed;
 };
 
-// Tells a visitor, as that of Surface_mesh_shortest_path, what a path meets.
+// Passes the elements of a path to a visitor in the form of Surface_mesh_shortest_path.
 template <class Surface, class Visitor>
 class Path_visits
 {
@@ -121,7 +121,7 @@ public:
     m_visitor(m_surface.halfedge_of(p.halfedge), Surface::exported(p.part));
   }
 
-  // P: a surface point, or a located one.
+  // P: a surface point or a located point.
   template <class P>
   void operator()(const P& p) const
   {
@@ -141,7 +141,7 @@ private:
   Visitor& m_visitor;
 };
 
-// The vector that an output iterator appends to, if it does; else null.
+// The vector of a back inserter; null for other output iterators.
 template <class Item, class OutputIterator>
 inline std::nullptr_t vector_behind(const OutputIterator&)
 {
@@ -159,7 +159,7 @@ inline std::vector<Item, Allocator>* vector_behind(const std::back_insert_iterat
   return Opened::container_of(out);
 }
 
-// Points in space, the end of each leg among the items. Consecutive points that rounding does not tell apart become one.
+// Points in space, including the end of each straight part. Consecutive points equal up to rounding become one.
 template <class Surface, class OutputIterator>
 class Path_points
 {
@@ -177,20 +177,20 @@ public:
   }
 
   Passed_points<Surface>& passed() { return m_passed; }
-  void end_leg(const Leg_end<FT>& end)
+  void end_leg(const Suffix_end<FT>& end)
   {
     m_passed.push_back(m_surface.point(end.point));
     m_passed.remove_repeated();
   }
 
-  void append(const Item* q, const Item* last, const Leg_end<FT>&)
+  void append(const Item* q, const Item* last, const Suffix_end<FT>&)
   {
     if (q != last && *q == m_last) ++q;
     if (q == last) return;
     m_last = *(last - 1);
     if constexpr (is_vector) std::copy(q, last, room_for(std::size_t(last - q)));
     else
-      for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda can't be assigned
+      for (; q != last; ++q) *m_out++ = *q; // an output iterator that calls a lambda is not assignable
   }
 
   const OutputIterator& out() const { return m_out; }
@@ -199,7 +199,7 @@ private:
   static constexpr bool is_vector =
     !std::is_same<decltype(vector_behind<Item>(std::declval<const OutputIterator&>())), std::nullptr_t>::value;
 
-  // At the end of the vector: to fill it at once is faster than to append one by one.
+  // Space at the end of the vector; filling it at once is faster than appending one by one.
   Item* room_for(std::size_t n)
   {
     auto& items = *vector_behind<Item>(m_out);
@@ -210,7 +210,7 @@ private:
 
   const Surface& m_surface;
   OutputIterator m_out;
-  Item m_last; // written
+  Item m_last; // last written item
   Passed_points<Surface> m_passed;
 };
 

@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goal.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_legs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Strip_walk.h>
@@ -33,7 +33,7 @@ public:
   {
   }
 
-  typedef Leg_end<FT> End;
+  typedef Suffix_end<FT> End;
 
   // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
   // Returns where it ends: the point is that of p for a point of a source. Nothing if p is not reached.

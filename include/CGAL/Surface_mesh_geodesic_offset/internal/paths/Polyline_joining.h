@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Joins points of the surface by the shortest paths between them. The points of a polyline are mostly close to each other,
-// so each path is looked for on a mesh of its own, of the faces that it may pass: small, whatever the size of the mesh.
+// Joins points of the surface by shortest paths. Consecutive points of a polyline are mostly near each other, so each path is
+// computed on a small mesh of the faces that it may pass, whatever the size of the whole mesh.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_POLYLINE_JOINING_H
@@ -67,7 +67,7 @@ public:
 private:
   static constexpr double slack = 1 + 1e-9; // for rounding
 
-  // Some faces, as a mesh. The halfedges of a face are those of the whole mesh, in the same order.
+  // Some faces as a mesh. The halfedges of a face have the order of the whole mesh.
   class Patch
   {
   public:
@@ -94,7 +94,7 @@ private:
       m_mesh = Unfolded_mesh<Number>(Same_numbers(), links, face_at, points, whole.m_traits, alone);
     }
 
-    // Calls out(crossing or vertex) for what the path passes, of the whole mesh.
+    // Calls out(crossing or vertex) for the elements of the path, in terms of the whole mesh.
     template <class Function>
     void trace(const Located_point& from, const Located_point& to, const Function& out) const
     {
@@ -117,7 +117,7 @@ private:
     }
 
   private:
-    // Of vertices and faces of the patch, as those of Index_renumbering in a mesh.
+    // Numbers of vertices and faces of the patch, in the role of Index_renumbering.
     struct Same_numbers
     {
       Index of_vertex(Index i) const { return i; }
@@ -137,7 +137,7 @@ private:
       return it->second;
     }
 
-    // The point in the patch, which has all faces round it.
+    // The point in the patch, which contains all faces around it.
     Located_point here(Located_point p) const
     {
       if (p.kind == Surface_point::VERTEX) p.element = m_number_of_vertex.at(p.element);
@@ -146,7 +146,7 @@ private:
       return p;
     }
 
-    // What is passed, in the whole mesh.
+    // Converts a crossing to the whole mesh.
     void add(const Path_crossing<Number>& c, std::vector<Path_crossing<Number>>& passed) const
     {
       const Index h = 3 * m_faces[c.halfedge / 3] + c.halfedge % 3;
@@ -179,14 +179,14 @@ private:
                        [&](Index f) { return position_in_face(m_mesh, q, f, unused, edges); });
   }
 
-  // A bound of the distance: the length of a path along edges, and straight inside of the first and the last face.
+  // Upper bound of the distance: the length of a path along edges that is straight in the first and the last face.
   double length_along_edges(const Located_point& from, const Located_point& to) const
   {
     const Plain_point p = plain_point(from), q = plain_point(to);
     std::unordered_set<Index> goals;
     for (Index f : faces_of(m_mesh, to))
       for (Index k = 0; k < 3; ++k) goals.insert(m_mesh.source(3 * f + k));
-    typedef std::pair<double, Index> Entry; // a lower bound of the length of a path by way of the vertex
+    typedef std::pair<double, Index> Entry; // lower bound of the length of a path through the vertex
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     std::unordered_map<Index, double> length;
     std::unordered_set<Index> is_done;
@@ -213,7 +213,7 @@ private:
     return std::numeric_limits<double>::infinity();
   }
 
-  // The faces that a path of this length can pass, which are connected: those that meet the ellipsoid round its ends.
+  // The connected set of faces that a path of this length can pass: those that meet the ellipsoid around its ends.
   std::vector<Index> faces_within(const Located_point& from, const Located_point& to, double bound) const
   {
     const Plain_point p = plain_point(from), q = plain_point(to);

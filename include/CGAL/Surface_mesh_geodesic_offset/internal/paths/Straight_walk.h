@@ -18,22 +18,22 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Edges and corners of the face are counted from the halfedge of the frame: edge k goes from corner k to corner k + 1. Which
-// edge comes next can't be foreseen: everything is looked up by its number, and nothing branches on it.
+// Edges and corners of the face are counted from the halfedge of the frame: edge k goes from corner k to corner k + 1. The next
+// edge is unpredictable, so data are read by index, without branches.
 template <class FT>
 class Straight_walk
 {
 public:
   typedef Point_in_face<FT> Point;
 
-  // Where the way leaves through an edge: the place on the edge and the goal, in the frame of the twin.
+  // Exit of the path through an edge: the position on the edge, and the goal, in the frame of the twin.
   struct Crossing
   {
-    FT t, length; // of the edge
+    FT t, length; // position on the edge, and length of the edge
     Point goal;
   };
 
-  // Both points in the frame of h; `from` lies in its face.
+  // Both points are in the frame of h; `from` lies in its face.
   Straight_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& goal)
     : m_mesh(&mesh), m_position(from), m_goal(goal)
   {
@@ -50,16 +50,16 @@ public:
   Index beyond(int k) const { return (*m_mesh)[m_edge[k]].twin; }
   const Point& corner(int k) const { return m_corner[k]; }
 
-  // No smaller than the longest edge of the face.
+  // Upper bound of the longest edge of the face.
   FT extent() const { return m_length[0] + m_length[1]; }
 
-  // Positive for a corner on the left of the way: the distance from it, times that of the goal.
+  // Positive for a corner on the left of the path: its distance from the path times that of the goal.
   FT side(int k) const { return cross(m_goal - m_position, m_corner[k] - m_position); }
 
-  // The edge through which the way leaves that has entered through the frame's halfedge.
+  // Exit edge of a path that entered through the frame's halfedge.
   int exit() const { return 2 - int(CGAL::is_positive(side(2))); }
 
-  // The same for a way that starts anywhere in the face.
+  // Exit edge of a path that starts anywhere in the face.
   int exit_from_inside() const
   {
     for (int k = 0; k < 3; ++k)
@@ -69,13 +69,13 @@ public:
 
   Crossing crossing(int k) const
   {
-    const FT first = side(k), last = side(after(k)), &length = m_length[k]; // on the right and on the left
+    const FT first = side(k), last = side(after(k)), &length = m_length[k]; // right and left
     const Point &u = m_direction[k], g = m_goal - m_corner[after(k)];
     const FT t = !CGAL::is_positive(last) ? FT(0) : !CGAL::is_negative(first) ? length : FT(last / (last - first) * length);
     return {t, length, {dot(u, g), cross(u, g)}};
   }
 
-  // Over edge k, which is not on the border.
+  // Crosses edge k, which is not on the border.
   void cross_over(int k, const Crossing& c)
   {
     m_position = {c.t, FT(0)};
@@ -93,7 +93,7 @@ private:
     const auto &e = (*m_mesh)[h], &n = (*m_mesh)[m_edge[1]], &p = (*m_mesh)[m_edge[2]];
     m_length = {e.length, n.length, p.length};
     m_corner = {Point{FT(0), FT(0)}, Point{e.length, FT(0)}, Point{e.apex_x, e.apex_y}};
-    // the angle at the target from the vectors there: differences of coordinates would lose all digits on a tiny edge
+    // The angle at the target comes from the vectors there: differences of coordinates would lose all digits on a tiny edge.
     const FT to_unit = FT(1) / e.length, to_unit_left = FT(1) / p.length;
     m_direction = {Point{FT(-1), FT(0)}, Point{to_unit * n.apex_x, -to_unit * n.apex_y},
                    Point{to_unit_left * e.apex_x, to_unit_left * e.apex_y}};
@@ -103,7 +103,7 @@ private:
   Point m_position, m_goal;
   Per_corner<Index> m_edge;
   Per_corner<FT> m_length;
-  Per_corner<Point> m_corner, m_direction; // m_direction: of the frames of the twins
+  Per_corner<Point> m_corner, m_direction; // m_direction: x axes of the frames of the twins
 };
 
 } // namespace internal

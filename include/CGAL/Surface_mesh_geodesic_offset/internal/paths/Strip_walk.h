@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Straight on through the unfolded faces as quickly as can be, as long as nothing is in the way.
+// Straight walk through unfolded faces at the highest speed, as long as no vertex is close.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_STRIP_WALK_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_STRIP_WALK_H
@@ -24,16 +24,16 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The strip of faces lies in the plane such that the way goes from the origin along the x axis: which edge comes next is
-// told by the height of one vertex, and only the direction of this edge is waited for.
+// The strip of faces is unfolded such that the path runs from the origin along the x axis. The height of one vertex determines
+// the next edge, so the walk waits only for the direction of this edge.
 template <class FT>
 class Strip_walk
 {
 public:
   typedef Point_in_face<FT> Point;
 
-  // The way starts at `from`, in the frame of the halfedge h and in its face, which it leaves through the edge k, counted
-  // from h. It goes to `to`, which is as far as the length.
+  // The path starts at `from`, in the frame of the halfedge h and in its face, leaves the face through edge k, counted from h,
+  // and goes to `to`, at the distance `length`.
   Strip_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& to, const FT& length, int k)
     : m_mesh(mesh), m_length(length)
   {
@@ -42,7 +42,7 @@ public:
     const auto lay = [&](const Point& v) { return Point{dot(d, v), cross(d, v)}; };
     const Index n = m_mesh.next(h), p = m_mesh.previous(h);
     const Point corner{FT(0), FT(0)}, corner_1{mesh[h].length, FT(0)}, corner_2{mesh[h].apex_x, mesh[h].apex_y};
-    // with the unit vector along the twin of the edge
+    // With the unit vector along the twin of the edge.
     const auto start = [&](Index edge, Index after, const Point& left, const Point& right, const Point& back) {
       m_halfedge = mesh[edge].twin;
       m_vertex[0] = mesh[after].origin;
@@ -61,26 +61,25 @@ public:
     }
   }
 
-  // Walks on and appends the edges that are crossed, up to a vertex that is no farther from the way than `beside`, or to
-  // where the goal is no higher over the next edge than `ahead`, or to the border. The face from which it does not go on has
-  // been entered through `halfedge()`. Tells whether it has entered any.
+  // Walks and appends the crossed edges, up to a vertex within `beside` of the path, to a next edge over which the goal is at
+  // most `ahead` high, or to the border. The last face was entered through `halfedge()`. Returns true if a face was entered.
   template <class Passed>
   bool operator()(const FT& beside, const FT& ahead, Passed& passed)
   {
     Index h = m_halfedge;
     Point e = m_direction;
-    // so put that a number that is none ends the walk
+    // Written such that NaN ends the walk.
     if (h == no_index || !((std::min)(m_end[0].y, FT(-m_end[1].y)) > beside) || !(height_of_goal(m_end[0], e) > ahead))
       return false;
     Index left = m_vertex[0], right = m_vertex[1];
     Point l = m_end[0], r = m_end[1], apex;
     const Unfolded_halfedge<FT>* const mesh = &m_mesh[0];
     typename Passed::value_type *out = nullptr, *last = nullptr;
-    // Through an edge of the face with the direction d: whether there is nothing in the way.
+    // Crosses an edge of the face with the direction d. Returns false if a vertex is close.
     const auto goes_on = [&](Index beyond, const Point& d) {
       return beyond != no_index && CGAL::abs(apex.y) > beside && height_of_goal(apex, d) > ahead;
     };
-    FT unit = FT(1) / mesh[h].length; // both sides of an edge have the same number
+    FT unit = FT(1) / mesh[h].length; // both halfedges have the same length
     for (;;)
     {
       if (out == last && !make_room(passed, out, last)) return false;
@@ -89,8 +88,8 @@ public:
       prefetch_element(mesh, b.twin);
       prefetch_element(mesh, c.twin);
       apex = {l.x + (e.x * a.apex_x - e.y * a.apex_y), l.y + (e.x * a.apex_y + e.y * a.apex_x)};
-      // The unit vector along the twin of the next edge is not that of a difference of coordinates: edges may be tiny. To
-      // foresee the turns half of the time is better than to wait for each.
+      // The unit vector along the twin of the next edge is not computed from coordinates, as edges may be tiny. A branch
+      // predicted half of the time is faster than waiting for each turn.
       if (CGAL::is_positive(apex.y))
       {
         const Point d = turned(e, {unit * b.apex_x, -unit * b.apex_y});
@@ -123,7 +122,7 @@ public:
 
   Index halfedge() const { return m_halfedge; }
 
-  // In the frame of the halfedge: where it is crossed, and the goal.
+  // In the frame of the halfedge: the crossing, and the goal.
   Point position() const { return {part() * m_mesh[m_halfedge].length, FT(0)}; }
   Point goal() const
   {
@@ -135,7 +134,8 @@ public:
   FT way_to_apex() const { return length(m_apex - Point{x(), FT(0)}); }
 
 private:
-  // For some more crossings: a call for each would cost more than the crossing. No walk crosses more edges than there are.
+  // Makes room for more crossings at once; a call for each would cost more than the crossing. No walk crosses more edges than
+  // exist.
   template <class Passed>
   BOOST_NOINLINE bool make_room(Passed& passed, typename Passed::value_type*& out,
                                 typename Passed::value_type*& last) const
@@ -160,13 +160,13 @@ private:
     return {e.x * turn.x - e.y * turn.y, e.x * turn.y + e.y * turn.x};
   }
 
-  // Over an edge with the direction e, of which p is one end.
+  // Height over an edge with the direction e and the end p.
   FT height_of_goal(const Point& p, const Point& e) const { return e.y * (p.x - m_length) - e.x * p.y; }
 
   const Unfolded_mesh<FT>& m_mesh;
-  FT m_length;       // of the way
-  Index m_halfedge;  // that is crossed next, or has been crossed
-  Index m_vertex[2]; // its ends, on the left and on the right
+  FT m_length;       // of the path
+  Index m_halfedge;  // next or last crossed halfedge
+  Index m_vertex[2]; // its left and right end
   Point m_end[2], m_direction, m_apex;
 };
 

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The straight ways behind vertices, which the shortest paths from many points have in common: they are remembered.
+// Cache of the straight suffixes of shortest paths behind vertices, which the paths from many points share.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_LEGS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_LEGS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_SUFFIX_CACHE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_SUFFIX_CACHE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -26,66 +26,67 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Where a straight way leads: to a vertex on the way, or to a source.
+// End of a straight suffix: a vertex on the path, or a source.
 template <class FT>
-struct Leg_end
+struct Suffix_end
 {
   Surface_point<FT> point;
-  Source_ref source_ref; // the part of the source that is reached, and the side on which it is; not valid at a vertex on the way
+  Source_ref source_ref; // source part and side at the end; invalid at a vertex
 
   bool is_at_source() const { return source_ref.is_valid(); }
 };
 
-// What a way meets up to its end, as items that a path is made of. In one block with the array.
+// Items of a path up to the end of a suffix, in one block with the array.
 template <class FT, class Item>
-class Path_leg
+class Path_suffix
 {
 public:
   template <class Items>
-  static Path_leg* create(const Items& items, const Leg_end<FT>& end)
+  static Path_suffix* create(const Items& items, const Suffix_end<FT>& end)
   {
-    static_assert(alignof(Item) <= alignof(Path_leg) && std::is_trivially_destructible<Path_leg>::value, "");
-    Path_leg* const leg = new (::operator new(bytes(items.size()))) Path_leg(end, Index(items.size()));
+    static_assert(alignof(Item) <= alignof(Path_suffix) && std::is_trivially_destructible<Path_suffix>::value, "");
+    Path_suffix* const leg = new (::operator new(bytes(items.size()))) Path_suffix(end, Index(items.size()));
     std::uninitialized_copy(items.begin(), items.end(), reinterpret_cast<Item*>(leg + 1));
     return leg;
   }
 
-  static void destroy(const Path_leg* leg) { ::operator delete(const_cast<Path_leg*>(leg)); }
+  static void destroy(const Path_suffix* leg) { ::operator delete(const_cast<Path_suffix*>(leg)); }
 
-  static std::size_t bytes(std::size_t size) { return sizeof(Path_leg) + size * sizeof(Item); }
+  static std::size_t bytes(std::size_t size) { return sizeof(Path_suffix) + size * sizeof(Item); }
 
-  const Leg_end<FT>& end() const { return m_end; }
+  const Suffix_end<FT>& end() const { return m_end; }
   const Item* first_item() const { return reinterpret_cast<const Item*>(this + 1); }
-  const Item* last_item() const { return first_item() + m_size; } // beyond the last one
+  const Item* last_item() const { return first_item() + m_size; } // behind the last item
 
 private:
-  Path_leg(const Leg_end<FT>& end, Index size) : m_end(end), m_size(size) {}
+  Path_suffix(const Suffix_end<FT>& end, Index size) : m_end(end), m_size(size) {}
 
-  Leg_end<FT> m_end;
+  Suffix_end<FT> m_end;
   Index m_size;
 };
 
-// Of the vertices of a mesh. May be used by several threads at once. Nothing is kept any more once the memory is used up.
+// Cache for the vertices of a mesh. Several threads may use it at the same time. It stores nothing more when its memory is used
+// up.
 template <class FT, class Item>
-class Path_legs
+class Path_suffix_cache
 {
 public:
-  typedef Path_leg<FT, Item> Leg;
+  typedef Path_suffix<FT, Item> Leg;
 
-  // Exact numbers need not know about threads, and their ways are long to write down. Nor need points that have a count.
+  // Exact numbers and points with reference counts are not cached: they are not safe for threads, and long to store.
   static constexpr bool keeps = std::is_floating_point<FT>::value && std::is_trivially_copyable<Item>::value;
 
-  explicit Path_legs(std::size_t number_of_vertices) : m_size(number_of_vertices) {}
-  Path_legs(const Path_legs&) = delete;
-  Path_legs& operator=(const Path_legs&) = delete;
-  ~Path_legs()
+  explicit Path_suffix_cache(std::size_t number_of_vertices) : m_size(number_of_vertices) {}
+  Path_suffix_cache(const Path_suffix_cache&) = delete;
+  Path_suffix_cache& operator=(const Path_suffix_cache&) = delete;
+  ~Path_suffix_cache()
   {
     const Place* const legs = m_legs.load(std::memory_order_relaxed);
     for (std::size_t v = 0; legs && v < m_size; ++v) destroy(legs[v].load(std::memory_order_relaxed));
     delete[] legs;
   }
 
-  // What is known of the way behind a vertex; null if nothing.
+  // The suffix behind a vertex; null if it is not cached.
   const Leg* find(Index v) const
   {
     const Place* const legs = m_legs.load(std::memory_order_acquire);
@@ -94,16 +95,16 @@ public:
     return leg == walked_once() ? nullptr : leg;
   }
 
-  // Says that the way behind a vertex will be asked for soon.
+  // Software prefetch of the suffix behind a vertex.
   BOOST_FORCEINLINE void prefetch(Index v) const
   {
     if (const Leg* const leg = find(v)) internal::prefetch(leg, Leg::bytes(8));
   }
 
-  // Tells what way has been walked. Many paths bend at the same vertices, few start at the same one: the way with which a
-  // path starts is kept the second time only.
+  // Stores a suffix. Many paths bend at the same vertices, but few start at the same vertex; the first part of a path is stored
+  // only at its second use.
   template <class Items>
-  void keep(Index v, const Items& items, const Leg_end<FT>& end, bool starts_path)
+  void keep(Index v, const Items& items, const Suffix_end<FT>& end, bool starts_path)
   {
     CGAL_precondition(v < m_size);
     Place& place = places()[v];
@@ -116,7 +117,7 @@ public:
     {
       const Leg* const leg = Leg::create(items, end);
       if (place.compare_exchange_strong(known, leg, std::memory_order_release, std::memory_order_relaxed)) return;
-      destroy(leg); // another thread was faster
+      destroy(leg); // another thread stored it first
     }
     m_bytes.fetch_sub(bytes, std::memory_order_relaxed);
   }
@@ -126,11 +127,11 @@ private:
 
   enum
   {
-    bytes_a_vertex = 256, // on average, at most
-    overhead = 16         // of a block
+    bytes_a_vertex = 256, // limit of the average
+    overhead = 16         // per block
   };
 
-  // Stands for a way that is not kept.
+  // Stands for a suffix used once, which is not stored.
   static const Leg* walked_once()
   {
     static const char place = 0;
