@@ -221,7 +221,7 @@ private:
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
       const Run run = best_run(last, last.is_valid() ? last.end : s.point);
-      if (!run.is_valid()) return false;
+      if (!run.is_valid() || followed_by(run) != none) return false; // a part of an arc belongs to one chain
       add_piece(run, first);
       if (run.gate != none)
       {
