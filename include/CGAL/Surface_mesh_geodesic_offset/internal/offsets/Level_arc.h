@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Circle_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
 
 #include <CGAL/assertions.h>
@@ -72,12 +73,11 @@ public:
     return (FT(1) / m_radius) * quarter_turn(p - image());
   }
 
-  // Advance from p to q, for points less than a half turn apart: the sign is exact up to the rounding of the points; for near
-  // points, the value is the length between them.
+  // Advance from p to q (advance_on_circle).
   FT advance(const Point& p, const Point& q) const
   {
     if (is_straight()) return dot(quarter_turn(forward()), q - p);
-    return cross(p - image(), q - p) / m_radius;
+    return advance_on_circle(image(), m_radius, p, q);
   }
 
   // True if q is between p and r, which are less than a half turn apart, and not behind the image.
@@ -96,10 +96,7 @@ public:
   Point middle(const Point& p, const Point& q) const
   {
     if (is_straight()) return foot(FT(0.5) * (p + q));
-    const Point a = p - image(), b = q - image();
-    // Perpendicular to the chord of a wide arc, where the sum is short.
-    const Point u = CGAL::is_positive(dot(a, b)) ? a + b : quarter_turn(a - b);
-    return image() + (m_radius / length(u)) * u;
+    return middle_on_circle(image(), m_radius, p, q);
   }
 
   // Distance of p from the cone (negative inside).

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Circle_points.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <algorithm>
@@ -43,15 +44,14 @@ struct Level_piece
   FT advance() const
   {
     if (is_straight) return dot(quarter_turn(center), end - start);
-    return cross(start - center, end - start) / radius;
+    return advance_on_circle(center, radius, start, end);
   }
 
   // Middle between the ends.
   Point_in_face<FT> middle() const
   {
-    const Point_in_face<FT> m = FT(0.5) * (start + end), v = m - center;
-    const FT l = is_straight ? FT(0) : length(v);
-    return CGAL::is_positive(l) ? center + (radius / l) * v : m;
+    if (!is_straight) return middle_on_circle(center, radius, start, end);
+    return FT(0.5) * (start + end);
   }
 
   // Numerator and denominator of the tangent of the turn of an arc: twice the area of the triangle of the center and the ends,

@@ -125,6 +125,14 @@ private:
     }
     if (cell.diameter() <= m_arcs.tolerances().smallest_cell || m_divisions == Offset_tolerances<FT>::most_divisions)
     {
+      if (cell.diameter() <= m_arcs.tolerances().smallest_cell) ++m_crossed;
+      else ++m_forced;
+      cross_straight(cell);
+      return;
+    }
+    if (!search_loops && is_sliver(cell))
+    {
+      ++m_crossed;
       cross_straight(cell);
       return;
     }
@@ -152,13 +160,25 @@ private:
       m_chains.push_back({s.id, e.id, m_pieces.size(), m_pieces.size() + 1});
       m_pieces.push_back(straight_piece(s, e));
     }
-    if (cell.diameter() <= m_arcs.tolerances().smallest_cell) ++m_crossed;
-    else ++m_forced;
   }
 
-  // A piece between two gates within rounding of each other, on the arc nearest to the first gate.
+  // True if two sides of the cell run along the level, so that only rounding decides where it crosses them: the segment between
+  // its two gates is on the level.
+  bool is_sliver(const Cell& cell) const
+  {
+    if (cell.gates.size() != 2) return false;
+    const Point &p = cell.gates[0].point, &q = cell.gates[1].point;
+    if (!(length(q - p) <= m_arcs.tolerances().longest_sliver)) return false;
+    std::size_t nearest;
+    const FT d = m_arcs.field().distance(FT(0.5) * (p + q), nearest);
+    return CGAL::abs(FT(d - m_arcs.level())) <= m_arcs.tolerances().error;
+  }
+
+  // A piece between two gates within rounding of each other, or of a sliver, on the arc nearest to the first gate if that arc
+  // leads to the second one.
   Piece straight_piece(const Gate& s, const Gate& e) const
   {
+    const auto leads_on = [&](const Arc& a) { return !(a.advance(s.point, e.point) < -m_arcs.tolerances().error); };
     std::size_t nearest = none;
     FT least = Number_policy<FT>::infinity();
     for (std::size_t i = 0; i < m_arcs.size(); ++i)
@@ -168,7 +188,7 @@ private:
       least = off;
       nearest = i;
     }
-    if (nearest != none && least <= m_arcs.tolerances().smallest_cell)
+    if (nearest != none && least <= m_arcs.tolerances().smallest_cell && leads_on(m_arcs[nearest]))
       return piece(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point);
     // Without an arc, a segment with the smaller distances on the left.
     m_arcs.field().distance(s.point, nearest);

@@ -68,6 +68,10 @@ struct Offset_tolerances
   // Cells of this diameter, two of the largest ties, are not divided. A level crosses such a cell straight from gate to gate.
   FT smallest_cell;
 
+  // Largest distance between the two gates of a sliver, a longer cell that a level crosses straight (Level_tracer::is_sliver):
+  // 2^26 u times the magnitude, the square root of u.
+  FT longest_sliver;
+
   // Limit of the divisions of one face at one level. Unexpected gaps between windows then cost no more than a face with some
   // hundred pieces.
   static constexpr int most_divisions = 1 << 10;
@@ -78,7 +82,8 @@ struct Offset_tolerances
   Offset_tolerances() = default;
   explicit Offset_tolerances(const FT& magnitude)
     : error(unit(5) * magnitude), cover(unit(6) * magnitude), tie(unit(7) * magnitude),
-      shortest_piece(unit(14) * magnitude), smallest_cell(unit(14) * magnitude)
+      shortest_piece(unit(14) * magnitude), smallest_cell(unit(14) * magnitude),
+      longest_sliver(unit(26) * magnitude)
   {
   }
 

@@ -90,8 +90,9 @@ private:
     return faces;
   }
 
-  // Twice the area of the polygon of all ends of pieces; positive if the loop runs counterclockwise, with the smaller distances
-  // inside. In each face it is relative to the vertex v or, in two faces, to a point on their common edge.
+  // Twice the area of the polygon of all ends and middle points of pieces; positive if the loop runs counterclockwise, with the
+  // smaller distances inside. Without middle points, two half turns around a source on an edge have no area. In each face the
+  // area is relative to the vertex v or, in two faces, to a point on their common edge.
   FT signed_area(const Pieces& pieces, const std::vector<Index>& faces, Index v) const
   {
     FT area(0);
@@ -102,7 +103,7 @@ private:
       if (v != no_index) origin = Face_frame<FT>(m_mesh, f).corner(corner_of(f, v));
       else if (const auto p = std::find_if(pieces.begin(), pieces.end(), is_origin); p != pieces.end()) origin = p->start;
       for (const Piece& p : pieces)
-        if (p.face == f) area += cross(p.start - origin, p.end - origin);
+        if (p.face == f) area += cross(p.start - origin, p.middle() - origin) + cross(p.middle() - origin, p.end - origin);
     }
     return area;
   }
