@@ -115,16 +115,16 @@ private:
     if (!(w.b0 < w.b1)) return;
     w.d0 = w.distance_at(w.b0);
     w.d1 = w.distance_at(w.b1);
-    if (in_front(m_mesh[g].length, w)) m_state.add(g, w);
+    if (in_front(frame.longest_edge(), w)) m_state.add(g, w);
   }
 
-  // Cuts off the part of a window behind its segment. Negative distances within the rounding of coordinates become zero: on an
-  // edge nearly parallel to the segment, they belong to a long part of the window. `length`: that of the edge.
-  static bool in_front(const FT& length, Window& w)
+  // Cuts off the part of a window behind its segment. Negative distances within the rounding of coordinates, which are as large
+  // as the face, become zero: on an edge nearly parallel to the segment, they belong to a long part of the window.
+  static bool in_front(const FT& size, Window& w)
   {
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
     if (!w.is_parallel()) return false;
-    const FT rounding = Number_policy<FT>::rounding(4) * length;
+    const FT rounding = Number_policy<FT>::rounding(4) * size;
     for (FT* const d : {&w.d0, &w.d1})
       if (CGAL::is_negative(*d) && -*d <= rounding) *d = FT(0);
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return CGAL::is_positive(w.d0) || CGAL::is_positive(w.d1);
