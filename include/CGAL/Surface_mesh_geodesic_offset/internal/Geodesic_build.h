@@ -162,7 +162,9 @@ private:
     {
       if (v + ahead < m_mesh.number_of_vertices() && field.back[v + ahead].corner != no_index)
         m_mesh.prefetch_face(field.back[v + ahead].corner);
-      paths.find_backtrace(v, field.back[v], field.source_ref[v]);
+      const Backtrace<FT> spread = field.back[v];
+      if (paths.find_backtrace(v, field.back[v], field.source_ref[v]) && m_mesh.can_be_pseudo_source(v))
+        field.back_of_sector.emplace(v, spread);
     }
   }
 

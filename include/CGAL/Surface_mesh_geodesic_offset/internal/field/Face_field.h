@@ -169,7 +169,7 @@ private:
     if (m_mesh.has_several_fans(v) || m_field.back[v].corner == no_index)
       return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
     const Vertex_sector<FT> sector(m_mesh);
-    const Ray_at_vertex<FT> back = m_field.back[v].ray();
+    const Ray_at_vertex<FT> back = m_field.backtrace_of_sector(v).ray();
     FT left(0), right(0), margin_left(0), margin_right(0);
     const auto add_part = [&](const auto& from, const auto& to, Index first, FT& part_left, FT& part_right) {
       const FT length = m_frame.edge_length((k + 1) % 3);

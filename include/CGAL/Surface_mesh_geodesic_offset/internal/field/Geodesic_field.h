@@ -12,6 +12,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
+#include <boost/config.hpp>
+
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +47,7 @@ public:
   FT maximum = Number_policy<FT>::infinity(); // distances up to this one are final after the build
   std::vector<FT> distance;       // per vertex
   std::vector<Backtrace<FT>> back; // per vertex
+  std::map<Index, Backtrace<FT>> back_of_sector; // of pseudo-sources whose backtrace changed after the build
   std::vector<Source_ref> source_ref;         // per vertex
   std::vector<char> has_margins;  // per vertex: true if rays start in the margins of its sectors
   std::vector<double> error;      // per vertex, with bounded error: largest excess of the true distance
@@ -55,6 +59,7 @@ public:
   {
     distance = other.distance;
     back = other.back;
+    for (const auto& b : other.back_of_sector) back[b.first] = b.second;
     source_ref = other.source_ref;
     has_margins = other.has_margins;
     kept = other.kept;
@@ -68,6 +73,7 @@ public:
     back.assign(mesh.number_of_vertices(), Backtrace<FT>());
     source_ref.assign(mesh.number_of_vertices(), Source_ref());
     has_margins.assign(mesh.number_of_vertices(), 0);
+    back_of_sector.clear();
     kept = Kept_windows<FT>();
   }
 
@@ -91,6 +97,14 @@ public:
       list.data[list.processed++].set_propagated();
     });
     return list;
+  }
+
+  // The backtrace that bounds the sector of a pseudo-source.
+  const Backtrace<FT>& backtrace_of_sector(Index v) const
+  {
+    if (BOOST_LIKELY(back_of_sector.empty())) return back[v];
+    const auto found = back_of_sector.find(v);
+    return found == back_of_sector.end() ? back[v] : found->second;
   }
 
   // Source reference of a path through v. At a corner of a polyline, which lies on both sides, an equally long path with the

@@ -73,26 +73,28 @@ public:
     return {Surface_point_::at_vertex(v), m_field.source_ref[v]};
   }
 
-  // If a path from v goes along an edge first, makes its way back lead to the end of that edge.
-  void find_backtrace(Index v, Backtrace<FT>& back, Source_ref& source_ref) const
+  // If a path from v goes along an edge first, changes its backtrace to lead to the end of that edge. Returns whether it does.
+  bool find_backtrace(Index v, Backtrace<FT>& back, Source_ref& source_ref) const
   {
-    if (back.corner == no_index || starts_within_face(v, back.corner)) return;
+    if (back.corner == no_index || starts_within_face(v, back.corner)) return false;
     const Path_start<FT> start = m_start.at_vertex(v);
-    if (start.halfedge == no_index) return;
+    if (start.halfedge == no_index) return false;
     const Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
     const FT limit = start.distance * (FT(1) + Number_policy<FT>::rounding(512));
     const auto may_lead_to = [&](int k) { return m_field.distance[walk.vertex(k)] + length(walk.corner(k)) <= limit; };
-    if (!may_lead_to(1) && !may_lead_to(2)) return;
+    if (!may_lead_to(1) && !may_lead_to(2)) return false;
     Passed_crossings<FT> passed;
     const End end = follow(start, passed);
-    if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return;
+    if (!passed.empty() || end.point.kind != Surface_point_::VERTEX) return false;
     const Index next = end.point.element;
     for (int k : {1, 2})
       if (walk.vertex(k) == next)
       {
         back = Backtrace<FT>({start.halfedge, walk.corner(k).x, walk.corner(k).y}, next);
         source_ref = end.is_at_source() ? end.source_ref : m_field.source_ref[next];
+        return true;
       }
+    return false;
   }
 
 private:
