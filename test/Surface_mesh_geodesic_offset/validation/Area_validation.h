@@ -124,7 +124,7 @@ private:
     const auto point = [&](const auto& gate) { return face.on_edge(int(gate.halfedge % 3), gate.t); };
     const Point p = point(*first);
     return std::all_of(first, last, [&](const auto& g) {
-      return length(point(g) - p) <= m_options.level_tolerance * m_surface.diagonal();
+      return length(point(g) - p) <= m_options.point_rounding * m_surface.diagonal();
     });
   }
 
