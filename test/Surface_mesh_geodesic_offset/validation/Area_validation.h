@@ -116,18 +116,6 @@ private:
            (face.edge_length(0) + face.edge_length(1) + face.edge_length(2));
   }
 
-  // Whether all gates are one point up to rounding, as where an open curve cuts off a corner of the border by less than
-  // that: then their order round the face tells nothing.
-  template <class Iterator>
-  bool coincide(const Validation_face& face, Iterator first, Iterator last) const
-  {
-    const auto point = [&](const auto& gate) { return face.on_edge(int(gate.halfedge % 3), gate.t); };
-    const Point p = point(*first);
-    return std::all_of(first, last, [&](const auto& g) {
-      return length(point(g) - p) <= m_options.point_rounding * m_surface.diagonal();
-    });
-  }
-
   // Returns false if entries and exits do not alternate.
   bool twice_area(const Validation_level& level, const Validation_face& face, double& area) const
   {
@@ -136,7 +124,7 @@ private:
     const auto pieces = level.pieces_in(face.face);
     for (auto p = pieces.first; p != pieces.second; ++p) area += p->twice_area_from(o);
     const auto gates = level.gates_of(face.face);
-    if (gates.first == gates.second || coincide(face, gates.first, gates.second))
+    if (gates.first == gates.second)
     {
       if (boundary_is_near(level, face.face)) area += 2 * face.area();
       return true;

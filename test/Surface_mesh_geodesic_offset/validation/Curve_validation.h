@@ -171,7 +171,11 @@ private:
     const Location l = plain(is_start ? piece.start() : piece.end());
     Index h = no_index;
     for (Index k = 0; k < 3; ++k)
-      if (l.second[(k + 2) % 3] == 0 && m_surface.twin(3 * l.first + k) == no_index) h = 3 * l.first + k;
+    { // at a corner with two border edges, the curve cuts off a farthest point: it starts before it and ends behind it
+      const bool is_far_end = l.second[is_start ? k : (k + 1) % 3] == 1;
+      if (l.second[(k + 2) % 3] == 0 && m_surface.twin(3 * l.first + k) == no_index && (h == no_index || !is_far_end))
+        h = 3 * l.first + k;
+    }
     if (!m_report.check(CLOSEDNESS, h != no_index,
                         [&] { return "an open curve ends inside the surface" + where(l.first); }))
       return;

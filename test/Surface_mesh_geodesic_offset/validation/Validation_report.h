@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -58,7 +57,6 @@ struct Validation_options
   // Lengths in diagonals of the bounding box. The joint of two arcs that meet at a small angle is less accurate than a
   // distance, and so are the distances of points from their level.
   double joint_tolerance = 1e-12; // between the end of a piece and the start of the next one
-  double point_rounding = 4 * std::numeric_limits<double>::epsilon(); // of points on edges, in diagonals of the bounding box
   double level_tolerance = 1e-9; // of points from their level; also of crossing depth
 };
 

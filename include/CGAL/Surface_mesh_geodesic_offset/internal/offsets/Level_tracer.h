@@ -428,10 +428,11 @@ private:
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
         m_pieces[first].start = run.start;
-        if (encloses_nothing(first))
+        const bool is_point = is_within_tie(first);
+        if (is_point || encloses_nothing(first))
         {
           m_pieces.resize(first);
-          return true;
+          return !(is_point && begin > first); // a walk that came from a longer arc goes in circles round a joint of three arcs
         }
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
@@ -442,6 +443,14 @@ private:
       if (!run.is_valid() || run.gate != none) return is_outside();
     }
     return is_outside();
+  }
+
+  // True if all pieces of the loop start within a tie of the first one.
+  bool is_within_tie(std::size_t first) const
+  {
+    return std::all_of(pieces_at(first), m_pieces.cend(), [&](const Piece& p) {
+      return length(p.start - m_pieces[first].start) <= m_arcs.tolerances().tie;
+    });
   }
 
   // True if the loop whose pieces begin at `first` runs to and fro along one arc, up to a tie. A piece runs backward then.
