@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_pruning.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Distance_bounds.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Bucket_queue.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_output.h>
 
 #include <algorithm>

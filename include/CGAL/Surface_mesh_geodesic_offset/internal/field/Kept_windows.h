@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Rays_through_chord.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_lists.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Rays_through_chord.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_partition.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_arena.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_arena.h>
 
 #include <CGAL/assertions.h>
 

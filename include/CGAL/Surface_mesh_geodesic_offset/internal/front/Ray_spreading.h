@@ -96,7 +96,8 @@ private:
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.source_ref, local.bits};
-    frame.window_to_twin(m_traits, k, w);
+    const Point_in_face<FT>&origin = frame.corner((k + 1) % 3), &direction = frame.direction(k);
+    change_frame(m_traits, w, origin.x, origin.y, FT(-direction.x), FT(-direction.y)); // to that of the twin
     // Rays along the edge do not leave through it, whatever the rounding of their direction.
     if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_parts.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Front_parts.h>
 
 #include <CGAL/assertions.h>
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <CGAL/assertions.h>
 
@@ -112,12 +111,6 @@ public:
   }
 
   // Transformation from the face frame to the frame of the twin of halfedge k.
-  template <class Traits>
-  void window_to_twin(const Traits& traits, int k, Window<FT>& w) const
-  {
-    const Point& o = m_corner[(k + 1) % 3];
-    change_frame(traits, w, o.x, o.y, FT(-m_direction[k].x), FT(-m_direction[k].y));
-  }
   Point to_twin(int k, const Point& p) const
   {
     const Point v = p - m_corner[(k + 1) % 3];

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_layout.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>

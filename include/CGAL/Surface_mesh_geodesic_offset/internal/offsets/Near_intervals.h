@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 
 #include <CGAL/assertions.h>

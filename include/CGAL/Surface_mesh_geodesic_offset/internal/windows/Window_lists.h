@@ -3,14 +3,14 @@
 //
 // The list of windows of each halfedge that the front has reached.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_LISTS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_LISTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_LISTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_LISTS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Prefetch.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Front_parts.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_arena.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Front_parts.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_arena.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <CGAL/assertions.h>

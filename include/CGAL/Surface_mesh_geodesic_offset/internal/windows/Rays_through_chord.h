@@ -3,8 +3,8 @@
 //
 // Shortest path to a point of a face through a chord: the interval of a window, or a source segment inside the face.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_RAYS_THROUGH_CHORD_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_RAYS_THROUGH_CHORD_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_RAYS_THROUGH_CHORD_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_RAYS_THROUGH_CHORD_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

@@ -4,12 +4,12 @@
 // A bundle of rays inside a face, in the frame of the face. It is a window that has entered the face, a source inside the face,
 // or the rays from a corner.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FACE_WINDOW_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_FACE_WINDOW_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_FACE_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_FACE_WINDOW_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Rays_through_chord.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Rays_through_chord.h>
 
 #include <algorithm>
 

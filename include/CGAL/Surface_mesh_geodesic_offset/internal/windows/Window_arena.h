@@ -3,8 +3,8 @@
 //
 // Memory for lists of windows: blocks that are reused while they are in the cache.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_ARENA_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_WINDOW_ARENA_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ARENA_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_ARENA_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

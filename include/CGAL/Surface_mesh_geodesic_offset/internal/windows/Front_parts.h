@@ -4,8 +4,8 @@
 // The parts of the front: each element of the mesh belongs to one. In a round, only the thread that works on a part writes the
 // front's data there; shared vertices are written at the end of the round. So threads need no locks.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTS_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FRONT_PARTS_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_FRONT_PARTS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_FRONT_PARTS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
