@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Rays_through_chord.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <algorithm>
 
