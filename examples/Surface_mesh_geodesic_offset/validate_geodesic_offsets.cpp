@@ -17,7 +17,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
 #include <cmath>
+#include <cstddef>
+#include <exception>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -41,6 +44,39 @@ Enclosure enclosure_on(const Mesh_input& input, const std::string& path)
   }
 }
 
+Certificate certificate_of(Enclosure& enclosure, const Offset_validation_options& options, const Curves_on_surface& curves)
+{
+  try
+  {
+    enclosure.build(CGAL::parameters::keep_windows(true));
+    return enclosure.certify_offset(options.distance, curves.curves());
+  }
+  catch(const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch(const std::exception& error) // from faces that are too thin, for example
+  {
+    throw Input_error(quoted(options.mesh) + ": " + error.what());
+  }
+}
+
+void write_input(const Offset_validation_options& options, const Mesh_input& input, const Sources& sources,
+                 const Curves_on_surface& curves, std::size_t number_of_sources)
+{
+  std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(input.mesh().number_of_faces(), "face") << '\n';
+  for(const std::string& remark : input.remarks())
+    std::cout << "mesh: " << remark << '\n';
+  for(const std::string& remark : sources.remarks())
+    std::cout << "sources: " << remark << '\n';
+  if(const std::string moved = sources.moved_points().remark(); !moved.empty())
+    std::cout << "sources: " << moved << '\n';
+  std::cout << "sources: " << counted(number_of_sources, "source") << '\n'
+            << "curves: " << counted(curves.curves().size(), "curve") << ", " << counted(curves.number_of_points(), "point")
+            << ", moved by " << short_number(curves.moved()) << " at most to the surface\n"
+            << "distance: " << short_number(options.distance) << '\n';
+}
+
 int validate(const Offset_validation_options& options)
 {
   const Mesh_input input(options.mesh, options.stitch);
@@ -54,25 +90,16 @@ int validate(const Offset_validation_options& options)
   if(const std::string far = sources.moved_points().warning(diagonal); !far.empty())
     print_warning("validate_geodesic_offsets", far);
 
-  std::cout << "mesh: " << quoted(options.mesh) << ", " << counted(input.mesh().number_of_faces(), "face") << '\n';
-  for(const std::string& remark : input.remarks())
-    std::cout << "mesh: " << remark << '\n';
-  for(const std::string& remark : sources.remarks())
-    std::cout << "sources: " << remark << '\n';
-  if(const std::string moved = sources.moved_points().remark(); !moved.empty())
-    std::cout << "sources: " << moved << '\n';
-  std::cout << "sources: " << counted(enclosure.number_of_sources(), "source") << '\n'
-            << "curves: " << counted(curves.curves().size(), "curve") << ", " << counted(curves.number_of_points(), "point")
-            << ", moved by " << short_number(curves.moved()) << " at most to the surface\n"
-            << "distance: " << short_number(options.distance) << '\n';
-  if(const double most = options.surface_tolerance.value_or(surface_tolerance * diagonal); curves.moved() > most)
+  const double most = options.surface_tolerance.value_or(surface_tolerance * diagonal);
+  if(curves.moved() > most)
   {
+    write_input(options, input, sources, curves, enclosure.number_of_sources());
     std::cout << "surface: no (" << curves.farthest_point() << " is " << short_number(curves.moved())
               << " away from the surface; at most " << short_number(most) << " is accepted)\n";
     return not_certified;
   }
-  enclosure.build(CGAL::parameters::keep_windows(true));
-  const Certificate certificate = enclosure.certify_offset(options.distance, curves.curves());
+  const Certificate certificate = certificate_of(enclosure, options, curves);
+  write_input(options, input, sources, curves, enclosure.number_of_sources()); // after all that may fail
   Certificate_writer(std::cout, input.mesh(), curves)(certificate, diagonal);
   const bool is_accepted = options.tolerance ? certificate.tolerance <= *options.tolerance : std::isfinite(certificate.tolerance);
   return certificate.bounds_region && is_accepted ? certified : not_certified;

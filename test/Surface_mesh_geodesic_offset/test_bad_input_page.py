@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page bad_input.md: runs each of its cases, and compares exit code and message.
 
-    test_bad_input_page.py GEODESIC_OFFSET VALIDATE_GEODESIC_DISTANCES PAGE [--update]
+    test_bad_input_page.py GEODESIC_OFFSET VALIDATE_GEODESIC_DISTANCES VALIDATE_GEODESIC_OFFSETS PAGE [--update]
 
 With --update the messages are written into the page, to be read before they are committed. The tables of the page have the
 rows
@@ -52,6 +52,8 @@ def run(programs, folder, command):
 
 
 def command_of_file(name):
+    if name.endswith(".curves.polylines.txt"):
+        return "validate_geodesic_offsets square.off --source-vertex 0 --distance 0.5 --curves " + name
     if name.endswith(".polylines.txt"):
         return "geodesic_offset mesh.off --source-polyline %s --distance 1 --quiet" % name
     if name.endswith((".txt", ".table.ply")):
@@ -59,8 +61,10 @@ def command_of_file(name):
     return "geodesic_offset %s --source-vertex 0 --distance 1 --quiet" % name
 
 
-def main(geodesic_offset, validate, page, update=False):
-    programs = {"geodesic_offset": os.path.abspath(geodesic_offset), "validate_geodesic_distances": os.path.abspath(validate)}
+def main(geodesic_offset, validate_distances, validate_offsets, page, update=False):
+    programs = {"geodesic_offset": os.path.abspath(geodesic_offset),
+                "validate_geodesic_distances": os.path.abspath(validate_distances),
+                "validate_geodesic_offsets": os.path.abspath(validate_offsets)}
     with open(page, encoding="utf-8") as file:
         lines = file.read().split("\n")
     failures = cases = 0
@@ -98,10 +102,10 @@ def main(geodesic_offset, validate, page, update=False):
         with open(page, "w", encoding="utf-8") as file:
             file.write("\n".join(lines))
     print("test_bad_input_page: %d cases, %d failures" % (cases, failures))
-    return 1 if failures or cases < 200 else 0
+    return 1 if failures or cases < 240 else 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (4, 5):
+    if len(sys.argv) not in (5, 6):
         sys.exit(__doc__)
-    sys.exit(main(*sys.argv[1:4], update=sys.argv[4:] == ["--update"]))
+    sys.exit(main(*sys.argv[1:5], update=sys.argv[5:] == ["--update"]))

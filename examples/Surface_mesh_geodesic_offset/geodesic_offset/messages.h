@@ -45,7 +45,12 @@ inline std::string one_line(std::string text)
   return text.size() > longest ? text.substr(0, longest) + "..." : text;
 }
 
-inline std::string quoted(const std::string& s) { return "'" + s + "'"; }
+// With blanks for null characters, which damaged files contain: the text of an exception ends at the first one.
+inline std::string quoted(std::string s)
+{
+  std::replace(s.begin(), s.end(), '\0', ' ');
+  return "'" + s + "'";
+}
 
 // A word of a file for messages, at most its first 40 characters.
 inline std::string quoted_word(std::string_view word) { return quoted(std::string(word.substr(0, 40))); }

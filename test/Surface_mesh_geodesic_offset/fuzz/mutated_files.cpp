@@ -6,8 +6,8 @@
 //   mutated_files COUNT [SEED [PROGRAM]]
 //   mutated_files --samples FOLDER
 //
-// The exit code is 1 if a file caused a fault; the file is then in the current folder. PROGRAM is geodesic_offset. The
-// second form writes the unchanged files as a corpus for fuzz_readers.
+// The exit code is 1 if a file caused a fault; the file is then in the current folder. PROGRAM is geodesic_offset
+// or validate_geodesic_offsets. The second form writes the unchanged files as a corpus for fuzz_readers.
 
 #include "mutation_run.h"
 

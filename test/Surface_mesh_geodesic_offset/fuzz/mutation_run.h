@@ -48,47 +48,82 @@ inline double processor_seconds()
   return result;
 }
 
-/// Returns whether the program accepts the file. Throws std::logic_error.
-inline bool accepted_by_program(const std::string& program, const std::string& file, const std::string& mesh)
+/// A program that reads mutated files: geodesic_offset, or validate_geodesic_offsets by its name.
+class Tested_program
 {
-  const bool is_polyline = geodesic_offset::has_extension(file, ".polylines.txt");
-  const std::vector<std::string> arguments =
-    is_polyline ? std::vector<std::string>{mesh, "--source-polyline", file, "--distance", "0.5", "--quiet"}
-                : std::vector<std::string>{file, "--source-vertex", "0", "--distance", "0.5", "--quiet"};
-  const Program_result result = run_program(program, arguments);
-  require(result.exit_code >= 0 && result.exit_code <= 2, "a signal, or an exit code that is not 0, 1 or 2");
-  require(result.output.empty(), "an output");
-  require(result.errors.empty() || result.errors.back() == '\n', "a line that does not end");
-  std::size_t errors = 0; // warnings may precede it
-  std::istringstream lines(result.errors);
-  for (std::string line; std::getline(lines, line);)
+  const Scratch_directory& m_scratch;
+  const std::string m_program, m_name, m_mesh, m_curves;
+
+public:
+  Tested_program(const std::string& program, const std::string& mesh_bytes, const Scratch_directory& scratch)
+    : m_scratch(scratch), m_program(program), m_name(std::filesystem::path(program).filename().string()),
+      m_mesh((scratch / "mesh.off").string()), m_curves((scratch / "curves.polylines.txt").string())
   {
-    require(line.compare(0, 17, "geodesic_offset: ") == 0, "a line that is no message");
-    errors += line.compare(17, 9, "warning: ") == 0 ? 0 : 1;
+    write_file(m_mesh, mesh_bytes);
+    write_file(m_curves, sample_curves().bytes);
   }
-  require(errors == (result.exit_code == 0 ? 0u : 1u), "a wrong number of errors");
-  return result.exit_code == 0;
-}
+
+  bool is_given() const { return !m_program.empty(); }
+  bool is_validation() const { return m_name == "validate_geodesic_offsets"; }
+
+  /// Returns whether the program accepts a file with the extension. Throws std::logic_error.
+  bool accepts(const std::string& extension, const std::string& bytes) const
+  {
+    const std::string file = (m_scratch / ("file" + extension)).string();
+    write_file(file, bytes);
+    const Program_result result = run_program(m_program, arguments(extension == ".polylines.txt", file));
+    constexpr int not_certified = 3;
+    const bool is_accepted = result.exit_code == 0 || (is_validation() && result.exit_code == not_certified);
+    require(is_accepted || result.exit_code == 1 || result.exit_code == 2, "a signal, or another exit code");
+    require(result.output.empty() != (is_validation() && is_accepted), "a wrong output");
+    check_errors(result.errors, is_accepted ? 0 : 1);
+    return is_accepted;
+  }
+
+private:
+  std::vector<std::string> arguments(bool is_polyline, const std::string& file) const
+  {
+    const std::string &mesh = is_polyline ? m_mesh : file, &curves = is_polyline ? file : m_curves;
+    if (is_validation()) return {mesh, "--source-vertex", "0", "--distance", "3", "--curves", curves};
+    if (is_polyline) return {mesh, "--source-polyline", file, "--distance", "0.5", "--quiet"};
+    return {mesh, "--source-vertex", "0", "--distance", "0.5", "--quiet"};
+  }
+
+  // Warnings may precede the error.
+  void check_errors(const std::string& errors, std::size_t expected) const
+  {
+    require(errors.empty() || errors.back() == '\n', "a line that does not end");
+    const std::string prefix = m_name + ": ", warning = prefix + "warning: ";
+    std::size_t found = 0;
+    std::istringstream lines(errors);
+    for (std::string line; std::getline(lines, line);)
+    {
+      require(line.compare(0, prefix.size(), prefix) == 0, "a line that is no message");
+      found += line.compare(0, warning.size(), warning) == 0 ? 0 : 1;
+    }
+    require(found == expected, "a wrong number of errors");
+  }
+};
 
 /// Runs `count` mutations, number i with seed `seed` + i, with the readers, or with a program if one is given, which reads
-/// only meshes and polylines. A file that causes a fault is written to the current folder and named on standard error.
+/// only meshes, and polylines or curves. A file that causes a fault is written to the current folder and named on standard error.
 /// Returns the tallies by extension, and the number of these files, at most 20.
 inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::uint64_t count, std::uint64_t seed,
                                                                          const std::string& program = "")
 {
   constexpr double most_seconds = 5; // elapsed
   std::vector<Sample_file> samples = sample_meshes();
+  const Scratch_directory scratch;
+  const Tested_program tested(program, samples.front().bytes, scratch);
   for (const Sample_file& sample : other_samples())
     if (program.empty() || sample.extension == ".polylines.txt") samples.push_back(sample);
+  if (tested.is_validation()) samples.push_back(sample_curves());
   // extensions are equally likely, however many samples they have
   std::map<std::string, std::vector<const Sample_file*>> by_extension;
   for (const Sample_file& sample : samples) by_extension[sample.extension].push_back(&sample);
   std::vector<std::string> extensions;
   for (const auto& entry : by_extension) extensions.push_back(entry.first);
 
-  const Scratch_directory scratch;
-  const std::string mesh = (scratch / "mesh.off").string();
-  write_file(mesh, samples.front().bytes);
   std::map<std::string, Mutation_tally> tallies;
   int failures = 0;
   for (std::uint64_t i = 0; i < count; ++i)
@@ -100,15 +135,14 @@ inline std::pair<std::map<std::string, Mutation_tally>, int> run_mutations(std::
     // exact-size copy, so that sanitizers detect reads beyond the end
     const std::string text = mutator(whole, samples[mutator.below(samples.size())].bytes);
     const std::vector<char> bytes(text.begin(), text.end());
-    const std::string path = program.empty() ? "file" + extension : (scratch / ("file" + extension)).string();
     Mutation_tally& tally = tallies[extension];
     const double start = processor_seconds();
     const auto clock_start = std::chrono::steady_clock::now();
     try
     {
-      if (!program.empty()) write_file(path, text);
-      const bool is_accepted = program.empty() ? read_input(path, std::string_view(bytes.data(), bytes.size()))
-                                               : accepted_by_program(program, path, mesh);
+      const bool is_accepted = tested.is_given()
+                                 ? tested.accepts(extension, text)
+                                 : read_input("file" + extension, std::string_view(bytes.data(), bytes.size()));
       ++(is_accepted ? tally.accepted : tally.rejected);
       const double seconds = processor_seconds() - start;
       if (seconds > tally.slowest)

@@ -282,6 +282,12 @@ inline std::vector<Sample_file> sample_meshes()
   return files;
 }
 
+/// Curve round vertex 0 of the pyramid, near its offset at distance 3: through the points of its edges at this distance.
+inline Sample_file sample_curves()
+{
+  return {"curves", ".polylines.txt", "4  3 0 0  0.635999 0.635999 2.861994  0 3 0  3 0 0 # closed\n"};
+}
+
 /// Polylines, and distances of the pyramid's vertices, as text and PLY files.
 inline std::vector<Sample_file> other_samples()
 {

@@ -35,7 +35,7 @@ public:
 
   void run(const Certified_sources& sources)
   {
-    m_state.lists.set_number_of_primitives(sources.vertices.size() + sources.in_faces.size());
+    m_state.set_number_of_primitives(sources.vertices.size() + sources.in_faces.size());
     start(sources);
     while (m_state.queue.advance())
     {

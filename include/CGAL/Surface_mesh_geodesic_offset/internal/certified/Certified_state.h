@@ -42,7 +42,10 @@ class Certified_state
 {
 public:
   typedef Certified_window Window;
-  typedef Window_lists<double, Window> Lists;
+  // Where no window is certainly nearer, lists are reduced again and again without getting shorter, so the time of a build
+  // grows with the square of their length: 512 windows take less than a second on a small mesh.
+  static constexpr std::size_t longest_list = 512;
+  typedef Window_lists<double, Window, longest_list> Lists;
   typedef Window_output<double, Window> Output;
 
   Certified_state(const Certified_mesh& m, bool keeps, Certified_field& f)
@@ -52,6 +55,12 @@ public:
   {
     field.bounds = Distance_bounds(unfolded.number_of_vertices());
     if (keeps_windows) field.begin.assign(4 * unfolded.number_of_faces(), 0);
+  }
+
+  void set_number_of_primitives(std::size_t n)
+  {
+    lists.set_number_of_primitives(n);
+    m_arrivals.set_number_of_primitives(n);
   }
 
   // Processes a path to v with an error of at most the radius; `back` is the direction to its start, known up to an angle.

@@ -15,6 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -85,11 +88,19 @@ public:
   Arrivals() = default;
   explicit Arrivals(std::size_t number_of_vertices) : m_first(number_of_vertices, no_index) {}
 
+  // The number of source primitives, each of which may have own arrivals.
+  void set_number_of_primitives(std::size_t n) { m_number_of_primitives = n; }
+
   // Returns false if the arrival is already covered.
   bool add(Index v, Arrival arrival)
   {
-    for (Index i = m_first[v]; i != no_index; i = m_arrivals[i].next)
+    std::size_t n = 0;
+    for (Index i = m_first[v]; i != no_index; i = m_arrivals[i].next, ++n)
       if (m_arrivals[i].unite(arrival)) return !m_arrivals[i].has_spread;
+    if (n >= most + 4 * (m_first.size() + m_number_of_primitives))
+      throw std::runtime_error("Surface_mesh_geodesic_enclosure: " + std::to_string(n) +
+                               " paths to a vertex that may be shortest: faces are so thin that rounding does not let paths be "
+                               "told apart");
     arrival.next = m_first[v];
     m_first[v] = Index(m_arrivals.size());
     m_arrivals.push_back(arrival);
@@ -113,8 +124,12 @@ public:
   }
 
 private:
+  // More arrivals at a vertex of a small mesh come from faces so thin that no path is certainly shorter, as in Window_lists.
+  static constexpr std::size_t most = 512;
+
   std::vector<Index> m_first; // by vertex
   std::vector<Arrival> m_arrivals;
+  std::size_t m_number_of_primitives = 0;
 };
 
 } // namespace internal

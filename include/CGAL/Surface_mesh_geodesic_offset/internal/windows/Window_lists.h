@@ -49,8 +49,8 @@ struct alignas(sizeof(FT) == 8 ? 64 : (std::max)(alignof(FT), alignof(std::size_
 };
 
 // Each part of the front has its own lists, so several threads may work on different parts. Blocks come from arenas, one per
-// thread.
-template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>>
+// thread. `longest`: the length of lists that is always allowed, see reserve().
+template <class FT, class Window_ = CGAL::Geodesic_offset::internal::Window<FT>, std::size_t longest = std::size_t(1) << 12>
 class Window_lists
 {
 public:
@@ -193,8 +193,6 @@ public:
 private:
   // Longer lists on small meshes come from faces so thin that no window is certainly nearer than another; then the number of
   // windows doubles in every face.
-  static constexpr std::size_t longest = 1 << 12;
-
   void reserve(List& list, std::size_t n, Arena& arena) const
   {
     if (list.data && n <= Arena::capacity(list.size_class)) return;
