@@ -35,7 +35,7 @@ using Computing_traits_of = typename CGAL::Geodesic_offset::internal::Computatio
 typedef Computing_traits_of<Derived_traits> Computing_traits_1;
 typedef Computing_traits_of<Own_traits> Computing_traits_2;
 
-#elif defined REFUSED_PARAMETER
+#elif defined REFUSED_PARAMETERS
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -50,20 +50,17 @@ typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_tr
 
 namespace parameters = CGAL::parameters;
 
+// Each call has a message of its own.
 void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_curve>& curves)
 {
-#if REFUSED_PARAMETER == 1 // of another function of CGAL, at the end of a chain
+  // of another function of CGAL, at the end of a chain
   geodesic.build(parameters::keep_windows(true).number_of_iterations(3));
-#elif REFUSED_PARAMETER == 2 // of a mesh, at the start
+  // of a mesh, at the start
   geodesic.build(parameters::vertex_point_map(mesh.points()).keep_windows(true));
-#elif REFUSED_PARAMETER == 3 // of a build
+  // of a build
   Geodesic refused(mesh, parameters::keep_windows(true));
-#elif REFUSED_PARAMETER == 4 // of a build
   geodesic.update(parameters::visitor([](double) { return true; }).distance_limit(1.));
-#else // of a build
   geodesic.offset_curves(1., std::back_inserter(curves), parameters::distance_limit(1.));
-#endif
-  (void)mesh, (void)geodesic, (void)curves;
 }
 
 #else
