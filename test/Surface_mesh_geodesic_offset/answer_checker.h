@@ -83,6 +83,7 @@ public:
   Answer_checker(const Surface_mesh& mesh, bool is_flat, bool is_close = false)
     : mesh_(mesh), is_flat_(is_flat), is_close_(is_close), locations_(mesh)
   {
+    if (num_vertices(mesh) > 0) origin_ = mesh.point(*vertices(mesh).begin());
     for (Vertex_index v : vertices(mesh))
       for (int i = 0; i < 3; ++i) scale_ = (std::max)(scale_, std::abs(mesh.point(v)[i]));
     for (auto e : edges(mesh))
@@ -98,6 +99,10 @@ public:
   /// an error of some roundings of the scale, which is the largest coordinate, or the longest edge if it is larger; and where it
   /// passes many edges, of some for each point.
   static constexpr double near_part = 1e-3, near_roundings = 8, roundings_per_point = 0.25, unit_roundoff = 1. / (1ull << 53);
+  /// The distance of a vertex is that of a window, whose image changes the frame at each edge: a coordinate has two products and two
+  /// sums, 3 u of the scale, and the frames are known up to 3 u of their edges, as apexes are. For both coordinates that is less than
+  /// 8 u per point of the path.
+  static constexpr double roundings_per_frame = 8;
 
   double longest_edge() const { return longest_edge_; }
   const Locations<Surface_mesh>& locations() const { return locations_; }
@@ -148,8 +153,14 @@ public:
   /// Two consecutive points of a polyline that are equal.
   bool repeats_points(const std::vector<Face_location>& polyline, bool is_closed = false) const
   {
+    return repeats_points(polyline, is_closed, is_close_);
+  }
+
+  /// `may_be_one`: different locations may be one point in space.
+  bool repeats_points(const std::vector<Face_location>& polyline, bool is_closed, bool may_be_one) const
+  {
     for (std::size_t i = 0; i + (is_closed ? 0 : 1) < polyline.size(); ++i)
-      if (is_one_point(polyline[i], polyline[(i + 1) % polyline.size()])) return true;
+      if (is_one_point(polyline[i], polyline[(i + 1) % polyline.size()], may_be_one)) return true;
     return false;
   }
 
@@ -185,10 +196,12 @@ private:
     return text;
   }
 
-  Point vertex_point(Vertex_index v) const
+  /// Relative to the first vertex: differences of coordinates are exact, or nearly so, and far from the origin even the digits of
+  /// `long double` would not do for the points of locations.
+  Point vertex_point(Vertex_index v) const { return from_origin(mesh_.point(v)); }
+  Point from_origin(const Point_3& p) const
   {
-    const Point_3& p = mesh_.point(v);
-    return {p.x(), p.y(), p.z()};
+    return {Number(p.x()) - origin_.x(), Number(p.y()) - origin_.y(), Number(p.z()) - origin_.z()};
   }
   Point point(const Face_location& l) const
   {
@@ -200,9 +213,9 @@ private:
     return p;
   }
   Point_3 rounded(const Face_location& l) const { return locations_.point(l); }
-  bool is_one_point(const Face_location& l, const Face_location& m) const
+  bool is_one_point(const Face_location& l, const Face_location& m, bool may_be_one) const
   {
-    return is_close_ ? locations_.support(l) == locations_.support(m) : rounded(l) == rounded(m);
+    return may_be_one ? locations_.support(l) == locations_.support(m) : rounded(l) == rounded(m);
   }
 
   static Point difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
@@ -246,26 +259,26 @@ private:
   {
     std::vector<Point_3> points;
     geodesic.shortest_path_points_to_sources(query, std::back_inserter(points));
-    expect(are_same(points, path), WRONG_FORM, "points and locations");
+    // a path that is shorter than the rounding of coordinates may be one point in space
+    const bool may_be_one = is_close_ || double(length(path)) <= near_roundings * unit_roundoff * scale_;
+    expect(are_same(points, path, may_be_one), WRONG_FORM, "points and locations");
     for (std::size_t i = 0; i + 1 < points.size(); ++i) expect(points[i] != points[i + 1], REPEATED_POINT, "a point in space");
-    expect(!repeats_points(path), REPEATED_POINT, "a location");
+    expect(!repeats_points(path, false, may_be_one), REPEATED_POINT, "a location");
   }
 
   // Whether the points are those of the locations, of which some may be one point in space.
-  bool are_same(const std::vector<Point_3>& points, const std::vector<Face_location>& path) const
+  bool are_same(const std::vector<Point_3>& points, const std::vector<Face_location>& path, bool may_be_one) const
   {
-    if (points.size() > path.size() || (points.size() < path.size() && !is_close_)) return false;
+    if (points.size() > path.size() || (points.size() < path.size() && !may_be_one)) return false;
     const auto is_at = [&](std::size_t i, std::size_t k) {
-      return distance({points[i].x(), points[i].y(), points[i].z()}, point(path[k])) <= near_roundings * unit_roundoff * scale_;
+      return distance(from_origin(points[i]), point(path[k])) <= near_roundings * unit_roundoff * scale_;
     };
-    std::size_t i = 0;
+    // whether location k may be point i: the locations are points in order, each point one location or several
+    std::vector<char> may_be(points.size(), 0);
     for (std::size_t k = 0; k < path.size(); ++k)
-    {
-      const bool may_stay = k != 0 && path.size() - k > points.size() - i - 1 && is_at(i, k);
-      if (k != 0 && !may_stay) ++i;
-      if (i == points.size() || !is_at(i, k)) return false;
-    }
-    return i + 1 == points.size();
+      for (std::size_t i = points.size(); i-- > 0;)
+        may_be[i] = (k == 0 ? i == 0 : may_be[i] || (i > 0 && may_be[i - 1])) && is_at(i, k);
+    return may_be.back();
   }
 
   void check_path(const Face_location& query, const std::vector<Face_location>& path, double d)
@@ -279,7 +292,8 @@ private:
     const bool is_near = d < near_part * scale_;
     if (is_near) worst_near_length = (std::max)(worst_near_length, error / (unit_roundoff * scale_));
     else worst_length = (std::max)(worst_length, error / d);
-    expect(error <= tolerance * d + (is_near ? (near_roundings + roundings_per_point * double(path.size())) * unit_roundoff * scale_ : 0),
+    const double per_point = locations_.support(path.front()).size() == 1 ? roundings_per_frame : roundings_per_point;
+    expect(error <= tolerance * d + (is_near ? (near_roundings + per_point * double(path.size())) * unit_roundoff * scale_ : 0),
            WRONG_LENGTH,
            "length " + number(l) + " instead of " + number(d));
   }
@@ -329,17 +343,57 @@ private:
            (nearest.is_segment ? "off the segment by " : "off the point by ") + number(double(off)));
   }
 
-  bool is_point(const Known_source& source) const
+  enum Extent { IS_POINT, HAS_SIDES, IS_OPEN };
+
+  /// Points inside one face, inside one edge or at one vertex are one point, and have no sides, up to a length of 16 u of the edges
+  /// of the face. Between half and twice of it, and beside the limit of coordinates that count as zero, it is open.
+  Extent extent(const Known_source& source) const
   {
-    return std::all_of(source.locations.begin(), source.locations.end(),
-                       [&](const Face_location& l) { return rounded(l) == rounded(source.locations.front()); });
+    const auto& l = source.locations;
+    Number size = 0;
+    for (std::size_t i = 0; i < source.number_of_segments(); ++i)
+    {
+      const Face_location &p = l[i], &q = l[source.after(i)];
+      const std::vector<Vertex_index> elements[] = {element(p, 0.9e-13), element(p, 1.1e-13), element(q, 0.9e-13), element(q, 1.1e-13)};
+      if (elements[0] != elements[1] || elements[2] != elements[3]) return IS_OPEN;
+      if (elements[0] != elements[2]) return HAS_SIDES;
+      if (elements[0].size() > 1) size += distance(point(p), point(q));
+    }
+    Number least = perimeter(l.front().first), most = least;
+    if (const auto e = element(l.front(), 1e-13); e.size() == 2)
+    {
+      const auto h = mesh_.halfedge(e[0], e[1]);
+      for (const Face_index f : {mesh_.face(h), mesh_.face(mesh_.opposite(h))})
+        if (f != Surface_mesh::null_face()) least = (std::min)(least, perimeter(f)), most = (std::max)(most, perimeter(f));
+    }
+    const Number limit = 16 * unit_roundoff;
+    return size <= limit * least / 2 ? IS_POINT : size >= limit * most * 2 ? HAS_SIDES : IS_OPEN;
+  }
+
+  Number perimeter(Face_index f) const
+  {
+    const auto c = locations_.corners(f);
+    Number sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += distance(vertex_point(c[i]), vertex_point(c[(i + 1) % 3]));
+    return sum;
+  }
+
+  /// The vertices at which a location has more than a part of its weight.
+  std::vector<Vertex_index> element(const Face_location& l, double least) const
+  {
+    const auto c = locations_.corners(l.first);
+    std::vector<Vertex_index> result;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (l.second[k] > least * (l.second[0] + l.second[1] + l.second[2])) result.push_back(c[k]);
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   void check_side(const Known_source& source, const Geodesic::Nearest_source& nearest, const std::vector<Face_location>& path)
   {
     using Side = CGAL::Source_side;
-    const bool has_sides = source.kind == Known_source::POLYLINE && !is_point(source);
-    if (!has_sides)
+    const Extent sides = source.kind != Known_source::POLYLINE ? IS_POINT : extent(source);
+    if (sides == IS_POINT || (sides == IS_OPEN && nearest.side == Side::NONE))
     {
       expect(nearest.side == Side::NONE, WRONG_SIDE, "a side of a source without sides");
       expect(nearest.is_segment <= (source.kind == Known_source::EDGES), WRONG_SIDE, "a segment of a point");
@@ -423,6 +477,7 @@ private:
   const Surface_mesh& mesh_;
   const bool is_flat_, is_close_;
   const Locations<Surface_mesh> locations_;
+  Point_3 origin_ = CGAL::ORIGIN; // of points
   double scale_ = 0, longest_edge_ = 0;
   unsigned faults_ = 0;
   std::string detail_;

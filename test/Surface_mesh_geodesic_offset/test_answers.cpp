@@ -42,7 +42,7 @@ void run(Answer_search::Sources sources, unsigned first, unsigned last)
 {
   Answer_search search(std::cout, 20, 33, sources);
   for (unsigned seed = first; seed <= last; ++seed) search.run(seed);
-  CHECK(search.counts().size() == 17);
+  CHECK(search.counts().size() == (sources == Answer_search::BESIDE ? 7u : 17u));
   check(search);
 }
 
@@ -99,6 +99,22 @@ void known_cases()
   run(Answer_search::SPREAD, {865, 11269, 11733, 12002, 13989, 14227, 15630, 15869, 19456, 24666, 29372});
   // gradients beside sources, labels, corners, open ends; a path that runs along another edge; one that ends on another source
   run(Answer_search::COINCIDING, {688, 1769, 5025, 6088, 7272, 8239, 9309, 13329, 17951, 22098, 8006331, 8028953});
+  // sides and parts told from far away where a needle, or a short segment, hides them; parts of points at distance 0 in other faces
+  run(Answer_search::SPREAD, {90049607, 90060584, 50003823, 200030937, 200046440, 200075509, 200080482, 200081085, 500146315});
+  run(Answer_search::COINCIDING, {60026440, 140009919, 300021106, 300036858});
+  // polylines whose points are one point: sources without sides
+  run(Answer_search::COINCIDING, {80000044, 300005737, 300014946});
+  // near sources: measured paths are traced as they were measured; a path that is one point in space; the rounding of a vertex
+  run(Answer_search::SPREAD, {500055435, 500097521, 500149794, 500199769});
+  run(Answer_search::COINCIDING, {600007633, 600027313, 600050658});
+  // joined polylines that end beside an edge
+  run(Answer_search::BESIDE, {263, 400000423, 400003635, 400006489});
+  // the names of points at the ends of polylines
+  run(Answer_search::BESIDE, {525, 1507, 400000806, 400034264});
+  // sources beside vertices, which paths pass on the right side; goals before the last edge; starts beside a pseudo-source
+  run(Answer_search::BESIDE, {1750, 2229, 2526, 400003299, 400003536, 400004661, 400004843, 400010692, 400011616, 400023463, 400028913});
+  // far from the origin
+  run(Answer_search::BESIDE, {175, 712, 940, 1254, 1535});
   // segments shorter than 1e-8 of an edge: their points have distance 0, also where rounding puts them behind both sides
   run(Answer_search::BESIDE, {333, 510, 1643, 2152, 2297, 2503});
 }
@@ -143,6 +159,7 @@ GEODESIC_OFFSET_TEST(test_answers)
     {"known cases", test_answers::known_cases},
     {"located polylines", test_answers::located_polylines},
     {"spread sources", [] { test_answers::run(Answer_search::SPREAD, 1, 1500); }},
-    {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 1500); }}};
+    {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 1500); }},
+    {"sources beside vertices", [] { test_answers::run(Answer_search::BESIDE, 1, 500); }}};
   return test::run_tests("test_answers", tests);
 }

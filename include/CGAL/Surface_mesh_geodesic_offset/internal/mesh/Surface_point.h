@@ -201,6 +201,23 @@ bool position_in_face(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p,
   return false;
 }
 
+// Points of a face no farther apart than this are one point. Positions in a face have two products, and those of points on edges
+// the rounding of the edge: 8 units of rounding of the edges of the face.
+template <class FT>
+FT size_of_point(const Unfolded_mesh<FT>& mesh, Index face)
+{
+  const Index h = 3 * face;
+  return Number_policy<FT>::rounding(8) * (mesh[h].length + mesh[h + 1].length + mesh[h + 2].length);
+}
+
+// Whether two points are inside the same face, inside the same edge, or at the same vertex.
+template <class FT>
+bool are_of_one_element(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, const Surface_point<FT>& q)
+{
+  if (p.kind != q.kind) return false;
+  return p.element == q.element || (p.kind == Surface_point<FT>::EDGE && mesh.twin(p.element) == q.element);
+}
+
 // Transforms a vector from the face frame to the frame of p's face or halfedge. Precondition: p is inside a face or an
 // edge.
 template <class FT>

@@ -24,6 +24,29 @@ inline FT cross(const FT& ax, const FT& ay, const FT& bx, const FT& by)
   return ax * by - ay * bx;
 }
 
+// Turns a vector from the frame of the halfedge `from` to that of `to`, which has the same source vertex. The faces between are
+// unfolded: those counterclockwise of `to`, or those clockwise. Returns false if the border is between.
+template <class FT>
+bool turn_to_corner(const Unfolded_mesh<FT>& mesh, Index from, Index to, bool ccw, Point_in_face<FT>& u)
+{
+  Point_in_face<FT> turn{FT(1), FT(0)}; // from the frame of `at` to that of `to`, if counterclockwise, or back
+  const auto add = [&](Index corner) {
+    FT c, s;
+    mesh.corner_direction(corner, c, s);
+    turn = {turn.x * c - turn.y * s, turn.x * s + turn.y * c};
+  };
+  for (Index at = to; at != from;)
+  {
+    if (ccw) add(at);
+    at = ccw ? mesh.corner_ccw(at) : mesh.corner_cw(at);
+    if (at == no_index || at == to) return false;
+    if (!ccw) add(at);
+  }
+  if (!ccw) turn.y = -turn.y;
+  u = {turn.x * u.x - turn.y * u.y, turn.y * u.x + turn.x * u.y};
+  return true;
+}
+
 template <class FT>
 class Vertex_sector
 {

@@ -14,6 +14,8 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -42,6 +44,7 @@ public:
 
   // Infinity if two consecutive points have no face in common.
   const FT& length() const { return m_length; }
+  std::size_t number_of_pieces() const { return m_pieces; }
 
 private:
   void go_to(const Surface_point<FT>& p)
@@ -55,6 +58,7 @@ private:
         piece = (std::min)(piece, internal::length(to - from));
     }
     m_length += piece;
+    ++m_pieces;
     m_last = p;
   }
 
@@ -62,6 +66,7 @@ private:
   Passed_crossings<FT> m_passed;
   Surface_point<FT> m_last;
   FT m_length = FT(0);
+  std::size_t m_pieces = 0;
 };
 
 // The distance of a point and the start of its path, as Path_starts computes them; but near a source, the distance is the length of
@@ -125,13 +130,25 @@ private:
   BOOST_NOINLINE void measure(const Located_point<FT>& p, Legs& legs, Path_start<FT>& start) const
   {
     Path_measurement<FT> path(m_mesh);
-    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path);
-    // a path that is longer by more than rounding does not tell the distance
-    const FT allowance = Number_policy<FT>::rounding(512) * (start.distance + m_mesh.longest_edge());
+    Path_start<FT> bypass;
+    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path, &bypass);
+    // A path that is longer by more than rounding does not tell the distance: the allowance of windows, twice, and less than 4 units
+    // for each change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
+    const FT allowance = Number_policy<FT>::rounding(512 + 4. * double(path.number_of_pieces())) * (start.distance + m_mesh.longest_edge());
     const FT error = CGAL::abs(path.length() - start.distance);
-    if (!(error <= allowance) || error <= Number_policy<FT>::rounding(4) * start.distance) return; // no better
-    // on the source, as in Path_starts
-    start.distance = path.length() <= Number_policy<FT>::rounding(Path_starts<FT>::on_source) * extent(p) ? FT(0) : path.length();
+    if (!(error <= allowance)) return;
+    if (bypass.halfedge != no_index)
+    {
+      start.to = bypass.to;
+      start.direction = bypass.direction;
+    }
+    if (error <= Number_policy<FT>::rounding(4) * start.distance) return; // no better
+    const std::vector<Index> faces = faces_of(m_mesh, static_cast<const Surface_point<FT>&>(p));
+    const bool is_on_source =
+      std::any_of(faces.begin(), faces.end(), [&](Index f) { return path.length() <= size_of_point(m_mesh, f); });
+    start.is_measured = true;
+    start.distance_of_windows = start.distance;
+    start.distance = is_on_source ? FT(0) : path.length();
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
@@ -15,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -150,30 +152,57 @@ public:
     return length(Point{p.x, p.y} - Face_frame<FT>(m_mesh, p.element).on_edge(int(h % 3), t)) <= allowance;
   }
 
-  // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p in the frame
-  // of h.
-  End end_at_goal(const Goal& goal, Index h, const Point& p, const Path_start<FT>& start) const
+  // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p and the
+  // direction of the way in the frame of h.
+  End end_at_goal(const Goal& goal, Index h, const Point& p, const Point& direction, const Path_start<FT>& start) const
   {
-    return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, start);
+    return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, direction, start);
   }
 
   // The end of a way to a corner of the face of h. The path ends there or goes on from there. If it ends there, the windows that
   // start in the face know the side.
-  End end_at_vertex(Index v, Index h, const Point& p, const Path_start<FT>& start) const
+  End end_at_vertex(Index v, Index h, const Point& p, const Point& direction, const Path_start<FT>& start) const
   {
-    if (!is_source(v)) return {Surface_point_::at_vertex(v), Source_ref()};
-    const Index face = m_mesh.face(h);
-    const Face_frame<FT> frame(m_mesh, face);
-    const FT nearest = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
-    for (int k = 0; k < 3; ++k)
-    {
-      if (m_mesh.source(3 * face + Index(k)) != v) continue;
-      End_search search{start.source_ref, Number_policy<FT>::infinity(), nearest, false};
-      find_end(frame, face, frame.from_halfedge(int(h % 3), p), frame.corner(k), search);
-      if (search.is_of_known_source() || (search.is_found() && !is_at_vertex(start.source_ref, v)))
-        return {Surface_point_::at_vertex(v), search.end.source_ref};
-    }
+    const Surface_point_ at_v = Surface_point_::at_vertex(v);
+    if (!is_source(v)) return {at_v, Source_ref()};
+    const FT everywhere = Number_policy<FT>::infinity();
+    End_search arrival{start.source_ref, everywhere, FT(0), false};
+    const auto search_at_corner = [&](Index face, const auto& way_to, End_search& search) {
+      const Face_frame<FT> frame(m_mesh, face);
+      search.nearest = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
+      find_end(frame, face, way_to(frame, frame.corner(int(corner_at(v, face) % 3))), search);
+    };
+    const int edge = int(h % 3);
+    search_at_corner(m_mesh.face(h), [&](const Face_frame<FT>& frame, const Point& corner) {
+      return way_in(frame, frame.from_halfedge(edge, p), corner, frame.vector_from_halfedge(edge, direction), start.distance);
+    }, arrival);
+    if (arrival.is_of_known_source()) return {at_v, arrival.end.source_ref};
+    if (is_at_vertex(start.source_ref, v)) return end_at_source_vertex(v, start);
+    // another part of the source may have the vertex; of several sources at the vertex, that of the way is meant
+    End_search around{start.source_ref, everywhere, FT(0), true};
+    const Index from = corner_at(v, m_mesh.face(h));
+    const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+    const Point back = FT(-1) * frame.vector_to_halfedge(int(from % 3), frame.vector_from_halfedge(edge, direction));
+    for (const Index face : faces_of(m_mesh, at_v))
+      for (const bool ccw : {true, false})
+        search_at_corner(face, [&](const Face_frame<FT>& f, const Point& corner) {
+          const Index to = corner_at(v, face);
+          Point u = back;
+          if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return Way{corner, corner, corner};
+          return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.distance);
+        }, around);
+    if (around.is_found()) return {at_v, around.end.source_ref};
+    if (arrival.is_found()) return {at_v, arrival.end.source_ref};
     return end_at_source_vertex(v, start);
+  }
+
+  // The halfedge of the face that starts at a vertex of it.
+  Index corner_at(Index v, Index face) const
+  {
+    Index h = 3 * face;
+    while (m_mesh.source(h) != v) ++h;
+    CGAL_postcondition(m_mesh.face(h) == face);
+    return h;
   }
 
   // The same if no face is known through which the way arrives, or none of its windows starts there. Corners of polylines are on both
@@ -187,33 +216,13 @@ public:
     return end;
   }
 
-  // The part of a source that contains a point at distance zero, up to rounding; not valid if none is found in the faces of the
-  // point and those beside it.
+  // The part of a source that contains a point at distance zero, up to rounding; not valid if there is none.
   Source_ref source_ref_at(const Surface_point_& p, const Path_start<FT>& start) const
   {
     if (p.kind == Surface_point_::VERTEX) return m_field.source_ref[p.element];
-    for (const Index face : faces_of(m_mesh, p))
-    {
-      Point position;
-      unsigned edges;
-      position_in_face(m_mesh, p, face, position, edges);
-      const Face_frame<FT> frame(m_mesh, face);
-      const FT nearest = Number_policy<FT>::rounding(64) * frame.longest_edge();
-      End_search search{start.source_ref, nearest, nearest, false};
-      find_end(frame, face, position, position, search);
-      // sources may touch the face at its boundary only
-      for (int k = 0; k < 3 && !search.is_found(); ++k)
-      {
-        const Index h = 3 * face + Index(k), g = m_mesh.twin(h);
-        if (is_source(m_mesh.source(h)) && length(position - frame.corner(k)) <= nearest) return m_field.source_ref[m_mesh.source(h)];
-        if (g == no_index || frame.height(k, position) > nearest) continue;
-        const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
-        const Point there = beyond.from_halfedge(int(g % 3), frame.to_twin(k, position));
-        find_end(beyond, m_mesh.face(g), there, there, search);
-      }
-      if (search.is_found()) return search.end.source_ref;
-    }
-    return Source_ref();
+    const Source_ref source_ref = source_ref_within(p, start, 64);
+    // distances of windows are too small by up to 256 units beside gaps that were closed
+    return source_ref.is_valid() ? source_ref : source_ref_within(p, start, 512);
   }
 
   // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
@@ -224,17 +233,87 @@ public:
   {
     const Index face = walk.face();
     const Face_frame<FT> frame(m_mesh, face);
-    const Point p = frame.from_halfedge(int(walk.halfedge() % 3), walk.position());
-    const Point q = frame.from_halfedge(int(walk.halfedge() % 3), walk.goal());
+    const int edge = int(walk.halfedge() % 3);
+    const Point p = frame.from_halfedge(edge, walk.position()), q = frame.from_halfedge(edge, walk.goal());
     const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
     const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
     End_search search{start.source_ref, longest, nearest, !has_missed};
-    find_end(frame, face, p, q, search);
+    find_end(frame, face, way_in(frame, p, q, frame.vector_from_halfedge(edge, walk.direction()), start.distance), search);
     end = search.end;
     return search.is_found();
   }
 
 private:
+  // The part of a source that is nearest to a point, within some units of rounding of the edges; not valid if there is none. The
+  // source may be in another face: all faces within that distance are searched, from those of the point on.
+  Source_ref source_ref_within(const Surface_point_& p, const Path_start<FT>& start, double roundings) const
+  {
+    struct Visit
+    {
+      Index face;
+      Point position;
+    };
+    std::vector<Visit> ring, next;
+    std::vector<Index> seen = faces_of(m_mesh, p);
+    FT nearest(0);
+    for (const Index face : seen)
+    {
+      ring.push_back({face, {}});
+      unsigned edges;
+      position_in_face(m_mesh, p, face, ring.back().position, edges);
+      nearest = (std::max)(nearest, FT(Number_policy<FT>::rounding(roundings) * Face_frame<FT>(m_mesh, face).longest_edge()));
+    }
+    for (; !ring.empty(); ring.swap(next), next.clear())
+    {
+      End_search search{start.source_ref, nearest, nearest, false};
+      for (const Visit& v : ring) find_end(Face_frame<FT>(m_mesh, v.face), v.face, {v.position, v.position, v.position}, search);
+      if (search.is_found()) return search.end.source_ref;
+      for (const Visit& v : ring)
+      {
+        const Face_frame<FT> frame(m_mesh, v.face);
+        for (int k = 0; k < 3; ++k)
+        {
+          const Index h = 3 * v.face + Index(k), g = m_mesh.twin(h);
+          if (is_source(m_mesh.source(h)) && length(v.position - frame.corner(k)) <= nearest) return m_field.source_ref[m_mesh.source(h)];
+          if (g == no_index || std::find(seen.begin(), seen.end(), m_mesh.face(g)) != seen.end()) continue;
+          const FT along = (std::max)(FT(0), (std::min)(frame.along(k, v.position), m_mesh[h].length));
+          if (!(length(v.position - frame.on_edge(k, along)) <= nearest)) continue;
+          seen.push_back(m_mesh.face(g));
+          const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
+          next.push_back({m_mesh.face(g), beyond.from_halfedge(int(g % 3), frame.to_twin(k, v.position))});
+        }
+      }
+    }
+    return Source_ref();
+  }
+
+  // A straight way from `first` to `last` in a face, or beyond it in its plane. `before` is the first point, or one farther back on
+  // the way if the first is so near to the last one that rounding hides on which side of a segment it is.
+  struct Way
+  {
+    Point first, last, before;
+  };
+
+  // Of a way as long as a distance that has the given direction.
+  static Way way_in(const Face_frame<FT>& frame, const Point& p, const Point& q, const Point& direction, const FT& distance)
+  {
+    Way way{p, q, p};
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      const FT clear = (std::min)(distance, FT(Number_policy<FT>::rounding(clear_roundings) * frame.longest_edge()));
+      const FT size = length(direction);
+      if (CGAL::is_positive(size) && length(q - p) < clear) way.before = q - (clear / size) * direction;
+    }
+    return way;
+  }
+
+  // Units of rounding of the longest edge of a face up to which rays reach a point, whatever their cone says.
+  static constexpr double reach_roundings = 64;
+
+  // Where a way comes from: so far before a segment, the point is reached by rays of one side only, unless the way runs along
+  // the segment up to an angle of 2^-10.
+  static constexpr double clear_roundings = 1024 * reach_roundings;
+
   // The end of a straight way from p to q in a face: the source point that is nearest to q, no farther from q than `nearest` and
   // from p than `longest`. Windows of segments in one line become one, and sources may coincide, so that several parts of sources
   // may be there: a part whose rays reach p comes first, then one of the same source as the source_ref of the way, then of the same
@@ -242,7 +321,8 @@ private:
   struct End_search
   {
     const Source_ref known;
-    const FT longest, nearest;
+    const FT longest;
+    FT nearest;
     const bool only_known_source;
     int preference = -1;
     End end{};
@@ -255,32 +335,35 @@ private:
     CORNER = 1, // rather than a segment whose rays do not reach the start of the way
     KNOWN_PRIMITIVE = 2,
     KNOWN_SIDE = 4,
-    KNOWN_SOURCE = 8,
-    RAYS_REACH_IT = 16
+    ON_ITS_SIDE = 8, // the way comes from there
+    KNOWN_SOURCE = 16,
+    RAYS_REACH_IT = 32
   };
 
-  void find_end(const Face_frame<FT>& frame, Index face, const Point& p, const Point& q, End_search& search) const
+  void find_end(const Face_frame<FT>& frame, Index face, const Way& way_to_end, End_search& search) const
   {
+    const Point &p = way_to_end.first, &q = way_to_end.last, &before = way_to_end.before;
     typedef typename Interval_filter<FT>::Bound Bound;
     const Bound limit = Interval_filter<FT>::upper_bound(estimate(search.nearest));
-    const FT allowance = Number_policy<FT>::rounding(64) * frame.longest_edge();
-    // Calls f(source_ref, foot, its distance from q, whether rays of the source_ref reach p).
+    const FT allowance = Number_policy<FT>::rounding(reach_roundings) * frame.longest_edge();
+    // Calls f(source_ref, foot, its distance from q, whether the way comes from the side of the source_ref, whether rays of the source_ref reach it).
     const auto for_each_candidate = [&](const auto& f) {
       const auto consider = [&](Source_ref source_ref, const Face_window<FT>* window) {
         const Source_place<FT>& place = m_initial.places[source_ref.primitive()];
         if ((search.only_known_source && source_of(source_ref) != source_of(search.known)) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
-        const Foot foot = foot_in(face, frame, p, q, source_ref.primitive());
+        const Foot foot = foot_in(face, frame, way_to_end, source_ref.primitive());
         const Point way = foot.position - p, miss = foot.position - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
         const Bound off = Interval_filter<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;
-        const bool reaches = window ? may_reach(*window, p, allowance)
-                             : source_ref.side() == Source_side::LEFT  ? foot.is_left && foot.is_beside
-                             : source_ref.side() == Source_side::RIGHT ? foot.is_right && foot.is_beside
-                                                                 : true;
-        f(source_ref, foot.point, off, reaches);
+        const bool is_on_its_side = source_ref.side() == Source_side::LEFT    ? foot.is_left
+                                    : source_ref.side() == Source_side::RIGHT ? foot.is_right
+                                                                        : true;
+        const bool reaches = window ? may_reach(*window, before, allowance)
+                                    : is_on_its_side && (foot.is_beside || !source_ref.is_lateral());
+        f(source_ref, foot.point, off, is_on_its_side, reaches);
       };
       const auto local = local_windows(m_initial, face);
       for (auto i = local.first; i != local.second; ++i) consider(i->window.source_ref, &i->window);
@@ -288,10 +371,11 @@ private:
         m_initial.for_each_edge_window(h, [&](const auto& w) { consider(w.source_ref, nullptr); });
     };
     Bound least = limit;
-    for_each_candidate([&](Source_ref, const Surface_point_&, const Bound& off, bool) { least = (std::min)(least, off); });
+    for_each_candidate([&](Source_ref, const Surface_point_&, const Bound& off, bool, bool) { least = (std::min)(least, off); });
     const Bound tied = least + Interval_filter<FT>::upper_bound(estimate(allowance));
-    for_each_candidate([&](Source_ref source_ref, const Surface_point_& point, const Bound& off, bool reaches) {
-      const int preference = (reaches ? RAYS_REACH_IT : 0) + (source_of(source_ref) == source_of(search.known) ? KNOWN_SOURCE : 0) +
+    for_each_candidate([&](Source_ref source_ref, const Surface_point_& point, const Bound& off, bool is_on_its_side, bool reaches) {
+      const int preference = (reaches ? RAYS_REACH_IT : 0) + (is_on_its_side ? ON_ITS_SIDE : 0) +
+                             (source_of(source_ref) == source_of(search.known) ? KNOWN_SOURCE : 0) +
                              (source_ref.side() == search.known.side() ? KNOWN_SIDE : 0) +
                              (source_ref.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
                              (!reaches && !m_initial.primitives[source_ref.primitive()].is_segment ? CORNER : 0);
@@ -335,18 +419,19 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // The nearest point of a point or segment to a point p of the face. Where rounding leaves several, it is the nearest of them to q:
-  // the direction of a segment is known up to the rounding of its ends over its length.
+  // The nearest point of a point or segment to the first point p of a way. Where rounding leaves several, it is the nearest of them
+  // to the last point q: the direction of a segment is known up to the rounding of its ends over its length.
   struct Foot
   {
     Surface_point_ point;
     Point position;
-    bool is_left = true, is_right = true; // whether p may be there, seen along the segment
+    bool is_left = true, is_right = true; // whether the way may come from there, seen along the segment
     bool is_beside = true;                // whether p may be between the normals at the ends of the segment
   };
 
-  Foot foot_in(Index face, const Face_frame<FT>& frame, const Point& p, const Point& q, Index primitive) const
+  Foot foot_in(Index face, const Face_frame<FT>& frame, const Way& way, Index primitive) const
   {
+    const Point &p = way.first, &q = way.last;
     const Source_place<FT>& place = m_initial.places[primitive];
     Foot foot;
     Point b;
@@ -356,7 +441,7 @@ private:
     if (!m_initial.primitives[primitive].is_segment) return foot;
     position_in_face(m_mesh, place.second, face, b, edges_of_b);
     const Point a = foot.position, u = b - a;
-    const auto side = estimate(cross(u, p - a));
+    const auto side = estimate(cross(u, way.before - a));
     foot.is_left = CGAL::possibly(side >= 0);
     foot.is_right = CGAL::possibly(side <= 0);
     FT along = dot(p - a, u), slack(0);

@@ -32,8 +32,18 @@ struct Path_start
   Index edge = no_index;     // a halfedge on which the point lies, if it lies inside an edge
   Point_in_face<FT> from, to;
   Point_in_face<FT> direction; // of the path, of any length: beside a source `to` - `from` loses its digits
+  bool is_measured = false;    // the distance is the length of the path itself
+  FT distance_of_windows = FT(0); // of a measured path, which starts and ends as this distance tells
 
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
+
+  Path_start before_measurement() const
+  {
+    Path_start result = *this;
+    result.is_measured = false;
+    result.distance = distance_of_windows;
+    return result;
+  }
 };
 
 template <class FT>
@@ -101,10 +111,6 @@ public:
     return result;
   }
 
-  // Units of rounding of the edges of a face: a point so near to a source is a point of it. Positions in a face have two products, and
-  // those of points of sources on edges the rounding of the edge.
-  static constexpr double on_source = 8;
-
 private:
   struct Nearest : Nearest_kept_window<FT>
   {
@@ -137,19 +143,18 @@ private:
     }
     const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
     // no corner of a face with a source is farther than that
-    if (!is_reached || d[0] <= extent) look_at_sources(face, extent, n);
+    if (!is_reached || d[0] <= extent) look_at_sources(face, n);
     const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
     m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
     const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
     const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
-    // on the source
-    if (n.distance <= Number_policy<FT>::rounding(on_source) * extent) n.distance = FT(0);
+    if (n.distance <= size_of_point(m_mesh, face)) n.distance = FT(0); // on the source
     return n;
   }
 
   // A point of a segment may be behind both of its sides: its ends are known up to the rounding of the edges that they are on.
-  void look_at_sources(Index face, const FT& extent, Nearest& n) const
+  void look_at_sources(Index face, Nearest& n) const
   {
     const auto local = local_windows(m_initial, face);
     n.is_near_source = local.first != local.second;
@@ -157,7 +162,7 @@ private:
     {
       bool is_straight;
       FT d = i->window.path_length(n.q[0], is_straight);
-      if (!Number_policy<FT>::is_finite(d) && i->window.contains(n.q[0], Number_policy<FT>::rounding(on_source) * extent))
+      if (!Number_policy<FT>::is_finite(d) && i->window.contains(n.q[0], size_of_point(m_mesh, face)))
       {
         d = FT(0);
         is_straight = true;
@@ -183,6 +188,9 @@ private:
       start.exit = 0;
       start.from = n.q[n.halfedge];
       set_goal(start, {w.x, w.y}, w.is_parallel());
+      if (start.pseudo_source != no_index)
+        for (int k = 0; k < 3; ++k)
+          if (m_mesh.source(3 * p.element + Index(k)) == start.pseudo_source) lead_by_vertex(3 * p.element + Index(k), n.q[k], start);
     }
     else
     {
@@ -228,6 +236,15 @@ private:
         field.set_face(f);
         choose(field, q, edge, start, choice);
       });
+    // in a face that has the pseudo-source, the way goes straight to it, whatever image a window in a needle has
+    if (start.pseudo_source != no_index && start.halfedge % 3 == 0)
+      for (int k = 0; k < 3; ++k)
+        if (const Index h = start.halfedge + Index(k); m_mesh.source(h) == start.pseudo_source)
+        {
+          const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+          lead_by_vertex(h, frame.vector_to_halfedge(k, start.from - frame.corner(k)), start);
+          return start;
+        }
     // through the edge that the point is on: the path starts on the other side
     if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE && !goes_along_edge(start))
     {

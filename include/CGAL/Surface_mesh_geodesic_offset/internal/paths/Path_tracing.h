@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goal.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
@@ -36,11 +37,13 @@ public:
   typedef Suffix_end<FT> End;
 
   // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
-  // Returns where it ends: the point is that of p for a point of a source. Nothing if p is not reached.
+  // Returns where it ends: the point is that of p for a point of a source. Nothing if p is not reached. `bypass`: receives the start
+  // if the path turns out to start otherwise, see find_bypass().
   template <class Point_, class Legs, class Output>
-  End operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out) const
+  End operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out, Path_start<FT>* bypass = nullptr) const
   {
     if (!first.is_reached()) return End();
+    if (first.is_measured && CGAL::is_positive(first.distance)) return (*this)(p, first.before_measurement(), legs, out, bypass);
     out.start(p);
     if (!CGAL::is_positive(first.distance) || first.halfedge == no_index) return end_at_source(p, first);
     const Index limit = Index(m_mesh.number_of_vertices());
@@ -62,7 +65,7 @@ public:
       if constexpr (Legs::keeps)
         if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
       passed.clear();
-      const End end = follow(start, passed);
+      const End end = follow(start, passed, guard == 0 ? bypass : nullptr);
       out.end_leg(end);
       if constexpr (Legs::keeps)
         if (v != no_index) legs.keep(v, passed, end, guard == 0);
@@ -112,15 +115,7 @@ private:
   // The end of the path from a point of a source is the point itself.
   End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {
-    Source_ref source_ref = m_goals.source_ref_at(p, start);
-    if (Number_policy<FT>::is_inexact && !source_ref.is_valid() && start.halfedge != no_index)
-    { // the source is as near as rounding, and in faces that have a vertex in common with those of the point
-      Path_start<FT> way = start;
-      const Index h = start.halfedge;
-      way.to = way.from + (Number_policy<FT>::rounding(16) * m_mesh[h].length / length(way.direction)) * way.direction;
-      Passed_crossings<FT> passed;
-      source_ref = follow(way, passed).source_ref;
-    }
+    const Source_ref source_ref = m_goals.source_ref_at(p, start);
     return {p, source_ref.is_valid() ? source_ref : start.source_ref};
   }
 
@@ -131,7 +126,8 @@ private:
     Index vertex = no_index;
     std::size_t passed = 0;
     Index halfedge = no_index; // of the face that has the vertex, and where the way is there, in the frame of the halfedge
-    Point position{FT(0), FT(0)};
+    Point position{FT(0), FT(0)}, direction{FT(0), FT(0)}, goal{FT(0), FT(0)}; // the goal of the way
+    int corner = 0; // the vertex, counted from the halfedge
   };
 
   static constexpr double nearby = Path_goals<FT>::nearby;
@@ -146,10 +142,11 @@ private:
   // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding and whose own shortest path
   // has the same source and side. If the way misses where it should lead, it goes by the best vertex that it passes, of any source.
   template <class Passed>
-  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed = false) const
+  End follow(const Path_start<FT>& start, Passed& passed, Path_start<FT>* bypass = nullptr) const
   {
     Last_passed last;
-    End end = follow(start, passed, has_missed, last);
+    Path_start<FT> other;
+    End end = follow(start, passed, false, last, bypass != nullptr ? bypass : &other);
     const bool is_at_vertex = last.vertex != no_index && m_goals.is_at(end.point, last.vertex);
     const bool is_on_edge = last.halfedge != no_index && m_goals.is_at(end.point, last.halfedge, last.position);
     if (is_at_vertex) end.point = Surface_point_::at_vertex(last.vertex);
@@ -169,13 +166,14 @@ private:
     FT position = FT(0);
   };
 
+  // `bypass`: null, or receives the way that find_bypass() has found, if it was taken.
   template <class Passed>
-  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed) const
+  End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed, Path_start<FT>* bypass) const
   {
     const auto goal = m_goals.of(start);
     const FT reach = length(start.to - start.from);
     Index h = start.halfedge;
-    Point from = start.from, to = start.to;
+    Point from = start.from, to = start.to, direction = start.direction;
     bool is_under_way = false;
     passed.set_apart(0);
     // not with exact numbers, of which strips make long expressions
@@ -191,18 +189,21 @@ private:
         passed.set_apart(passed.size());
         if (goal.vertex != no_index && m_mesh.apex(strip.halfedge()) == goal.vertex &&
             strip.way_to_apex() <= strip.way_left() + Number_policy<FT>::rounding(256) * start.distance)
-          return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), start);
+          return m_goals.end_at_goal(goal, strip.halfedge(), strip.position(), strip.direction(), start);
         h = strip.halfedge();
         from = strip.position();
         to = strip.goal();
+        direction = strip.direction();
         last_passed = {no_index, h, from.x};
       }
     }
-    Straight_walk<FT> walk(m_mesh, h, from, to);
+    Straight_walk<FT> walk(m_mesh, h, from, to, direction);
     int exit = is_under_way ? walk.exit() : start.exit == -1 ? walk.exit_from_inside() : start.exit;
     Detour detour;
-    const auto end_at_goal = [&] { return m_goals.end_at_goal(goal, walk.halfedge(), walk.position(), start); };
-    const auto end_at_corner = [&](int k) { return m_goals.end_at_vertex(walk.vertex(k), walk.halfedge(), walk.position(), start); };
+    const auto end_at_goal = [&] { return m_goals.end_at_goal(goal, walk.halfedge(), walk.position(), walk.direction(), start); };
+    const auto end_at_corner = [&](int k) {
+      return m_goals.end_at_vertex(walk.vertex(k), walk.halfedge(), walk.position(), walk.direction(), start);
+    };
     FT extent = walk.extent(); // of the largest face that was passed, whose rounding the way has
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
@@ -220,12 +221,29 @@ private:
         break;
       }
       if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
-      const auto crossing = walk.crossing(exit);
+      auto crossing = walk.crossing(exit);
       const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, has_missed, end)) return end;
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, has_missed, end))
+        {
+          Point position;
+          unsigned edges;
+          if (has_missed && bypass != nullptr && CGAL::is_positive(length(walk.direction())) &&
+              position_in_face(m_mesh, end.point, walk.face(), position, edges))
+          {
+            const Face_frame<FT> frame(m_mesh, walk.face());
+            const int k = int(walk.halfedge() % 3);
+            const Path_start<FT> other = aimed_at(frame.vector_to_halfedge(k, position - frame.corner(k)), start, walk.goal(), walk.direction());
+            const End other_end = follow_instead(other, passed, last_passed, bypass);
+            if (other_end.is_at_source()) return other_end;
+            return follow(start, passed, true, last_passed, nullptr);
+          }
+          return end;
+        }
         if (crossing.goal.y < -beside) break;
+        // the goal may lie before the edge, up to rounding: no farther than to the goal
+        if (CGAL::is_negative(crossing.goal.y)) crossing.t = (std::max)(FT(0), (std::min)(crossing.goal.x, crossing.length));
       }
       const Index beyond = walk.beyond(exit);
       // the corners that have not been looked at
@@ -262,17 +280,86 @@ private:
     {
       passed.clear();
       last_passed = {};
-      return follow(start, passed, true, last_passed);
+      return follow(start, passed, true, last_passed, bypass);
     }
     if (detour.vertex != no_index)
     {
+      if (Path_start<FT> other = start; bypass != nullptr && find_bypass(start, detour, other))
+      {
+        const End end = follow_instead(other, passed, last_passed, bypass);
+        return end.is_at_source() ? end : follow(start, passed, true, last_passed, nullptr);
+      }
       passed.resize(detour.passed);
       last_passed = {};
-      return m_goals.end_at_vertex(detour.vertex, detour.halfedge, detour.position, start);
+      return m_goals.end_at_vertex(detour.vertex, detour.halfedge, detour.position, detour.direction, start);
     }
     if (goal.vertex != no_index && !goal.end.is_at_source() && m_goals.is_source(goal.vertex))
       return m_goals.end_at_source_vertex(goal.vertex, start);
     return goal.end;
+  }
+
+  // Follows another way, which *bypass then has, if it ends at a source. Else nothing is passed.
+  template <class Passed>
+  End follow_instead(const Path_start<FT>& other, Passed& passed, Last_passed& last_passed, Path_start<FT>* bypass) const
+  {
+    passed.clear();
+    last_passed = {};
+    const End end = follow(other, passed, false, last_passed, nullptr);
+    if (end.is_at_source())
+    {
+      *bypass = other;
+      return end;
+    }
+    passed.clear();
+    last_passed = {};
+    return End();
+  }
+
+  // The start of a way to another goal, which is given beside the old one in the frame that a walk has reached; the direction is that
+  // of the walk there.
+  static Path_start<FT> aimed_at(const Point& goal, const Path_start<FT>& start, const Point& old_goal, const Point& direction)
+  {
+    const Point along = (FT(1) / length(direction)) * direction, off = goal - old_goal;
+    const Point turned{dot(along, off), cross(along, off)}; // where the way runs along the x axis
+    const Point there = (FT(1) / length(start.direction)) * start.direction;
+    Path_start<FT> other = start;
+    other.to = start.to + Point{there.x * turned.x - there.y * turned.y, there.y * turned.x + there.x * turned.y};
+    other.direction = other.to - other.from;
+    return other;
+  }
+
+  // Where a source lies beside a vertex, the direction towards it may be known so badly that the way passes the vertex on the wrong
+  // side. From the vertex, the source is known: makes `other` the straight way to where the shortest path of the vertex ends, if it
+  // is shorter than that by the vertex.
+  bool find_bypass(const Path_start<FT>& start, const Detour& detour, Path_start<FT>& other) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return (void)start, (void)detour, (void)other, false;
+    const Path_start<FT> rest = m_start.at_vertex(detour.vertex);
+    const FT size = length(detour.direction), reach = length(start.to - start.from);
+    if (m_goals.is_source(detour.vertex) || rest.halfedge == no_index || rest.pseudo_source != no_index || !CGAL::is_positive(size))
+      return false;
+    const Point along = (FT(1) / size) * detour.direction, begin = detour.goal - reach * along;
+    const Face_frame<FT> frame(m_mesh, m_mesh.face(detour.halfedge));
+    const int edge = int(detour.halfedge % 3), corner = (edge + detour.corner) % 3;
+    const auto from_corner = [&](const Point& u) { // from the frame of the vertex's halfedge to that of the detour's
+      return frame.vector_to_halfedge(edge, frame.vector_from_halfedge(corner, u));
+    };
+    const Point vertex = frame.vector_to_halfedge(edge, frame.corner(corner) - frame.corner(edge));
+    FT shortest = detour.length - Number_policy<FT>::rounding(4) * detour.length;
+    bool is_found = false;
+    for (const bool ccw : {false, true})
+    {
+      Point u = rest.to;
+      if (!turn_to_corner(m_mesh, rest.halfedge, 3 * m_mesh.face(detour.halfedge) + Index(corner), ccw, u)) continue;
+      const Point goal = vertex + from_corner(u), way = goal - begin;
+      // the vertex is on the left of a way that passes it counterclockwise
+      const FT side = cross(way, vertex - begin), l = length(way);
+      if ((ccw ? CGAL::is_negative(side) : CGAL::is_positive(side)) || !(l < shortest)) continue;
+      shortest = l;
+      is_found = true;
+      other = aimed_at(goal, start, detour.goal, detour.direction);
+    }
+    return is_found;
   }
 
   Index exit_of(const Path_start<FT>& start) const
@@ -316,7 +403,8 @@ private:
       const FT to_vertex = length(walk.corner(k) - walk.position());
       const FT& d = m_field.distance[walk.vertex(k)];
       const FT way = so_far + to_vertex + d;
-      if (way < detour.length && d < start.distance) detour = {way, walk.vertex(k), passed, walk.halfedge(), walk.position()};
+      if (way < detour.length && d < start.distance)
+        detour = {way, walk.vertex(k), passed, walk.halfedge(), walk.position(), walk.direction(), walk.goal(), k};
     }
   }
 

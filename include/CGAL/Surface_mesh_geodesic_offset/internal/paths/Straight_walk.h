@@ -35,7 +35,13 @@ public:
 
   // Both points are in the frame of h; `from` lies in its face.
   Straight_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& goal)
-    : m_mesh(&mesh), m_position(from), m_goal(goal)
+    : Straight_walk(mesh, h, from, goal, goal - from)
+  {
+  }
+
+  // The same with the direction of the way, a vector of any length.
+  Straight_walk(const Unfolded_mesh<FT>& mesh, Index h, const Point& from, const Point& goal, const Point& direction)
+    : m_mesh(&mesh), m_position(from), m_goal(goal), m_direction_of_way(direction)
   {
     enter(h);
   }
@@ -44,6 +50,9 @@ public:
   Index face() const { return m_edge[0] / 3; }
   const Point& position() const { return m_position; }
   const Point& goal() const { return m_goal; }
+
+  // The direction of the way, if numbers are inexact: the vector from the position to the goal loses its digits near the goal.
+  const Point& direction() const { return m_direction_of_way; }
 
   Index edge(int k) const { return m_edge[k]; }
   Index vertex(int k) const { return (*m_mesh)[m_edge[k]].origin; }
@@ -80,6 +89,8 @@ public:
   {
     m_position = {c.t, FT(0)};
     m_goal = c.goal;
+    if constexpr (Number_policy<FT>::is_inexact)
+      m_direction_of_way = {dot(m_direction[k], m_direction_of_way), cross(m_direction[k], m_direction_of_way)};
     enter(beyond(k));
   }
 
@@ -100,7 +111,7 @@ private:
   }
 
   const Unfolded_mesh<FT>* m_mesh;
-  Point m_position, m_goal;
+  Point m_position, m_goal, m_direction_of_way;
   Per_corner<Index> m_edge;
   Per_corner<FT> m_length;
   Per_corner<Point> m_corner, m_direction; // m_direction: x axes of the frames of the twins

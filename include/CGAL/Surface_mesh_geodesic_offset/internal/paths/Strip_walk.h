@@ -122,13 +122,14 @@ public:
 
   Index halfedge() const { return m_halfedge; }
 
-  // In the frame of the halfedge: the crossing, and the goal.
+  // In the frame of the halfedge: the crossing, the goal, and the direction of the way.
   Point position() const { return {part() * m_mesh[m_halfedge].length, FT(0)}; }
   Point goal() const
   {
     const Point v = Point{m_length, FT(0)} - m_end[0];
     return {dot(m_direction, v), cross(m_direction, v)};
   }
+  Point direction() const { return {m_direction.x, -m_direction.y}; }
 
   FT way_left() const { return m_length - x(); }
   FT way_to_apex() const { return length(m_apex - Point{x(), FT(0)}); }

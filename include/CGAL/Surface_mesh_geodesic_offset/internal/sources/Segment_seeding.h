@@ -37,14 +37,14 @@ public:
     const std::size_t n = points.size();
     if (n == 0) return;
     std::vector<Segment> segments;
+    FT left_out(0); // length since the last segment
     for (std::size_t i = 0; i + 1 < n + (closed ? 1 : 0); ++i)
     {
       Segment s;
-      if (make_segment(points[i], points[(i + 1) % n], i, s))
-      {
-        s.part = Index(i);
-        segments.push_back(s);
-      }
+      const Surface_point_ &p = points[i], &q = points[(i + 1) % n];
+      s.part = Index(i);
+      if (make_segment(p, q, i, left_out, s)) segments.push_back(s);
+      else m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
     if (segments.empty())
     {
@@ -105,9 +105,10 @@ private:
     FT lost;         // uncertainty of the direction, an angle
   };
 
-  // Sets the segment from p, point `number` of a polyline, to q. Returns false if the points coincide. Throws if no face
-  // contains both.
-  bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, Segment& s) const
+  // From the point with the given number. Returns false if the two points coincide, exactly or as one point of a face or an edge;
+  // throws if they have no face in common. Such a segment has no direction, and no sides. `left_out`: the length of the segments
+  // for which false was returned since the last other one: many of them are a segment together.
+  bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, FT& left_out, Segment& s) const
   {
     s.first = p;
     s.second = q;
@@ -134,6 +135,12 @@ private:
     if (p.kind == Surface_point_::VERTEX && q.kind == Surface_point_::VERTEX && p.element == q.element) return false;
     const FT size = length(s.b - s.a);
     if (!CGAL::is_positive(size)) return false;
+    if (are_of_one_element(m_mesh, p, q) && left_out + size <= size_of_point(m_mesh, s.face))
+    {
+      left_out += size;
+      return false;
+    }
+    left_out = FT(0);
     s.direction = (FT(1) / size) * (s.b - s.a);
     s.lost = s.edge ? FT(0) : m_out.lost_angle(s.face, size);
     return true;
