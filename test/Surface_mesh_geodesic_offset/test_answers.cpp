@@ -119,6 +119,45 @@ void known_cases()
   run(Answer_search::BESIDE, {333, 510, 1643, 2152, 2297, 2503});
 }
 
+// Polylines with steps inside a face or along an edge, in units of 2^-53 of the perimeter of the face: up to 16 units they are points.
+void polylines_of_one_point()
+{
+  test::Surface_mesh mesh;
+  const Vertex_index a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0)), c = mesh.add_vertex(Point_3(0, 1, 0));
+  const Face_index f = mesh.add_face(a, b, c);
+  const Locations<test::Surface_mesh> locations(mesh);
+  const double unit = std::ldexp(2 + std::sqrt(2.), -53), part = 1. / 64; // of an edge: there, coordinates have the digits
+  const auto has_sides = [&](bool on_edge, double step, int steps, bool closed) {
+    Path_locations polyline;
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double x = part + i * step * unit, y = on_edge ? 0 : part;
+      const auto corners = locations.corners(f);
+      Face_location l(f, {0, 0, 0});
+      for (std::size_t k = 0; k < 3; ++k) l.second[k] = corners[k] == a ? 1 - x - y : corners[k] == b ? x : y;
+      polyline.push_back(l);
+    }
+    Geodesic geodesic(mesh);
+    geodesic.add_source_polyline(polyline, closed);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const auto nearest = geodesic.nearest_source(c);
+    const double expected = std::sqrt(part * part + (1 - (on_edge ? 0 : part)) * (1 - (on_edge ? 0 : part)));
+    CHECK(nearest && std::abs(nearest->distance - expected) <= 1e-14);
+    CHECK(std::isnan(geodesic.signed_distance_to_sources(c)) == (nearest->side == CGAL::Source_side::NONE || nearest->side == CGAL::Source_side::CAP));
+    return nearest->side != CGAL::Source_side::NONE;
+  };
+  for (const bool on_edge : {false, true})
+  {
+    CHECK(!has_sides(on_edge, 0, 1, false));
+    CHECK(!has_sides(on_edge, 14, 1, false));
+    CHECK(has_sides(on_edge, 18, 1, false));
+    CHECK(!has_sides(on_edge, 4, 3, false)); // 12 in all
+    CHECK(has_sides(on_edge, 4, 10, false)); // 40 in all: steps do not vanish one by one
+    CHECK(!has_sides(on_edge, 7, 1, true));  // there and back
+    CHECK(has_sides(on_edge, 18, 1, true));
+  }
+}
+
 // Points in space, near the vertices of a mesh: no point of the polyline is there twice.
 void located_polylines()
 {
@@ -157,6 +196,7 @@ GEODESIC_OFFSET_TEST(test_answers)
   using test::Answer_search;
   const std::pair<const char*, void (*)()> tests[] = {
     {"known cases", test_answers::known_cases},
+    {"polylines of one point", test_answers::polylines_of_one_point},
     {"located polylines", test_answers::located_polylines},
     {"spread sources", [] { test_answers::run(Answer_search::SPREAD, 1, 1500); }},
     {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 1500); }},

@@ -46,7 +46,7 @@ public:
       if (make_segment(p, q, i, left_out, s)) segments.push_back(s);
       else m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
-    if (segments.empty())
+    if (segments.empty() || (closed && segments.size() == 1)) // the way back was left out, so neither is longer
     {
       m_out.add_point(source, points.front());
       return;
