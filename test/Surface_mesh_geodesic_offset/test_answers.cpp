@@ -143,7 +143,8 @@ void polylines_of_one_point()
     const auto nearest = geodesic.nearest_source(c);
     const double expected = std::sqrt(part * part + (1 - (on_edge ? 0 : part)) * (1 - (on_edge ? 0 : part)));
     CHECK(nearest && std::abs(nearest->distance - expected) <= 1e-14);
-    CHECK(std::isnan(geodesic.signed_distance_to_sources(c)) == (nearest->side == CGAL::Source_side::NONE || nearest->side == CGAL::Source_side::CAP));
+    const bool is_lateral = nearest->side == CGAL::Source_side::LEFT || nearest->side == CGAL::Source_side::RIGHT;
+    CHECK(std::isnan(geodesic.signed_distance_to_sources(c)) == !is_lateral);
     return nearest->side != CGAL::Source_side::NONE;
   };
   for (const bool on_edge : {false, true})

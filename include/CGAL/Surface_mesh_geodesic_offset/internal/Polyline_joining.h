@@ -113,7 +113,10 @@ private:
       const auto end = Path_tracing<Number>(m_mesh, build.initial, build.field)(start, way, build.legs, elements).point;
       // a path to a point inside a face that is at an edge up to rounding ends on the edge
       if (end.kind == Surface_point::EDGE && to.kind == Surface_point::FACE)
-        add(Path_crossing<Number>{end.element, m_mesh.source(end.element), m_mesh.target(end.element), end.x / m_mesh[end.element].length}, passed);
+      {
+        const Index h = end.element;
+        add(Path_crossing<Number>{h, m_mesh.source(h), m_mesh.target(h), end.x / m_mesh[h].length}, passed);
+      }
       for (const Path_crossing<Number>& c : passed)
         if (c.halfedge != no_index) out(c);
         else if (!is_at(c.source, from) && !is_at(c.source, to)) out(Surface_point::at_vertex(c.source));

@@ -346,7 +346,7 @@ private:
     typedef typename Interval_filter<FT>::Bound Bound;
     const Bound limit = Interval_filter<FT>::upper_bound(estimate(search.nearest));
     const FT allowance = Number_policy<FT>::rounding(reach_roundings) * frame.longest_edge();
-    // Calls f(source_ref, foot, its distance from q, whether the way comes from the side of the source_ref, whether rays of the source_ref reach it).
+    // Calls f(source_ref, foot, its distance from q, whether the way comes from that side, whether rays of the source_ref reach it).
     const auto for_each_candidate = [&](const auto& f) {
       const auto consider = [&](Source_ref source_ref, const Face_window<FT>* window) {
         const Source_place<FT>& place = m_initial.places[source_ref.primitive()];

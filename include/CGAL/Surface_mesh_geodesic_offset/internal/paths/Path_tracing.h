@@ -234,7 +234,8 @@ private:
           {
             const Face_frame<FT> frame(m_mesh, walk.face());
             const int k = int(walk.halfedge() % 3);
-            const Path_start<FT> other = aimed_at(frame.vector_to_halfedge(k, position - frame.corner(k)), start, walk.goal(), walk.direction());
+            const Point goal_there = frame.vector_to_halfedge(k, position - frame.corner(k));
+            const Path_start<FT> other = aimed_at(goal_there, start, walk.goal(), walk.direction());
             const End other_end = follow_instead(other, passed, last_passed, bypass);
             if (other_end.is_at_source()) return other_end;
             return follow(start, passed, true, last_passed, nullptr);
