@@ -415,7 +415,7 @@ private:
       return true;
     };
     Run run = run_of(i, start, false);
-    if (!run.is_valid() || run.gate != none || run.leaves) return true;
+    if (!run.is_valid() || run.gate != none) return true;
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
       const std::size_t known = followed_by(run);
