@@ -116,11 +116,13 @@ private:
     if (!(w.b0 < w.b1)) return;
     w.d0 = w.distance_at(w.b0);
     w.d1 = w.distance_at(w.b1);
-    if (in_front(frame.longest_edge(), w)) m_state.add(g, w);
+    // the terms of the distances, in the frame of the face and in that of the edge
+    const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
+    if (in_front(size, w)) m_state.add(g, w);
   }
 
-  // Cuts off the part of a window behind its segment. Negative distances within the rounding of coordinates, which are as large
-  // as the face, become zero: on an edge nearly parallel to the segment, they belong to a long part of the window.
+  // Cuts off the part of a window behind its segment. Negative distances within the rounding of terms of the given size become
+  // zero: on an edge nearly parallel to the segment, they belong to a long part of the window.
   static bool in_front(const FT& size, Window& w)
   {
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;

@@ -258,7 +258,7 @@ private:
   // Adds a piece to the chain whose pieces begin at `first`.
   void add_piece(const Run& run, std::size_t first)
   {
-    m_followed.push_back({run.start, run.end, m_last_followed[run.arc]});
+    m_followed.push_back({run.start, run.end, run.arc, m_last_followed[run.arc]});
     m_last_followed[run.arc] = m_followed.size() - 1;
     if (m_pieces.size() > first) m_pieces.back().end = run.start;
     m_pieces.push_back(piece(m_arcs[run.arc].window(), m_arcs[run.arc].radius(), run.start, run.end));
@@ -396,7 +396,8 @@ private:
     return true;
   }
 
-  // Traces the loop through a point of an arc, if there is one. Returns false if it cannot be closed.
+  // Traces the loop through a point of an arc, if there is one. Returns false if it cannot be closed. An arc that meets a side
+  // without a gate may belong to a loop that turns back there; if it does not, it belongs to nothing.
   bool walk_loop(std::size_t i, const Point& start)
   {
     const FT& tie = m_arcs.tolerances().tie;
@@ -409,20 +410,22 @@ private:
     std::size_t nearest;
     if (m_arcs.field().distance(start, nearest) < m_arcs.level() - tie) return true;
     const std::size_t first = m_pieces.size(), first_followed = m_followed.size();
-    const auto is_outside = [&] {
-      if (!(deepest < tie)) return false;
-      m_pieces.resize(first);
-      return true;
-    };
     Run run = run_of(i, start, false);
     if (!run.is_valid() || run.gate != none) return true;
+    const bool starts_at_side = run.leaves;
+    const auto is_outside = [&] {
+      if (!starts_at_side && !(deepest < tie)) return false;
+      m_pieces.resize(first);
+      if (starts_at_side) forget_followed(first_followed);
+      return true;
+    };
     for (std::size_t guard = 0; guard < 4 * m_arcs.size() + 16; ++guard)
     {
       const std::size_t known = followed_by(run);
       if (known != none)
       {
-        if (is_outside()) return true;
-        if (known < first_followed) return false; // another chain continues here
+        if (known < first_followed) return is_outside(); // another chain continues here
+        if (deepest < tie) return is_outside();
         // The walk is back on this chain, possibly behind its start.
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
@@ -432,7 +435,8 @@ private:
         if (is_point || encloses_nothing(first))
         {
           m_pieces.resize(first);
-          return !(is_point && begin > first); // a walk that came from a longer arc goes in circles round a joint of three arcs
+          // A walk from a longer arc goes in circles around a joint of three arcs.
+          return !(is_point && begin > first) || is_outside();
         }
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
@@ -443,6 +447,11 @@ private:
       if (!run.is_valid() || run.gate != none) return is_outside();
     }
     return is_outside();
+  }
+
+  void forget_followed(std::size_t first)
+  {
+    for (; m_followed.size() > first; m_followed.pop_back()) m_last_followed[m_followed.back().arc] = m_followed.back().previous;
   }
 
   // True if all pieces of the loop start within a tie of the first one.
@@ -469,7 +478,7 @@ private:
   struct Followed
   {
     Point start, end;
-    std::size_t previous; // of the same arc
+    std::size_t arc, previous; // of the same arc
   };
 
   bool is_followed(std::size_t i, const Point& p) const
