@@ -269,9 +269,9 @@ Surface_mesh data_mesh(const std::string& name)
   return mesh;
 }
 
-// One curve of the given length, from kept windows and in one pass.
-void one_open_curve(const Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, double level,
-                    double length, double tolerance)
+// Open curves of the given total length, from kept windows and in one pass.
+void open_curves(const Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources, double level, std::size_t number,
+                 double length, double tolerance)
 {
   Judged judged(mesh, add_sources);
   Geodesic again(judged.geodesic);
@@ -282,7 +282,9 @@ void one_open_curve(const Surface_mesh& mesh, const std::function<void(Geodesic&
   {
     const Verdict verdict = judged(level, curves);
     CHECK_DETAIL(verdict.is_right(), text_of(verdict));
-    CHECK_DETAIL(curves.size() == 1 && !curves[0].is_closed() && std::abs(total_length(curves) - length) <= tolerance,
+    const auto is_closed = [](const Offset_curve& c) { return c.is_closed(); };
+    CHECK_DETAIL(curves.size() == number && std::none_of(curves.begin(), curves.end(), is_closed) &&
+                   std::abs(total_length(curves) - length) <= tolerance,
                  std::to_string(curves.size()) + " curves, length: " + values(total_length(curves), length));
   }
 }
@@ -293,10 +295,12 @@ void noisy_grid()
 {
   const Surface_mesh mesh = data_mesh("noisy_grid.off");
   const auto section = [](Geodesic& g) { g.add_source_plane_section(Geodesic::Plane_3(0, 1, 0, -6)); };
-  one_open_curve(mesh, section, 4.000000000112058, 6, 1e-6);
+  open_curves(mesh, section, 4.000000000112058, 1, 6, 1e-6);
 }
 
-// A grid rotated in space and rounded to single precision; source and level run along its lines.
+// A grid of 10 x 4 edges, rotated in space and rounded to single precision. The source runs along its middle line, the level along
+// both of its borders, whose vertices are up to 2e-7 nearer or farther. By the distances of the vertices from the line in space,
+// parts of 1.9409, 1.4429 and 1.5744 of the borders are not nearer than the level; the curves cut them off.
 void float_grid()
 {
   const Surface_mesh mesh = data_mesh("float_grid.off");
@@ -304,7 +308,7 @@ void float_grid()
     Point_3(-2.8866896629333496, -3.258190393447876, -0.98153901100158691),
     Point_3(-0.82976323366165161, -3.1763045787811279, -4.4111671447753906)};
   const auto add = [&](Geodesic& g) { g.add_source_polyline(g.locate_polyline(line).locations); };
-  one_open_curve(mesh, add, 5, 8, 1e-5);
+  open_curves(mesh, add, 5, 3, 4.9583, 1e-4);
 }
 
 void check_search(const Search_options& options)
