@@ -217,7 +217,7 @@ bool same_bits(const Outcome& a, const Outcome& b)
 std::vector<int> thread_counts(bool is_small)
 {
   if (is_small) return {2, 3};
-  return number_of_cases(0, 1) == 1 ? std::vector<int>{2, 1, 3, 4, 2} : std::vector<int>{2, 1, 3};
+  return number_of_cases(std::vector<int>{2, 1, 3}, std::vector<int>{2, 1, 3, 4, 2});
 }
 
 void compare_tags(Query_case& c, unsigned seed, std::size_t points, bool is_small)

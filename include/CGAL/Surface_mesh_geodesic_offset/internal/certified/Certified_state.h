@@ -42,10 +42,7 @@ class Certified_state
 {
 public:
   typedef Certified_window Window;
-  // Where no window is certainly nearer, lists are reduced again and again without getting shorter, so the time of a build
-  // grows with the square of their length: 512 windows take less than a second on a small mesh.
-  static constexpr std::size_t longest_list = 512;
-  typedef Window_lists<double, Window, longest_list> Lists;
+  typedef Window_lists<double, Window, Arrivals::longest_list> Lists;
   typedef Window_output<double, Window> Output;
 
   Certified_state(const Certified_mesh& m, bool keeps, Certified_field& f)

@@ -85,6 +85,11 @@ struct Arrival
 class Arrivals
 {
 public:
+  // Lists of arrivals at a vertex, and of windows, that are allowed whatever the size of the mesh. In faces so thin that no path is
+  // certainly shorter, they are reduced again and again without getting shorter, so the time of a build grows with the square of
+  // their length: 512 take less than a second on a small mesh.
+  static constexpr std::size_t longest_list = 512;
+
   Arrivals() = default;
   explicit Arrivals(std::size_t number_of_vertices) : m_first(number_of_vertices, no_index) {}
 
@@ -97,7 +102,7 @@ public:
     std::size_t n = 0;
     for (Index i = m_first[v]; i != no_index; i = m_arrivals[i].next, ++n)
       if (m_arrivals[i].unite(arrival)) return !m_arrivals[i].has_spread;
-    if (n >= most + 4 * (m_first.size() + m_number_of_primitives))
+    if (n >= longest_list + 4 * (m_first.size() + m_number_of_primitives))
       throw std::runtime_error("Surface_mesh_geodesic_enclosure: " + std::to_string(n) +
                                " paths to a vertex that may be shortest: faces are so thin that rounding does not let paths be "
                                "told apart");
@@ -124,9 +129,6 @@ public:
   }
 
 private:
-  // More arrivals at a vertex of a small mesh come from faces so thin that no path is certainly shorter, as in Window_lists.
-  static constexpr std::size_t most = 512;
-
   std::vector<Index> m_first; // by vertex
   std::vector<Arrival> m_arrivals;
   std::size_t m_number_of_primitives = 0;

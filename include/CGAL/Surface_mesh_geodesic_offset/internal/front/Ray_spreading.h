@@ -121,13 +121,16 @@ private:
     if (in_front(size, w)) m_state.add(g, w);
   }
 
+  // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.
+  static constexpr double roundings_of_distance = 4;
+
   // Cuts off the part of a window behind its segment. Negative distances within the rounding of terms of the given size become
   // zero: on an edge nearly parallel to the segment, they belong to a long part of the window.
   static bool in_front(const FT& size, Window& w)
   {
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
     if (!w.is_parallel()) return false;
-    const FT rounding = Number_policy<FT>::rounding(4) * size;
+    const FT rounding = Number_policy<FT>::rounding(roundings_of_distance) * size;
     for (FT* const d : {&w.d0, &w.d1})
       if (CGAL::is_negative(*d) && -*d <= rounding) *d = FT(0);
     if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return CGAL::is_positive(w.d0) || CGAL::is_positive(w.d1);

@@ -6,8 +6,8 @@
 // A chain follows an arc while it is visible, continues with the arc that covers it or that begins where its cone ends, and
 // ends at the first gate on its arc. At a side of the cell without a gate, it must turn back along an arc that ties. The result
 // is accepted if every gate has its chain. Otherwise the cell is divided; both parts share the gates on the dividing segment. A
-// cell of the size of rounding is crossed straight from gate to gate. So chains always fit together, and rounding affects only
-// cells of its own size.
+// cell of the size of rounding, or a sliver along the level, is crossed straight from gate to gate. So chains always fit
+// together, and rounding affects only such cells.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_TRACER_H
@@ -123,16 +123,11 @@ private:
       m_arcs.add_fans();
       if (walk_with_some_tie(cell, search_loops)) return;
     }
-    if (cell.diameter() <= m_arcs.tolerances().smallest_cell || m_divisions == Offset_tolerances<FT>::most_divisions)
+    const bool is_point = cell.diameter() <= m_arcs.tolerances().smallest_cell;
+    const bool is_last = m_divisions == Offset_tolerances<FT>::most_divisions;
+    if (is_point || is_last || (!search_loops && is_sliver(cell)))
     {
-      if (cell.diameter() <= m_arcs.tolerances().smallest_cell) ++m_crossed;
-      else ++m_forced;
-      cross_straight(cell);
-      return;
-    }
-    if (!search_loops && is_sliver(cell))
-    {
-      ++m_crossed;
+      ++(is_last && !is_point ? m_forced : m_crossed);
       cross_straight(cell);
       return;
     }
@@ -413,7 +408,7 @@ private:
     Run run = run_of(i, start, false);
     if (!run.is_valid() || run.gate != none) return true;
     const bool starts_at_side = run.leaves;
-    const auto is_outside = [&] {
+    const auto is_nothing = [&] {
       if (!starts_at_side && !(deepest < tie)) return false;
       m_pieces.resize(first);
       if (starts_at_side) forget_followed(first_followed);
@@ -424,8 +419,7 @@ private:
       const std::size_t known = followed_by(run);
       if (known != none)
       {
-        if (known < first_followed) return is_outside(); // another chain continues here
-        if (deepest < tie) return is_outside();
+        if (known < first_followed || deepest < tie) return is_nothing(); // another chain continues here, or all is outside
         // The walk is back on this chain, possibly behind its start.
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
@@ -436,7 +430,7 @@ private:
         {
           m_pieces.resize(first);
           // A walk from a longer arc goes in circles around a joint of three arcs.
-          return !(is_point && begin > first) || is_outside();
+          return !(is_point && begin > first) || is_nothing();
         }
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
@@ -444,9 +438,9 @@ private:
       deepest = (std::max)(deepest, m_cell->depth(m_arcs[run.arc].middle(run.start, run.end)));
       add_piece(run, first);
       run = best_run(run, run.end);
-      if (!run.is_valid() || run.gate != none) return is_outside();
+      if (!run.is_valid() || run.gate != none) return is_nothing();
     }
-    return is_outside();
+    return is_nothing();
   }
 
   void forget_followed(std::size_t first)

@@ -34,7 +34,17 @@ public:
   // with two roundings in each, times the length.
   static constexpr double roundings_of_position = 8;
 
+  // Units of rounding of the distance and the largest face by which a straight way may miss its goal: the frames of the faces that
+  // it passes turn its direction.
+  static constexpr double roundings_of_way = 1 << 12;
+
   static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
+
+  // By how much a straight way of the given length may miss its goal. `extent`: of the largest face that it passes.
+  static FT miss(const FT& way, const Path_start<FT>& start, const FT& extent)
+  {
+    return FT(nearby) * way + Number_policy<FT>::rounding(roundings_of_way) * (start.distance + extent);
+  }
 
   // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment. `end` has the
   // point, and the source_ref if that is known already.
@@ -169,7 +179,7 @@ public:
     End_search arrival{start.source_ref, everywhere, FT(0), false};
     const auto search_at_corner = [&](Index face, const auto& way_to, End_search& search) {
       const Face_frame<FT> frame(m_mesh, face);
-      search.nearest = Number_policy<FT>::rounding(1 << 12) * (start.distance + frame.longest_edge());
+      search.nearest = miss(FT(0), start, frame.longest_edge());
       find_end(frame, face, way_to(frame, frame.corner(int(corner_at(v, face) % 3))), search);
     };
     const int edge = int(h % 3);
@@ -236,7 +246,7 @@ public:
     const int edge = int(walk.halfedge() % 3);
     const Point p = frame.from_halfedge(edge, walk.position()), q = frame.from_halfedge(edge, walk.goal());
     const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
-    const FT nearest = has_missed ? FT(way + longest) : FT(FT(nearby) * way + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent));
+    const FT nearest = has_missed ? FT(way + longest) : miss(way, start, extent);
     End_search search{start.source_ref, longest, nearest, !has_missed};
     find_end(frame, face, way_in(frame, p, q, frame.vector_from_halfedge(edge, walk.direction()), start.distance), search);
     end = search.end;

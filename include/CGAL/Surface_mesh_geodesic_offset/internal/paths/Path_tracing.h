@@ -182,7 +182,7 @@ private:
     {
       Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
       const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
-      const FT ahead = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
+      const FT ahead = m_goals.miss(reach, start, extent);
       is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
       if (is_under_way)
       {
@@ -222,7 +222,7 @@ private:
       }
       if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
       auto crossing = walk.crossing(exit);
-      const FT beside = FT(nearby) * reach + Number_policy<FT>::rounding(1 << 12) * (start.distance + extent);
+      const FT beside = m_goals.miss(reach, start, extent);
       if (crossing.goal.y <= beside)
       {
         if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, has_missed, end))
