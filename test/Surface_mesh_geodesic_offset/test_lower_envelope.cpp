@@ -46,8 +46,8 @@ void set_interval(Window& w, double b0, double b1)
   w.d1 = w.distance_at(b1);
 }
 
-// Windows of sources about `away` from the halfedge, with few different sigmas; sometimes with the image of another window,
-// or at its end.
+// Windows of sources about `away` from the halfedge, with few different sigmas and positive distances; sometimes with the image
+// of another window, or at its end.
 Windows random_windows(Random& random, int number, double length, double away)
 {
   Windows windows;
@@ -63,7 +63,7 @@ Windows random_windows(Random& random, int number, double length, double away)
       const double angle = random(-1.2, 1.2);
       w.x = is_parallel ? std::sin(angle) : random(-1, 2) * length;
       w.y = is_parallel ? -std::cos(angle) : -away * random(0.9, 1.1);
-      w.sigma = is_parallel ? away : 0.05 * origin * away;
+      w.sigma = is_parallel ? away + length : 0.05 * origin * away;
       w.source_ref = CGAL::Geodesic_offset::internal::Source_ref(0, CGAL::Source_side::NONE);
       w.bits = Window::make_bits(is_parallel, origin == 0 ? CGAL::Geodesic_offset::internal::no_index : unsigned(origin));
     }
@@ -305,6 +305,46 @@ void test_gaps()
   }
 }
 
+Window parallel_window(double x, double sigma, double b0, double b1, unsigned primitive)
+{
+  using namespace CGAL::Geodesic_offset::internal;
+  Window w = point_window(0, b0, b1);
+  w.x = x;
+  w.y = -std::sqrt(1 - x * x);
+  w.sigma = sigma;
+  w.source_ref = Source_ref(primitive, CGAL::Source_side::LEFT);
+  w.bits = Window::make_bits(true, no_index);
+  set_interval(w, b0, b1);
+  return w;
+}
+
+// Parallel rays fill a gap, between windows or at an end of the halfedge, only in front of their segment, and only as far from it
+// as the distance beyond its end is the same up to rounding; although the distances agree up to the rounding of the halfedge.
+// `slope`: of the distances along the halfedge; negative if they fall towards the gap.
+void test_gaps_beside_segments(double slope, double gap, double away, bool is_closed)
+{
+  const std::vector<unsigned> source_of(2, 0);
+  const Traits traits;
+  Envelope envelope(source_of, traits);
+  const double end = 0.75;
+  // two strips with the distance `away` beside the gap
+  const Windows list = {parallel_window(-slope, away - slope * end, 0.5, end, 0),
+                        parallel_window(slope, away + slope * (end + gap), end + gap, 1, 1)};
+  const Windows between = envelope(list.data(), list.data() + 2, 1);
+  CHECK(envelope.has_closed_gaps() == is_closed);
+  CHECK(between.size() == 2 && (between[0].b1 == between[1].b0) == is_closed);
+  for (const Window& w : between) CHECK((std::min)(w.d0, w.d1) > -1e-15);
+  // one strip with this distance beside the end of the halfedge, where the vertex has it, too
+  Envelope::End vertex;
+  vertex.distance = away;
+  const Window at_source = parallel_window(slope, away + slope * gap, gap, 0.5, 0);
+  const Window at_target = parallel_window(-slope, away - slope * (1 - gap), 0.5, 1 - gap, 0);
+  const Windows from_source = envelope(&at_source, &at_source + 1, 1, nullptr, nullptr, vertex);
+  CHECK(from_source.size() == 1 && (from_source.front().b0 == 0) == is_closed && from_source.front().d0 > -1e-15);
+  const Windows to_target = envelope(&at_target, &at_target + 1, 1, nullptr, nullptr, Envelope::End(), vertex);
+  CHECK(to_target.size() == 1 && (to_target.front().b1 == 1) == is_closed && to_target.front().d1 > -1e-15);
+}
+
 } // namespace test_lower_envelope
 
 GEODESIC_OFFSET_TEST(test_lower_envelope)
@@ -316,5 +356,12 @@ GEODESIC_OFFSET_TEST(test_lower_envelope)
     test_rows(seed);
   }
   test_gaps();
+  // gaps wider than rounding: behind the segment by 4.5e-14, and beside its end
+  test_gaps_beside_segments(-0.03, 1.5e-12, 0, false);
+  test_gaps_beside_segments(-0.03, 1.5e-12, 1e-3, true);
+  // distances beyond the end are longer by g^2 / (2 d) at most: 3.2e-13 and 3.2e-18; 256 u are 5.7e-14
+  test_gaps_beside_segments(0, 8e-11, 0, false);
+  test_gaps_beside_segments(0, 8e-11, 1e-8, false);
+  test_gaps_beside_segments(0, 8e-11, 1e-3, true);
   return test::Report::instance().finish("test_lower_envelope");
 }

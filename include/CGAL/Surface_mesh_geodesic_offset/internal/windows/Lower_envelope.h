@@ -297,15 +297,20 @@ private:
   {
     if (!(gap > m_max_gap && gap < m_widest_gap)) return false;
     d = w.distance_at(b);
-    return CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length) &&
-           ((w.source_ref == end.source_ref && m_length <= FT(short_edge) * d) || may_take_over(w, gap, d + m_length)) && is_passed(d);
+    if (!(CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length))) return false;
+    const bool is_across_strip = w.source_ref == end.source_ref && m_length <= FT(short_edge) * d;
+    return (is_across_strip || may_take_over(w, gap, (std::min)({d, w.d0, w.d1}), d + m_length)) && is_passed(d);
   }
 
-  // True if a window may fill a gap beside it, where distances have the given size. Parallel rays fill narrow gaps only: they
-  // extend beyond their segment then, and a path would name the wrong part.
-  static bool may_take_over(const Window& w, const FT& gap, const FT& size)
+  // True if a window may fill a gap beside it, with distances of d and more, and of the given size. Parallel rays then extend
+  // beyond their segment, so they fill narrow gaps only: a path would name the wrong part, and near the segment, or behind it,
+  // distances would be too short by more than rounding. Beyond the end of the segment by g, they are too short by g^2 / (2 d) at
+  // most.
+  bool may_take_over(const Window& w, const FT& gap, const FT& d, const FT& size) const
   {
-    return !w.is_parallel() || -w.y * gap <= FT(widest_beside_segment) * size;
+    if (!w.is_parallel()) return true;
+    const FT beyond = -w.y * gap;
+    return beyond <= FT(widest_beside_segment) * size && beyond * beyond <= FT(2) * m_gap_rounding * size * d;
   }
 
   struct Gap
@@ -323,7 +328,7 @@ private:
     const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.source_ref == w.source_ref &&
                                  CGAL::abs(FT(a.x - w.x)) <= FT(widest_beside_segment);
     const auto takes = [&](const Window& x, const FT& d, const FT& other) {
-      return (is_of_one_strip || may_take_over(x, gap, size)) && CGAL::abs(FT(d - other)) <= allowance;
+      return (is_of_one_strip || may_take_over(x, gap, (std::min)({d, a.d1, w.d0}), size)) && CGAL::abs(FT(d - other)) <= allowance;
     };
     Gap result{Gap::FIRST, a.distance_at(w.b0)};
     if (!takes(a, result.distance, w.d0))
