@@ -108,13 +108,15 @@ void known_cases()
   run(Answer_search::SPREAD, {500055435, 500097521, 500149794, 500199769});
   run(Answer_search::COINCIDING, {600007633, 600027313, 600050658});
   // joined polylines that end beside an edge
-  run(Answer_search::BESIDE, {263, 400000423, 400003635, 400006489});
+  run(Answer_search::BESIDE, {263, 9732, 400000423, 400003635, 400006489});
   // the names of points at the ends of polylines
   run(Answer_search::BESIDE, {525, 1507, 400000806, 400034264});
   // sources beside vertices, which paths pass on the right side; goals before the last edge; starts beside a pseudo-source
   run(Answer_search::BESIDE, {1750, 2229, 2526, 400003299, 400003536, 400004661, 400004843, 400010692, 400011616, 400028913});
   // gaps behind and beside a segment, which its rays must not take over
   run(Answer_search::BESIDE, {9935, 400023463});
+  // a segment that a path from a long edge meets before an edge, up to the rounding of the long one
+  run(Answer_search::BESIDE, {7078});
   // far from the origin
   run(Answer_search::BESIDE, {175, 712, 940, 1254, 1535});
   // segments shorter than 1e-8 of an edge: their points have distance 0, also where rounding puts them behind both sides

@@ -297,6 +297,11 @@ public:
       i = 0;
       add(Face_location(polyline.locations.front()));
       if (polyline.locations.size() > 1) polyline.locations.pop_back();
+      if (polyline.locations.size() > 1)
+      { // the path to a last point that is the first one in space may end at the vertex that is the first one
+        const Located_point p = data().classified(polyline.locations.front()), q = data().classified(polyline.locations.back());
+        if (p.kind == Located_point::VERTEX && q.kind == p.kind && q.element == p.element) polyline.locations.pop_back();
+      }
       polyline.is_closed = polyline.locations.size() > 2;
     }
     return polyline;

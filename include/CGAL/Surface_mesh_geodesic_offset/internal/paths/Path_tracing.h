@@ -204,7 +204,10 @@ private:
     const auto end_at_corner = [&](int k) {
       return m_goals.end_at_vertex(walk.vertex(k), walk.halfedge(), walk.position(), walk.direction(), start);
     };
-    FT extent = walk.extent(); // of the largest face that was passed, whose rounding the way has
+    // Of the largest face that was passed, whose rounding the way has. The walk through the strip does not measure its faces; the
+    // first one may be the largest.
+    FT extent = walk.extent();
+    if (is_under_way) extent = (std::max)(extent, FT(m_mesh[start.halfedge].length + m_mesh[m_mesh.next(start.halfedge)].length));
     const Index limit = Index(m_mesh.number_of_halfedges());
     for (Index guard = 0; guard <= limit; ++guard)
     {
