@@ -63,8 +63,10 @@ inline bool is_thin(const Point_3& p, const Point_3& q, const Point_3& r)
 
 /// Other triangulation of the same surface: faces and edges are divided at random points, and edges between coplanar faces
 /// are flipped. Exact except for the rounding of new points. With `only_middles`, new points are exactly on edges, and none
-/// is inside a face. `part`: fraction of faces and edges to divide. Returns the number of flips.
-inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part, bool only_middles)
+/// is inside a face. `part`: fraction of faces and edges to divide. `divided`, if given, receives the divided edges in the
+/// order of their new vertices. Returns the number of flips.
+inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part, bool only_middles,
+                                 std::vector<Surface_mesh::Edge_index>* divided = nullptr)
 {
   const std::vector<Surface_mesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
   const std::vector<Surface_mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
@@ -87,6 +89,7 @@ inline std::size_t retriangulate(Surface_mesh& mesh, Random& random, double part
     const Point_3 between((1 - t) * p.x() + t * q.x(), (1 - t) * p.y() + t * q.y(), (1 - t) * p.z() + t * q.z());
     const auto n = CGAL::Euler::split_edge(h, mesh); // ends at the new vertex
     mesh.point(mesh.target(n)) = between;
+    if (divided != nullptr) divided->push_back(e);
     for (const auto side : {n, mesh.prev(mesh.opposite(n))})
       if (!mesh.is_border(side)) CGAL::Euler::split_face(side, mesh.next(mesh.next(side)), mesh);
   }

@@ -32,7 +32,7 @@ constexpr double tolerance = 0x1p-40;
 
 struct Totals
 {
-  std::size_t cases = 0, distances = 0, flips = 0, curves = 0;
+  std::size_t cases = 0, distances = 0, flips = 0, middles = 0, curves = 0;
   double lipschitz = 0, symmetry = 0, faces = 0, motion = 0, minimum = 0; // largest differences, relative as above
 };
 
@@ -157,14 +157,15 @@ private:
     }
   }
 
-  // Sources are vertices or the border, which other faces do not change.
+  // Sources are vertices or the border, which other faces do not change. Compares distances of vertices, and of middles of
+  // edges with those of the vertices that divide the edges.
   void other_faces()
   {
     if (!has_exact_middles_) return;
     const bool from_border = uniform(random_) < 0.2 && has_border(data_.mesh);
     std::vector<Surface_mesh::Vertex_index> vertices;
     for (int i = 0; i < 2; ++i) vertices.push_back(data_.mesh.source(data_.mesh.halfedge(face())));
-    const auto distances = [&](const Surface_mesh& mesh) {
+    const auto built = [&](const Surface_mesh& mesh) {
       Geodesic geodesic(mesh);
       if (from_border)
       {
@@ -175,15 +176,27 @@ private:
       }
       else
         for (const auto v : vertices) geodesic.add_source_point(v);
-      geodesic.build();
-      return of_vertices(geodesic, mesh);
+      geodesic.build(CGAL::parameters::keep_windows(true));
+      return geodesic;
     };
-    const std::vector<double> expected = distances(data_.mesh);
+    const Geodesic geodesic = built(data_.mesh);
+    std::vector<double> expected = of_vertices(geodesic, data_.mesh);
+    const std::size_t vertices_before = expected.size();
+    const Locations<Surface_mesh> locations(data_.mesh);
     for (const double part : {0., 0.3}) // only flips; flips and divided edges
     {
       Surface_mesh mesh = data_.mesh;
-      totals_.flips += retriangulate(mesh, random_, part, true);
-      const std::vector<double> actual = distances(mesh);
+      std::vector<Surface_mesh::Edge_index> divided;
+      totals_.flips += retriangulate(mesh, random_, part, true, &divided);
+      expected.resize(vertices_before);
+      for (const auto e : divided)
+      {
+        const auto h = data_.mesh.halfedge(e), side = data_.mesh.is_border(h) ? data_.mesh.opposite(h) : h;
+        expected.push_back(geodesic.distance_to_sources(locations.on_edge(side, 0.5)));
+      }
+      totals_.middles += divided.size();
+      const std::vector<double> actual = of_vertices(built(mesh), mesh);
+      if (!CHECK(actual.size() == expected.size())) continue;
       for (std::size_t v = 0; v < expected.size(); ++v)
         CHECK_DETAIL(same(actual[v], expected[v], totals_.faces), values(actual[v], expected[v]));
     }
@@ -295,10 +308,11 @@ GEODESIC_OFFSET_TEST(test_properties)
       CHECK_DETAIL(!"an exception was thrown", "seed " + std::to_string(seed) + ": " + e.what());
     }
   std::cout.precision(2);
-  std::cout << totals.cases << " cases, " << totals.distances << " distances, " << totals.flips << " flips, " << totals.curves
+  std::cout << totals.cases << " cases, " << totals.distances << " distances, " << totals.flips << " flips, " << totals.middles
+            << " divided edges, " << totals.curves
             << " curves; largest differences, in distances plus diagonals: steeper than 1-Lipschitz " << totals.lipschitz
             << ", asymmetric " << totals.symmetry << ", other faces " << totals.faces << ", rigid motion " << totals.motion
             << ", minimum of sources " << totals.minimum << std::endl;
-  CHECK(cases < 100 || (totals.flips > 1000 && totals.curves > 100));
+  CHECK(cases < 100 || (totals.flips > 1000 && totals.middles > 1000 && totals.curves > 100));
   return Report::instance().finish("test_properties");
 }
