@@ -130,7 +130,7 @@ void bad_off()
     expect_bad(std::string("a face ") + size, ".off", off(good, std::string(size) + "\n"), {"line 6", "face 0"});
   expect_bad("a face of 4 billion vertices", ".off", off(good, "4000000000 0 1 2\n"), {"line 6", "face 0", "fewer"});
   expect_bad("an index too few", ".off", "OFF\n3 2 0\n" + good + "3 0 1\n3 0 1 2\n", {"line 6", "face 0", "fewer"});
-  expect_bad("w = 0", ".off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n", {"line 4", "vertex 1", "fourth"});
+  expect_bad("w = 0", ".off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n", {"line 4", "vertex 1", "fourth coordinate '0'"});
 
   for (const char* keyword : {"OFF", "STCN4nOFF"})
   {
