@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// libFuzzer test of distances on small meshes, with sources and options of all kinds, against the 113-bit reference of
-// ../reference_distances.h. Certified bounds must always hold; distances in doubles must be accurate to 1e-10 of the
-// distance plus the size of the mesh, unless faces are flatter than 2^-30.
+// libFuzzer test of distances on small meshes, with points as sources, options, updates and targets, against the 113-bit
+// reference of ../reference_distances.h. Certified bounds must always hold; distances in doubles must be accurate to 1e-10 of
+// the distance plus the size of the mesh, unless faces are flatter than 2^-30.
 
 #include "../certified_search.h"
 #include "fuzz_case.h"
@@ -37,19 +37,32 @@ public:
     test::Soup soup;
     for (const auto& p : c_.points) soup.points.push_back(test::Point_3(p[0], p[1], p[2]));
     for (const auto& t : c_.triangles) soup.add_triangle(t);
-    test::Generated_mesh<test::Surface_mesh> data(soup);
+    const test::Generated_mesh<test::Surface_mesh> data(soup);
     Geodesic geodesic(data.mesh);
-    for (std::size_t v : c_.source_vertices) geodesic.add_source_point(data.vertices[v]);
-    for (const auto& s : c_.sources) geodesic.add_source_point(test::Certified_search::location(data, c_, s));
+    add_sources(data, geodesic, 0, number_of_sources());
     reference_.solve(c_.source_vertices, c_.sources, c_.queries);
     largest_ = 0;
     for (std::size_t v = 0; v < c_.points.size(); ++v) largest_ = (std::max)(largest_, double(reference_.of_vertex(v)));
     build(data, geodesic);
+    update(data);
+    build_to_target(data, geodesic);
   }
 
 private:
+  typedef test::Generated_mesh<test::Surface_mesh> Mesh;
+
+  std::size_t number_of_sources() const { return c_.source_vertices.size() + c_.sources.size(); }
+
+  void add_sources(const Mesh& data, Geodesic& geodesic, std::size_t first, std::size_t last) const
+  {
+    const std::size_t n = c_.source_vertices.size();
+    for (std::size_t i = first; i < last; ++i)
+      if (i < n) geodesic.add_source_point(data.vertices[c_.source_vertices[i]]);
+      else geodesic.add_source_point(test::Certified_search::location(data, c_, c_.sources[i - n]));
+  }
+
   // Builds with options from the bytes, then again with other options.
-  void build(const test::Generated_mesh<test::Surface_mesh>& data, Geodesic& geodesic)
+  void build(const Mesh& data, Geodesic& geodesic)
   {
     for (int round = 0; round < 2; ++round)
     {
@@ -59,12 +72,43 @@ private:
       const auto parameters = CGAL::parameters::keep_windows(keeps).distance_limit(limit).relative_tolerance(relative)
                                 .compute_largest_distance(bytes_.flag());
       geodesic.build(parameters);
-      for (std::size_t v = 0; v < c_.points.size(); ++v)
-        compare(geodesic.distance_to_sources(data.vertices[v]), double(reference_.of_vertex(v)), limit, relative, "vertex", v);
-      for (std::size_t q = 0; keeps && !has_limit && q < c_.queries.size(); ++q)
-        compare(geodesic.distance_to_sources(test::Certified_search::location(data, c_, c_.queries[q])),
-                double(reference_.of_query(q)), limit, relative, "query", q);
+      compare_vertices(data, geodesic, limit, relative);
+      if (keeps && !has_limit) compare_queries(data, geodesic, relative);
     }
+  }
+
+  // Builds from some sources, then adds the others.
+  void update(const Mesh& data) const
+  {
+    const std::size_t before = bytes_.index(number_of_sources());
+    const bool keeps = bytes_.flag();
+    Geodesic geodesic(data.mesh);
+    add_sources(data, geodesic, 0, before);
+    geodesic.build(CGAL::parameters::keep_windows(keeps));
+    add_sources(data, geodesic, before, number_of_sources());
+    geodesic.update();
+    compare_vertices(data, geodesic, test::infinity, 0);
+    if (keeps) compare_queries(data, geodesic, 0);
+  }
+
+  void build_to_target(const Mesh& data, Geodesic& geodesic) const
+  {
+    const std::size_t v = bytes_.index(data.vertices.size());
+    geodesic.build(CGAL::parameters::targets(std::vector<test::Surface_mesh::Vertex_index>{data.vertices[v]}));
+    compare(geodesic.distance_to_sources(data.vertices[v]), double(reference_.of_vertex(v)), test::infinity, 0, "target", v);
+  }
+
+  void compare_vertices(const Mesh& data, const Geodesic& geodesic, double limit, double relative) const
+  {
+    for (std::size_t v = 0; v < c_.points.size(); ++v)
+      compare(geodesic.distance_to_sources(data.vertices[v]), double(reference_.of_vertex(v)), limit, relative, "vertex", v);
+  }
+
+  void compare_queries(const Mesh& data, const Geodesic& geodesic, double relative) const
+  {
+    for (std::size_t q = 0; q < c_.queries.size(); ++q)
+      compare(geodesic.distance_to_sources(test::Certified_search::location(data, c_, c_.queries[q])),
+              double(reference_.of_query(q)), test::infinity, relative, "query", q);
   }
 
   void compare(double actual, double expected, double limit, double relative, const char* what, std::size_t i) const

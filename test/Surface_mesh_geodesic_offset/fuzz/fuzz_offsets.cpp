@@ -37,16 +37,8 @@ public:
   {
     for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
     for (const auto& s : c.sources) geodesic_.add_source_point(test::Certified_search::location(data_, c, s));
-    // a polyline along edges
     if (bytes_.flag())
-    {
-      auto h = data_.mesh.halfedge(data_.faces[bytes_.index(data_.faces.size())]);
-      const test::Locations<test::Surface_mesh> locations(data_.mesh);
-      std::vector<Geodesic::Face_location> path = {locations.at_vertex(data_.mesh.source(h))};
-      for (std::size_t n = 1 + bytes_.index(3); n > 0; --n, h = data_.mesh.next(h))
-        path.push_back(locations.at_vertex(data_.mesh.target(h)));
-      geodesic_.add_source_polyline(path, false);
-    }
+      geodesic_.add_source_polyline(bytes_.flag() ? path_of_edges() : polyline_across_faces(), false);
     geodesic_.build(CGAL::parameters::keep_windows(true));
   }
 
@@ -70,6 +62,39 @@ public:
   }
 
 private:
+  typedef std::vector<Geodesic::Face_location> Path;
+
+  test::Surface_mesh::Halfedge_index draw_halfedge()
+  {
+    return data_.mesh.halfedge(data_.faces[bytes_.index(data_.faces.size())]);
+  }
+
+  Path path_of_edges()
+  {
+    auto h = draw_halfedge();
+    const test::Locations<test::Surface_mesh> locations(data_.mesh);
+    Path path = {locations.at_vertex(data_.mesh.source(h))};
+    for (std::size_t n = 1 + bytes_.index(3); n > 0; --n, h = data_.mesh.next(h))
+      path.push_back(locations.at_vertex(data_.mesh.target(h)));
+    return path;
+  }
+
+  // From edge to edge of up to four faces; consecutive points may coincide.
+  Path polyline_across_faces()
+  {
+    auto h = draw_halfedge();
+    const test::Locations<test::Surface_mesh> locations(data_.mesh);
+    Path path = {locations.on_edge(h, bytes_.weight())};
+    for (std::size_t n = 1 + bytes_.index(4); n > 0; --n)
+    {
+      h = bytes_.flag() ? data_.mesh.next(h) : data_.mesh.prev(h);
+      path.push_back(locations.on_edge(h, bytes_.weight()));
+      if (data_.mesh.is_border(data_.mesh.opposite(h))) break;
+      h = data_.mesh.opposite(h);
+    }
+    return path;
+  }
+
   static test::Soup soup_of(const test::Certified_case& c)
   {
     test::Soup soup;
