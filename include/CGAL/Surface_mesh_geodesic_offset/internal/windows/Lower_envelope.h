@@ -252,10 +252,9 @@ private:
   // gap is rounding.
   void close_occupied_gaps()
   {
-    for (std::size_t i = 1; i + 1 < m_envelope.size(); ++i)
+    for (std::size_t i = next_narrow_window(1); i + 1 < m_envelope.size(); i = next_narrow_window(i + 1))
     {
       const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
-      if (!(w.b0 - a.b1 < m_widest_gap)) continue;
       const FT rounding = m_margin * (m.d0 + m_length);
       if (!(m.d0 - a.d1 > m.b0 - a.b1 + rounding) || !(m.d1 - w.d0 > w.b0 - m.b1 + rounding)) continue;
       if (w.b0 - a.b1 <= m_max_gap)
@@ -271,6 +270,17 @@ private:
       m_envelope[i] =
         gap.taker == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
     }
+  }
+
+  // The first window from the i-th on, i > 0, whose neighbours are so near to each other that it may occupy a gap; beyond the
+  // last but one if there is none. A loop of its own, as there are few such windows.
+  std::size_t next_narrow_window(std::size_t i) const
+  {
+    const Window* const first = m_envelope.data();
+    const std::size_t n = m_envelope.size();
+    const FT widest = m_widest_gap;
+    while (i + 1 < n && !(first[i + 1].b0 - first[i - 1].b1 < widest)) ++i;
+    return i;
   }
 
   // Closes the gaps between the first and last windows and the ends of the halfedge.
