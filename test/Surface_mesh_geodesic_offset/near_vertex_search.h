@@ -120,11 +120,25 @@ private:
     return w;
   }
 
-  std::vector<Location> make_queries(const Soup& soup)
+  /// A location in the same triangle, within 1e-16 to 1e-6.
+  Location beside(const Location& l)
+  {
+    const double size = std::pow(10, uniform(random_, -16, -6));
+    Location result = l;
+    const std::size_t k = std::size_t(std::max_element(l.weights.begin(), l.weights.end()) - l.weights.begin());
+    for (const std::size_t i : {(k + 1) % 3, (k + 2) % 3})
+      result.weights[i] = (std::max)(0., l.weights[i] + size * uniform(random_, -1, 1));
+    result.weights[k] = 1 - (result.weights[(k + 1) % 3] + result.weights[(k + 2) % 3]);
+    return result;
+  }
+
+  /// `sources`: also corners of polylines. An eighth more of the queries is beside them.
+  std::vector<Location> make_queries(const Soup& soup, const std::vector<Location>& sources)
   {
     std::vector<Location> result;
     for (std::size_t i = 0; i < queries_; ++i)
       result.push_back({uniform_index(random_, soup.triangles.size()), anywhere()});
+    for (std::size_t i = 0; i < queries_ / 8; ++i) result.push_back(beside(sources[uniform_index(random_, sources.size())]));
     return result;
   }
 
@@ -167,7 +181,7 @@ private:
     std::vector<Location> sources;
     for (std::size_t i = 0, n = 1 + uniform_index(random_, 2); i < n; ++i)
       sources.push_back({uniform_index(random_, soup.triangles.size()), near_boundary()});
-    const std::vector<Location> queries = make_queries(soup);
+    const std::vector<Location> queries = make_queries(soup, sources);
     std::vector<Reference_distances::Point> points;
     for (const Point_3& p : soup.points) points.push_back({p.x(), p.y(), p.z()});
     Reference_distances reference(points, soup.triangles);
@@ -217,7 +231,7 @@ private:
       corners.push_back({f, near_boundary()});
       corners.push_back({f, anywhere()});
     }
-    const std::vector<Location> queries = make_queries(soup);
+    const std::vector<Location> queries = make_queries(soup, corners);
     std::vector<Face_location> polyline;
     std::vector<Planar> placed;
     for (const Location& c : corners)

@@ -181,9 +181,10 @@ private:
       return Plane_3(p, normal);
     }
     if (choice < 0.9)
-    { // through three vertices
+    { // through three vertices; rounding may leave no normal
       const Point_3 q = mesh_->point(vertex()), r = mesh_->point(vertex());
-      if (!CGAL::collinear(p, q, r)) return Plane_3(p, q, r);
+      const Plane_3 plane(p, q, r);
+      if (!CGAL::collinear(p, q, r) && !plane.is_degenerate()) return plane;
     }
     return Plane_3(p + Vector_3(uniform(random_, -0.5, 0.5), uniform(random_, -0.5, 0.5), uniform(random_, -0.5, 0.5)),
                    Vector_3(uniform(random_, -1, 1), uniform(random_, -1, 1), uniform(random_, 0.1, 1)));
