@@ -353,10 +353,23 @@ private:
     CGAL::intersection(as_region(part.cone), disk(center, radius), std::back_inserter(clipped));
   }
 
-  template <class Point>
-  static Point_in_face rounded(const Point& p)
+  // Of the exact number: to_double() of a lazy one is right to 1e-5 only.
+  static double rounded(const Exact& x) { return CGAL::to_double(CGAL::exact(x)); }
+
+  // a + b sqrt(c). If the terms cancel, their difference is the exact difference of their squares over their sum.
+  template <class Root_extension>
+  static double rounded(const Root_extension& x)
   {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+    if (!x.is_extended()) return rounded(x.a0());
+    const double a = rounded(x.a0()), b = rounded(x.a1()) * std::sqrt(rounded(x.root()));
+    if (a * b >= 0) return a + b;
+    return rounded(Exact(x.a0() * x.a0() - x.a1() * x.a1() * x.root())) / (a - b);
+  }
+
+  template <class Point>
+  static Point_in_face rounded_point(const Point& p)
+  {
+    return {rounded(p.x()), rounded(p.y())};
   }
 
   // Halfedge that contains a curve of a boundary, or 3 if the curve is inside the face.
@@ -393,9 +406,9 @@ private:
       std::size_t j = (start + i) % n;
       const std::size_t next = (j + 1) % n;
       if (side[j] == 3 || side[next] < 3) continue;
-      Level_chain chain{false, position(side[j], rounded(curves[j].target())), 0, {}};
+      Level_chain chain{false, position(side[j], rounded_point(curves[j].target())), 0, {}};
       for (j = next; side[j] == 3; j = (j + 1) % n) chain.arcs.push_back(rounded_arc(curves[j]));
-      chain.to = position(side[j], rounded(curves[j].source()));
+      chain.to = position(side[j], rounded_point(curves[j].source()));
       result.push_back(std::move(chain));
     }
   }
@@ -403,10 +416,10 @@ private:
   // Regions are unions of disks, so all arcs are counterclockwise.
   static Chain_arc rounded_arc(const Monotone_curve& curve)
   {
-    const Point_in_face a = rounded(curve.source()), b = rounded(curve.target());
+    const Point_in_face a = rounded_point(curve.source()), b = rounded_point(curve.target());
     if (curve.is_linear()) return Chain_arc(a, b);
     const auto circle = curve.supporting_circle();
-    return Chain_arc(a, b, rounded(circle.center()), std::sqrt(CGAL::to_double(circle.squared_radius())));
+    return Chain_arc(a, b, rounded_point(circle.center()), std::sqrt(rounded(circle.squared_radius())));
   }
 
   const CGAL::Geodesic_offset::internal::Face_frame<double> frame_;

@@ -31,8 +31,8 @@
 
 namespace test {
 
-/// Lengths in units of the level plus the longest edge of the face and its neighbours. The unit bounds the coordinates of
-/// all images whose circles cross the face, and of those in the neighbours, which share the crossings of the edges.
+/// Lengths in units of the level plus the longest edge of the faces around the corners of the face, as in Vertex_reach. The unit
+/// bounds the coordinates of all images whose circles cross the face, and of those in the faces that their windows come from.
 struct Oracle_unit
 {
   /// Widening of strips that start in the face, so that the strips on both sides of a source meet: 2^9 units in the last
@@ -67,8 +67,16 @@ public:
   typedef CGAL::Geodesic_offset::internal::Geodesic_field<double> Field;
 
   Face_tracing(const Mesh& mesh, const Initial& initial, const Field& field)
-    : mesh_(mesh), initial_(initial), field_(field), reach_(mesh), cut_(mesh, initial, field)
-  {}
+    : mesh_(mesh), initial_(initial), field_(field), reach_(mesh), longest_at_(mesh.number_of_vertices(), 0),
+      cut_(mesh, initial, field)
+  {
+    for (Index f = 0; 3 * f < mesh.number_of_halfedges(); ++f)
+    {
+      if (mesh.source(3 * f) == CGAL::Geodesic_offset::internal::no_index) continue;
+      const double longest = longest_edge(f);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) longest_at_[mesh.source(h)] = (std::max)(longest_at_[mesh.source(h)], longest);
+    }
+  }
 
   std::vector<Level_chain> operator()(Index face, double level)
   {
@@ -112,22 +120,22 @@ public:
   }
   const Face_field& windows() const { return cut_.field; }
 
-  /// The longest edge of a face and its neighbours.
+  /// The longest edge of the faces around the corners of a face.
   double size_about(Index face) const
   {
     double size = 0;
-    const auto add = [&](Index f) {
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) size = (std::max)(size, mesh_[h].length);
-    };
-    add(face);
-    for (Index h = 3 * face; h < 3 * face + 3; ++h)
-      if (mesh_.twin(h) != CGAL::Geodesic_offset::internal::no_index) add(mesh_.face(mesh_.twin(h)));
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) size = (std::max)(size, longest_at_[mesh_.source(h)]);
     return size;
   }
 
   std::size_t number_of_forced_joints() const { return forced_joints_; }
 
 private:
+  double longest_edge(Index face) const
+  {
+    return (std::max)({mesh_[3 * face].length, mesh_[3 * face + 1].length, mesh_[3 * face + 2].length});
+  }
+
   template <class Gate>
   double position_of(const Gate& gate) const
   {
@@ -140,6 +148,7 @@ private:
   const Initial& initial_;
   const Field& field_;
   const CGAL::Geodesic_offset::internal::Vertex_reach<double> reach_;
+  std::vector<double> longest_at_; // per vertex, the longest edge of its faces
   CGAL::Geodesic_offset::internal::Face_cut<double> cut_;
   std::size_t forced_joints_ = 0;
 };

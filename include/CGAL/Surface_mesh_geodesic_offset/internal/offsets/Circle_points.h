@@ -15,12 +15,19 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Advance from p to q, for points less than a half turn apart: the sign is exact up to the rounding of the points; for near
-// points, the value is the length between them.
+// Advance from p to q, two points of an arc of at most a half turn with the given chord, from its start to its end. For near
+// points, the value is the length between them, with a sign that is exact up to the rounding of the points; it increases with
+// the turn up to twice the radius. The chord decides the sign of turns of more than a quarter: that of a half turn would be
+// rounding.
 template <class FT>
-FT advance_on_circle(const Point_in_face<FT>& center, const FT& radius, const Point_in_face<FT>& p, const Point_in_face<FT>& q)
+FT advance_on_circle(const Point_in_face<FT>& center, const FT& radius, const Point_in_face<FT>& chord,
+                     const Point_in_face<FT>& p, const Point_in_face<FT>& q)
 {
-  return cross(p - center, q - p) / radius;
+  const Point_in_face<FT> v = p - center;
+  const FT advance = cross(v, q - p) / radius;
+  if (!CGAL::is_negative(dot(v, q - center))) return advance;
+  const FT wide = FT(2) * radius - CGAL::abs(advance);
+  return CGAL::is_negative(dot(chord, q - p)) ? FT(-wide) : wide;
 }
 
 // The point in the middle between p and q, for points up to a half turn apart.

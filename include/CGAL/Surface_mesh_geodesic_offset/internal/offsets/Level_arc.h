@@ -73,11 +73,11 @@ public:
     return (FT(1) / m_radius) * quarter_turn(p - image());
   }
 
-  // Advance from p to q (advance_on_circle).
+  // Advance from p to q, two points of the arc (advance_on_circle).
   FT advance(const Point& p, const Point& q) const
   {
     if (is_straight()) return dot(quarter_turn(forward()), q - p);
-    return advance_on_circle(image(), m_radius, p, q);
+    return advance_on_circle(image(), m_radius, m_end - m_start, p, q);
   }
 
   // True if q is between p and r, which are less than a half turn apart, and not behind the image.

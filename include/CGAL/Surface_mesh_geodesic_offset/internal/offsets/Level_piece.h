@@ -40,11 +40,11 @@ struct Level_piece
     return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
   }
 
-  // Advance from start to end: at most the length of the chord; negative if rounding has moved the end behind the start.
+  // Advance from start to end; negative if rounding has moved the end behind the start.
   FT advance() const
   {
     if (is_straight) return dot(quarter_turn(center), end - start);
-    return advance_on_circle(center, radius, start, end);
+    return advance_on_circle(center, radius, end - start, start, end);
   }
 
   // Middle between the ends.

@@ -218,9 +218,10 @@ private:
       // A sector within a half turn is bounded by the ends of the edge that lie inside it.
       const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
       const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
-      // A narrow sector at an end of the edge belongs to the next edge.
-      const bool is_fan = is_narrow && from_is_inside && to_is_inside && CGAL::is_positive(cross(*from, target - p)) &&
-                          CGAL::is_positive(cross(source - p, *to));
+      // A narrow sector at an end of the edge belongs to the next edge, unless that is a border edge.
+      const bool is_fan = is_narrow &&
+                          (from_is_inside ? CGAL::is_positive(cross(*from, target - p)) : is_border_edge(face, (k + 2) % 3)) &&
+                          (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
       if (is_fan || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
@@ -228,6 +229,8 @@ private:
                                            STARTS_IN_FACE, (unsigned char)(k)}});
     }
   }
+
+  bool is_border_edge(Index face, int k) const { return m_mesh.twin(3 * face + Index(k)) == no_index; }
 
   // Adds the rays from p, in the frame of a face, that cross its halfedge k between the directions `from` and `to`.
   void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Source_ref source_ref)
