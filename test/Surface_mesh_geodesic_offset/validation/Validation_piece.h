@@ -160,7 +160,7 @@ private:
   // Intersections of the whole circles or lines.
   static int meet(const Validation_piece& a, const Validation_piece& b, Point p[2])
   {
-    if (!a.is_straight && b.is_straight) return meet(b, a, p);
+    if (!a.is_straight && (b.is_straight || b.radius < a.radius)) return meet(b, a, p); // a small circle keeps its digits
     Point foot, across; // the intersections are foot + across, foot - across
     if (a.is_straight && b.is_straight)
     {
@@ -182,11 +182,11 @@ private:
       const Point u = b.center - a.center;
       const double uu = dot(u, u);
       if (!(uu > 0)) return 0;
-      const double x = 0.5 * (1 + (a.radius - b.radius) * (a.radius + b.radius) / uu);
-      const double h2 = a.radius * a.radius / uu - x * x;
+      const double apart = std::sqrt(uu), along = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
+      const double h2 = (a.radius - along) * (a.radius + along);
       if (!(h2 > 0)) return 0;
-      foot = a.center + x * u;
-      across = std::sqrt(h2) * quarter_turn(u);
+      foot = a.center + (along / apart) * u;
+      across = (std::sqrt(h2) / apart) * quarter_turn(u);
     }
     p[0] = foot + across;
     p[1] = foot - across;
