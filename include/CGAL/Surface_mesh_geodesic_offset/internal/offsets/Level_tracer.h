@@ -40,9 +40,10 @@ public:
   typedef Level_gate<FT> Gate;
   typedef Level_cell<FT> Cell;
 
-  // Sets the face, the longest edge of the faces around it, and bounds of the levels.
-  void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest, const FT& highest)
+  // Sets the face, the longest edges of the faces around it and of the mesh, and bounds of the levels.
+  void set_face(const Face_field<FT>& field, const FT& reach, const FT& longest_edge, const FT& lowest, const FT& highest)
   {
+    m_farther_rounding = Offset_tolerances<FT>::farther_rounding(longest_edge);
     m_arcs.set_face(field, reach, lowest, highest);
   }
 
@@ -123,7 +124,7 @@ private:
       m_arcs.add_fans();
       if (walk_with_some_tie(cell, search_loops)) return;
     }
-    const bool is_point = cell.diameter() <= m_arcs.tolerances().smallest_cell;
+    const bool is_point = cell.diameter() <= (std::max)(m_arcs.tolerances().smallest_cell, m_farther_rounding);
     const bool is_last = m_divisions == Offset_tolerances<FT>::most_divisions;
     if (is_point || is_last || (!search_loops && is_sliver(cell)))
     {
@@ -587,6 +588,7 @@ private:
   std::vector<Chain> m_chains;
   std::vector<Piece> m_pieces; // of the chains
   std::vector<Piece> m_chain;  // of the chain in output
+  FT m_farther_rounding = FT(0);
   Index m_inner_gates = 0;
   int m_divisions = 0; // of the face
   std::size_t m_forced = 0, m_crossed = 0;

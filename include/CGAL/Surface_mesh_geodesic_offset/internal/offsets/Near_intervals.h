@@ -97,8 +97,8 @@ public:
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length, alternately from far to
   // near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are dropped, and so are intervals up to
-  // longest_shallow_interval() whose depth is at most half of interval_gap(). The caller decides whether the ends of the
-  // segment are near, so the number of calls is odd exactly if they differ.
+  // longest_shallow_interval(), or at a far end of the segment, whose depth is at most half of interval_gap(). The caller
+  // decides whether the ends of the segment are near, so the number of calls is odd exactly if they differ.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
   {
@@ -123,7 +123,8 @@ public:
       CGAL_assertion(i == 0 || m_intervals[i - 1].last < m_intervals[i].first);
       const bool at_source = i == 0 && source_is_near, at_target = i + 1 == n && target_is_near;
       const FT first = (std::max)(m_intervals[i].first, FT(0)), last = (std::min)(m_intervals[i].last, m_length);
-      if (!at_source && !at_target && is_shallow(FT(last - first), m_intervals[i].depth)) continue;
+      const bool reaches_end = !(first > m_gap) || !(m_length - last > m_gap);
+      if (!at_source && !at_target && is_shallow(FT(last - first), m_intervals[i].depth, reaches_end)) continue;
       if (!at_source) out(first, true);
       if (!at_target) out(last, false);
       CGAL_assertion_code(ends += std::size_t(!at_source) + std::size_t(!at_target));
@@ -152,11 +153,12 @@ private:
     else return FT(0);
   }
 
-  // True if the level only touches the segment, in an interval of the given width.
-  bool is_shallow(const FT& width, const FT& depth) const
+  // True if the level only touches the segment, in an interval of the given width. `reaches_end`: up to a far end of the
+  // segment, which is on the level then.
+  bool is_shallow(const FT& width, const FT& depth, bool reaches_end) const
   {
     if (!(width > m_gap)) return true;
-    if constexpr (is_inexact) return !(width > m_longest_shallow) && !(FT(2) * depth > m_gap);
+    if constexpr (is_inexact) return (reaches_end || !(width > m_longest_shallow)) && !(FT(2) * depth > m_gap);
     else return false;
   }
 

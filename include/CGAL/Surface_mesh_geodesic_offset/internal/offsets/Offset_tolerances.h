@@ -35,7 +35,8 @@ struct Offset_tolerances
   static FT interval_gap(const FT& magnitude) { return unit(6) * magnitude; }
 
   // At a small angle to a front, a near interval is longer than its depth. An interval up to this length is dropped if its
-  // depth is within the error: 2^26 u times the magnitude, the square root of u. A longer one may be an edge along a front.
+  // depth is within the error: 2^26 u times the magnitude, the square root of u. A longer one may be an edge along a front; it is
+  // dropped only at an end of the edge that is on the level up to rounding, but not nearer.
   static FT longest_shallow_interval(const FT& magnitude) { return unit(26) * magnitude; }
 
   // The bounding rays of a source on an edge are within 2^8 u times the length of the edge of it.
@@ -53,6 +54,10 @@ struct Offset_tolerances
   // Rounding leaves parts up to this length when a selection by sides divides curves: the smallest cell of a face as large as
   // the mean edge.
   static FT shortest_part(const FT& magnitude) { return unit(14) * magnitude; }
+
+  // The windows of small faces may come from a large face farther away, where coordinates had this rounding: 2^5 u times the
+  // longest edge of the mesh, as for the error below. A cell up to this diameter whose gates no arcs connect is not divided.
+  static FT farther_rounding(const FT& longest_edge) { return unit(5) * longest_edge; }
 
   // Error of a distance evaluated in a face: 2^5 u times the magnitude.
   FT error;
