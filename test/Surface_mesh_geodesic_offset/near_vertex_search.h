@@ -88,10 +88,13 @@ private:
     return soup;
   }
 
-  /// Weights with sum 1, within 1e-16 to 1e-6 of a corner or a side of a triangle.
+  /// 1e-16 to 1e-6.
+  double small_size() { return std::pow(10, uniform(random_, -16, -6)); }
+
+  /// Weights with sum 1, within a small size of a corner or a side of a triangle.
   std::array<double, 3> near_boundary()
   {
-    const double size = std::pow(10, uniform(random_, -16, -6));
+    const double size = small_size();
     std::array<double, 3> w;
     const std::size_t k = uniform_index(random_, 3);
     if (uniform(random_) < 0.7)
@@ -120,10 +123,10 @@ private:
     return w;
   }
 
-  /// A location in the same triangle, within 1e-16 to 1e-6.
+  /// A location in the same triangle, within a small size.
   Location beside(const Location& l)
   {
-    const double size = std::pow(10, uniform(random_, -16, -6));
+    const double size = small_size();
     Location result = l;
     const std::size_t k = std::size_t(std::max_element(l.weights.begin(), l.weights.end()) - l.weights.begin());
     for (const std::size_t i : {(k + 1) % 3, (k + 2) % 3})

@@ -326,23 +326,23 @@ void test_gaps_beside_segments(double slope, double gap, double away, bool is_cl
   const std::vector<unsigned> source_of(2, 0);
   const Traits traits;
   Envelope envelope(source_of, traits);
-  const double end = 0.75;
+  const double end = 0.75, rounding = 1e-15; // of distances up to 1: 9 u
   // two strips with the distance `away` beside the gap
   const Windows list = {parallel_window(-slope, away - slope * end, 0.5, end, 0),
                         parallel_window(slope, away + slope * (end + gap), end + gap, 1, 1)};
   const Windows between = envelope(list.data(), list.data() + 2, 1);
   CHECK(envelope.has_closed_gaps() == is_closed);
   CHECK(between.size() == 2 && (between[0].b1 == between[1].b0) == is_closed);
-  for (const Window& w : between) CHECK((std::min)(w.d0, w.d1) > -1e-15);
+  for (const Window& w : between) CHECK((std::min)(w.d0, w.d1) > -rounding);
   // one strip with this distance beside the end of the halfedge, where the vertex has it, too
   Envelope::End vertex;
   vertex.distance = away;
   const Window at_source = parallel_window(slope, away + slope * gap, gap, 0.5, 0);
   const Window at_target = parallel_window(-slope, away - slope * (1 - gap), 0.5, 1 - gap, 0);
   const Windows from_source = envelope(&at_source, &at_source + 1, 1, nullptr, nullptr, vertex);
-  CHECK(from_source.size() == 1 && (from_source.front().b0 == 0) == is_closed && from_source.front().d0 > -1e-15);
+  CHECK(from_source.size() == 1 && (from_source.front().b0 == 0) == is_closed && from_source.front().d0 > -rounding);
   const Windows to_target = envelope(&at_target, &at_target + 1, 1, nullptr, nullptr, Envelope::End(), vertex);
-  CHECK(to_target.size() == 1 && (to_target.front().b1 == 1) == is_closed && to_target.front().d1 > -1e-15);
+  CHECK(to_target.size() == 1 && (to_target.front().b1 == 1) == is_closed && to_target.front().d1 > -rounding);
 }
 
 } // namespace test_lower_envelope

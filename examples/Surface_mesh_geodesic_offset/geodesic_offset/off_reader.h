@@ -141,9 +141,12 @@ private:
     const auto name = [&] { return "vertex " + std::to_string(i); };
     const double x = m_text.coordinate(name), y = m_text.coordinate(name), z = m_text.coordinate(name);
     double w = 1;
-    Text_scanner fourth = m_text;
-    if(m_is_homogeneous && (!m_text.read(w) || w == 0))
-      m_text.fail_here(name() + " has the fourth coordinate " + quoted_word(fourth.word()) + "; a number but 0 is expected");
+    if(m_is_homogeneous)
+    {
+      Text_scanner fourth = m_text;
+      if(!m_text.read(w) || w == 0)
+        m_text.fail_here(name() + " has the fourth coordinate " + quoted_word(fourth.word()) + "; a number but 0 is expected");
+    }
     add_point(x, y, z, w);
     m_text.next_line();
   }

@@ -95,7 +95,7 @@ public:
   Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                const Vertex_reach<FT>& reach, const Offset_levels<FT>& levels, const FT& maximum)
     : m_mesh(mesh), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)),
-      m_crossings(mesh, initial, field, reach)
+      m_crossings(mesh, initial, field, reach), m_tracer(mesh.longest_edge())
   {
   }
 
@@ -139,7 +139,7 @@ public:
     const bool loops = cut.field.has_local_sources() || may_have_interior_maximum(cut.field);
     std::stable_sort(cut.gates.begin(), cut.gates.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     auto next = cut.gates.begin();
-    m_tracer.set_face(cut.field, m_reach.of_face(cut.field.face()), m_reach.of_mesh(), cut_level(cut.levels.first),
+    m_tracer.set_face(cut.field, m_reach.of_face(cut.field.face()), cut_level(cut.levels.first),
                       cut_level(cut.levels.last - 1));
     const Face_frame<FT>& frame = cut.field.frame();
     for (int k = 0; k < 3; ++k)

@@ -40,10 +40,12 @@ public:
   typedef Level_gate<FT> Gate;
   typedef Level_cell<FT> Cell;
 
-  // Sets the face, the longest edges of the faces around it and of the mesh, and bounds of the levels.
-  void set_face(const Face_field<FT>& field, const FT& reach, const FT& longest_edge, const FT& lowest, const FT& highest)
+  // `longest_edge`: of the mesh.
+  explicit Level_tracer(const FT& longest_edge) : m_farther_rounding(Offset_tolerances<FT>::farther_rounding(longest_edge)) {}
+
+  // Sets the face, the longest edge of the faces around it, and bounds of the levels.
+  void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest, const FT& highest)
   {
-    m_farther_rounding = Offset_tolerances<FT>::farther_rounding(longest_edge);
     m_arcs.set_face(field, reach, lowest, highest);
   }
 
@@ -577,6 +579,7 @@ private:
     m_chain.resize(n);
   }
 
+  const FT m_farther_rounding;
   Level_arcs<FT> m_arcs;
   Near_intervals<FT> m_near; // on segments between cells
   Cell m_face; // its gates are numbered in their order
@@ -588,7 +591,6 @@ private:
   std::vector<Chain> m_chains;
   std::vector<Piece> m_pieces; // of the chains
   std::vector<Piece> m_chain;  // of the chain in output
-  FT m_farther_rounding = FT(0);
   Index m_inner_gates = 0;
   int m_divisions = 0; // of the face
   std::size_t m_forced = 0, m_crossed = 0;

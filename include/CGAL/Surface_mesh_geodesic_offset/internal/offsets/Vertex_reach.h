@@ -31,7 +31,6 @@ public:
     {
       if (mesh.source(h) == no_index) continue;
       const FT longest = (std::max)({mesh[h].length, mesh[h + 1].length, mesh[h + 2].length});
-      m_longest = (std::max)(m_longest, longest);
       for (Index k = h; k < h + 3; ++k) m_reach[mesh.source(k)] = (std::max)(m_reach[mesh.source(k)], longest);
     }
   }
@@ -42,15 +41,11 @@ public:
   // Longest edge of the faces around the corners of a face.
   FT of_face(Index f) const { return (std::max)(of_edge(3 * f), at(m_mesh->source(3 * f + 2))); }
 
-  // Longest edge of the mesh: of any face on the path of a window.
-  const FT& of_mesh() const { return m_longest; }
-
 private:
   FT at(Index v) const { return m_reach.empty() ? FT(0) : m_reach[v]; }
 
   const Unfolded_mesh<FT>* m_mesh;
   std::vector<FT> m_reach;
-  FT m_longest = FT(0);
 };
 
 } // namespace internal
