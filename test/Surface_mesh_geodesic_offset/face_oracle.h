@@ -17,7 +17,6 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 
-#include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/General_polygon_set_2.h>
 #include <CGAL/Gps_circle_segment_traits_2.h>
@@ -207,13 +206,11 @@ public:
   /// Points nearer than d.
   Region nearer_than(double d) const
   {
-    std::vector<Region_polygon> whole;
-    std::vector<Region_part> clipped;
+    std::vector<Region> regions; // regions cannot be moved
+    regions.reserve(parts_.size());
     for (const Part& part : parts_)
-      if (part.lowest < d + widening_) add(part, d, whole, clipped);
-    Region region;
-    region.join(whole.begin(), whole.end(), clipped.begin(), clipped.end());
-    return region;
+      if (part.lowest < d + widening_) add(part, d, regions);
+    return united(regions);
   }
 
   /// Boundary of a region inside the face.
@@ -333,24 +330,40 @@ private:
     return result;
   }
 
-  void add(const Part& part, double d, std::vector<Region_polygon>& whole, std::vector<Region_part>& clipped) const
+  // By pairs of regions. The union of a range sweeps several of them at once; where three boundaries overlap, CGAL 5.5 then
+  // depends on the order of addresses, and can start a common part at the wrong event (Surface_sweep_2::_intersect()).
+  // Between two regions, no more than two boundaries overlap.
+  static Region united(std::vector<Region>& regions)
+  {
+    if (regions.empty()) return Region();
+    for (std::size_t step = 1; step < regions.size(); step *= 2)
+      for (std::size_t i = 0; i + step < regions.size(); i += 2 * step)
+      {
+        regions[i].join(regions[i + step]);
+        regions[i + step].clear();
+      }
+    return regions.front();
+  }
+
+  // Adds the part's points nearer than d.
+  void add(const Part& part, double d, std::vector<Region>& regions) const
   {
     const Face_window& w = part.window;
     if (w.is_parallel())
     {
       std::vector<Exact_point> polygon = part.cone;
       clip({Exact(w.x), Exact(w.y), Exact(Exact(d) - Exact(w.sigma))}, polygon);
-      if (polygon.size() > 2) whole.push_back(as_region(polygon));
+      if (polygon.size() > 2) regions.emplace_back(as_region(polygon));
       return;
     }
     const Exact radius = Exact(d) - Exact(w.sigma);
     if (radius <= 0) return;
     const Exact_point center(w.x, w.y);
     const Exact squared = radius * radius;
-    if (std::all_of(part.cone.begin(), part.cone.end(),
-                    [&](const Exact_point& p) { return CGAL::squared_distance(center, p) <= squared; }))
-      return whole.push_back(as_region(part.cone));
-    CGAL::intersection(as_region(part.cone), disk(center, radius), std::back_inserter(clipped));
+    regions.emplace_back(as_region(part.cone));
+    if (std::any_of(part.cone.begin(), part.cone.end(),
+                    [&](const Exact_point& p) { return CGAL::squared_distance(center, p) > squared; }))
+      regions.back().intersection(disk(center, radius));
   }
 
   // Of the exact number: to_double() of a lazy one is right to 1e-5 only.
