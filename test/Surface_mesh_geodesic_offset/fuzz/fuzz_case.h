@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Small meshes with sources, levels and options from bytes, which libFuzzer changes one by one. Coordinates are mostly on a
-// coarse grid, where paths tie, or displaced by an arbitrarily small amount.
+// Small meshes with sources, levels and options from bytes, which libFuzzer changes one by one. Half of the meshes are grown
+// triangle by triangle; their coordinates are mostly on a coarse grid, where paths tie, or displaced by an arbitrarily small
+// amount. The others are cases of ../certified_cases.h, of which a few vertices are displaced.
 
 #ifndef GEODESIC_OFFSET_TEST_FUZZ_CASE_H
 #define GEODESIC_OFFSET_TEST_FUZZ_CASE_H
@@ -53,7 +54,7 @@ private:
   const std::uint8_t *next_, *end_;
 };
 
-/// Connected mesh of up to 12 triangles whose border is one cycle, with up to three sources.
+/// Mesh of at most some 30 triangles with a few sources.
 class Fuzz_case
 {
 public:
@@ -61,8 +62,18 @@ public:
 
   explicit Fuzz_case(Fuzz_bytes& bytes) : bytes_(bytes)
   {
-    add_mesh();
-    const std::size_t sources = 1 + bytes_.index(3);
+    const std::size_t kind = bytes_.index(4);
+    if (kind < 2) add_mesh();
+    else
+    {
+      const unsigned high = bytes_.byte(), seed = 256 * high + bytes_.byte();
+      case_ = kind == 2 ? Certified_cases::general(seed) : Certified_cases::adversarial(seed);
+      case_.queries.clear();
+      displace_vertices();
+      if (bytes_.flag()) case_.source_vertices.clear(), case_.sources.clear();
+    }
+    const std::size_t least = case_.source_vertices.empty() && case_.sources.empty() ? 1 : 0;
+    const std::size_t sources = least + bytes_.index(3);
     for (std::size_t i = 0; i < sources; ++i)
       if (bytes_.flag()) case_.source_vertices.push_back(vertex());
       else case_.sources.push_back(location());
@@ -70,6 +81,15 @@ public:
   }
 
   const Certified_case& certified_case() const { return case_; }
+
+  /// Largest absolute value of a coordinate.
+  double size() const
+  {
+    double result = 0;
+    for (const auto& p : case_.points)
+      for (const double x : p) result = (std::max)(result, std::abs(x));
+    return result;
+  }
 
   /// Smallest ratio of the height of a face to its longest side.
   double flatness() const
@@ -90,6 +110,19 @@ private:
   Point_3 point(std::size_t v) const { return Point_3(case_.points[v][0], case_.points[v][1], case_.points[v][2]); }
   std::size_t vertex() { return case_.triangles[bytes_.index(case_.triangles.size())][bytes_.index(3)]; }
 
+  // By up to 1/10 of the size.
+  void displace_vertices()
+  {
+    const double scale = size();
+    for (std::size_t n = bytes_.index(5); n > 0; --n)
+    {
+      double& x = case_.points[bytes_.index(case_.points.size())][bytes_.index(3)];
+      const unsigned b = bytes_.byte();
+      x += (b % 2 == 0 ? -scale : scale) * std::pow(10, -1. - double(b / 2 % 16));
+    }
+  }
+
+  // Connected, of up to 12 triangles; the border is one cycle, or the mesh is closed.
   void add_mesh()
   {
     for (int i = 0; i < 3; ++i) add_point();

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// libFuzzer test of distances on small meshes, with points as sources, options, updates and targets, against the 113-bit
-// reference of ../reference_distances.h. Certified bounds must always hold; distances in doubles must be accurate to 1e-10 of
-// the distance plus the size of the mesh, unless faces are flatter than 2^-30.
+// libFuzzer test of distances and paths on small meshes, with points as sources, options, updates and targets, against the
+// 113-bit reference of ../reference_distances.h. Certified bounds must always hold; distances in doubles and lengths of paths
+// must be accurate to 1e-10 of the distance plus the size of the mesh, unless faces are flatter than 2^-30.
 
 #include "../certified_search.h"
 #include "fuzz_case.h"
@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ using test::Reference_distances;
 class Distances
 {
 public:
-  explicit Distances(test::Fuzz_bytes& bytes)
-    : c_(test::Fuzz_case(bytes).certified_case()), bytes_(bytes), reference_(c_.points, c_.triangles)
+  Distances(const test::Fuzz_case& fuzz_case, test::Fuzz_bytes& bytes)
+    : c_(fuzz_case.certified_case()), size_(fuzz_case.size()), bytes_(bytes), reference_(c_.points, c_.triangles)
   {
     test::Soup soup;
     for (const auto& p : c_.points) soup.points.push_back(test::Point_3(p[0], p[1], p[2]));
@@ -69,11 +70,19 @@ private:
       const bool keeps = bytes_.flag(), has_limit = bytes_.index(4) == 0, is_coarse = bytes_.index(4) == 0;
       const double limit = has_limit ? bytes_.weight() * largest_ : test::infinity;
       const double relative = is_coarse ? std::pow(10, -2. - double(bytes_.index(8))) : 0;
+      const bool finds_farthest = bytes_.flag();
       const auto parameters = CGAL::parameters::keep_windows(keeps).distance_limit(limit).relative_tolerance(relative)
-                                .compute_largest_distance(bytes_.flag());
+                                .compute_largest_distance(finds_farthest);
       geodesic.build(parameters);
       compare_vertices(data, geodesic, limit, relative);
-      if (keeps && !has_limit) compare_queries(data, geodesic, relative);
+      if (has_limit || is_coarse) continue;
+      if (keeps || finds_farthest) compare_farthest(geodesic);
+      if (!keeps) continue;
+      compare_queries(data, geodesic, relative);
+      for (std::size_t q = 0; q < c_.queries.size(); ++q)
+        compare_path(geodesic, test::Certified_search::location(data, c_, c_.queries[q]), reference_.of_query(q));
+      for (std::size_t v = 0; v < c_.points.size(); ++v)
+        compare_path(geodesic, data.vertices[v], reference_.of_vertex(v));
     }
   }
 
@@ -111,18 +120,47 @@ private:
               double(reference_.of_query(q)), test::infinity, relative, "query", q);
   }
 
+  // The length of the path, the distance of the nearest source, and that of the path's last point from its nearest point.
+  template <class Location>
+  void compare_path(const Geodesic& geodesic, const Location& location, Reference_distances::Number distance) const
+  {
+    const double expected = double(distance);
+    const auto source = geodesic.nearest_source(location);
+    std::vector<test::Point_3> path;
+    geodesic.shortest_path_points_to_sources(location, std::back_inserter(path));
+    if (!source || path.empty()) fail("no path");
+    double length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) length += std::sqrt(CGAL::squared_distance(path[i - 1], path[i]));
+    compare(length, expected, test::infinity, 0, "path of", path.size());
+    compare(source->distance, expected, test::infinity, 0, "source", source->source);
+    const double slope = std::sqrt(geodesic.gradient(location).squared_length());
+    if (slope != 0 && std::abs(slope - 1) > 1e-10) fail("a gradient of length " + std::to_string(slope));
+  }
+
+  // No vertex or query may be farther.
+  void compare_farthest(const Geodesic& geodesic) const
+  {
+    double largest = largest_;
+    for (std::size_t q = 0; q < c_.queries.size(); ++q) largest = (std::max)(largest, double(reference_.of_query(q)));
+    const double actual = geodesic.farthest_point().second;
+    if (!(actual >= largest - tolerance(largest))) fail("the farthest point is at " + std::to_string(actual));
+  }
+
+  double tolerance(double distance) const { return 1e-10 * (distance + 4 * size_); }
+
   void compare(double actual, double expected, double limit, double relative, const char* what, std::size_t i) const
   {
-    const double tolerance = 1e-10 * (expected + 4); // coordinates are from -1 to 1
-    const bool is_right = expected > limit - tolerance && !(actual < test::infinity)
+    const double allowed = tolerance(expected);
+    const bool is_right = expected > limit - allowed && !(actual < test::infinity)
                             ? true // beyond the limit
-                            : actual <= expected + tolerance && actual >= expected * (1 - relative) - tolerance;
+                            : actual <= expected + allowed && actual >= expected * (1 - relative) - allowed;
     if (!is_right)
       fail(std::string(what) + ' ' + std::to_string(i) + ": " + std::to_string(actual) + " instead of " +
            std::to_string(expected) + ", off by " + std::to_string(1e12 * (actual - expected)) + "e-12");
   }
 
   const test::Certified_case c_;
+  const double size_;
   test::Fuzz_bytes& bytes_;
   Reference_distances reference_;
   double largest_;
@@ -142,8 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!(flatness > 0x1p-30)) return 0;
   try
   {
-    test::Fuzz_bytes again(data, size);
-    Distances distances(again);
+    Distances distances(fuzz_case, bytes);
   }
   catch (const std::exception& error)
   {

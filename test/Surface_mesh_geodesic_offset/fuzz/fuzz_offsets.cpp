@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// libFuzzer test of offsets on small meshes, from points and polylines, at and near vertex distances: each face is compared
-// with the exact arrangement of ../offset_oracle.h, and no joint is forced. Faces flatter than 2^-30 are skipped.
+// libFuzzer test of offsets on small meshes, from sources of all kinds, at and near vertex distances: each face is compared
+// with the exact arrangement of ../offset_oracle.h, and no joint is forced, in one pass or from kept windows, on both sides or
+// one. Faces flatter than 2^-30 are skipped.
 
 #include "../certified_search.h"
 #include "../locations.h"
@@ -33,12 +34,13 @@ using test::Geodesic;
 class Offsets
 {
 public:
-  Offsets(test::Fuzz_bytes& bytes, const test::Certified_case& c) : bytes_(bytes), data_(soup_of(c)), geodesic_(data_.mesh)
+  Offsets(test::Fuzz_bytes& bytes, const test::Fuzz_case& fuzz_case)
+    : bytes_(bytes), size_(fuzz_case.size()), data_(soup_of(fuzz_case.certified_case())), geodesic_(data_.mesh)
   {
+    const test::Certified_case& c = fuzz_case.certified_case();
     for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
     for (const auto& s : c.sources) geodesic_.add_source_point(test::Certified_search::location(data_, c, s));
-    if (bytes_.flag())
-      geodesic_.add_source_polyline(bytes_.flag() ? path_of_edges() : polyline_across_faces(), false);
+    for (std::size_t n = bytes_.index(3); n > 0; --n) add_curve();
     geodesic_.build(CGAL::parameters::keep_windows(true));
   }
 
@@ -47,22 +49,56 @@ public:
     test::Offset_oracle oracle;
     oracle.most_windows = 40;
     test::Face_tracing tracing(geodesic_.mesh(), geodesic_.initial(), geodesic_.field());
+    std::vector<double> levels;
     for (int i = 0; i < 2; ++i)
     {
       const double level = draw_level();
-      if (!(level > 1e-9)) continue;
+      if (!(level > 1e-9 * size_)) continue;
       for (const auto f : data_.mesh.faces())
         oracle.compare(tracing, geodesic_.field_index(f), level, [](const std::string& text) { std::cerr << text << std::endl; });
       if (oracle.counts.differences() > 0) fail("the oracle has other curves");
-      test::Offset_curves curves;
-      Geodesic again(geodesic_);
-      again.build_with_offset_curves(level, std::back_inserter(curves));
-      if (again.statistics().forced_joints > 0) fail("forced joints at the level " + std::to_string(level));
+      levels.push_back(level);
     }
+    if (levels.empty()) return;
+    const CGAL::Offset_side sides[] = {CGAL::Offset_side::BOTH, CGAL::Offset_side::LEFT, CGAL::Offset_side::RIGHT};
+    const test::Offset_selection selection(sides[bytes_.index(3)],
+                                           bytes_.flag() ? CGAL::Offset_end::BUTT : CGAL::Offset_end::ROUND);
+    Geodesic again(geodesic_);
+    test::Offset_curves curves;
+    again.build_with_offset_curves(levels, std::back_inserter(curves), selection.parameters());
+    if (again.statistics().forced_joints > 0) fail("forced joints at the level " + std::to_string(levels[0]));
+    if (!std::isfinite(test::total_length(curves) + test::total_length(test::offsets(geodesic_, levels, selection))))
+      fail("a curve without a finite length");
   }
 
 private:
   typedef std::vector<Geodesic::Face_location> Path;
+
+  void add_curve()
+  {
+    switch (bytes_.index(6))
+    {
+    case 0: geodesic_.add_source_polyline(path_of_edges(), false); break;
+    case 1: geodesic_.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{data_.mesh.edge(draw_halfedge())}); break;
+    case 2:
+    { // around a face
+      const test::Locations<test::Surface_mesh> locations(data_.mesh);
+      Path path;
+      for (const auto h : data_.mesh.halfedges_around_face(draw_halfedge()))
+        path.push_back(locations.at_vertex(data_.mesh.source(h)));
+      geodesic_.add_source_polyline(path, true);
+      break;
+    }
+    case 3:
+    { // through a vertex
+      const test::Point_3 p = data_.mesh.point(data_.vertices[bytes_.index(data_.vertices.size())]);
+      const double a = bytes_.coordinate(), b = bytes_.coordinate(), c = bytes_.coordinate();
+      if (a * a + b * b + c * c > 0) geodesic_.add_source_plane_section({p, CGAL::Vector_3<test::Kernel>(a, b, c)});
+      break;
+    }
+    default: geodesic_.add_source_polyline(polyline_across_faces(), false);
+    }
+  }
 
   test::Surface_mesh::Halfedge_index draw_halfedge()
   {
@@ -112,11 +148,12 @@ private:
     case 0: return d;
     case 1: return test::level_cut_at(d);
     case 2: return d * (1 + (bytes_.flag() ? 1 : -1) * std::pow(10, -double(bytes_.index(16))));
-    default: return bytes_.weight() * 2;
+    default: return bytes_.weight() * 2 * size_;
     }
   }
 
   test::Fuzz_bytes& bytes_;
+  const double size_;
   const test::Generated_mesh<test::Surface_mesh> data_;
   test::Cut_geodesic geodesic_;
 };
@@ -130,7 +167,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!(fuzz_case.flatness() > 0x1p-30)) return 0;
   try
   {
-    Offsets(bytes, fuzz_case.certified_case()).compare();
+    Offsets(bytes, fuzz_case).compare();
   }
   catch (const std::exception& error)
   {
