@@ -217,11 +217,9 @@ private:
     std::size_t last = images.size();
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {
-      const double b0 = ends[i], b1 = ends[i + 1], middle = (b0 + b1) / 2;
+      const double b0 = ends[i], b1 = ends[i + 1];
       if (!(b0 < b1)) continue;
-      std::size_t nearest = 0;
-      for (std::size_t j = 1; j < images.size(); ++j)
-        if (images[j].at(middle) < images[nearest].at(middle)) nearest = j;
+      const std::size_t nearest = nearest_along(images, b0, b1);
       if (nearest != last || uniform(random_) < 0.2) // or repeat the image, as behind a flat vertex
       {
         const Image& m = images[nearest];
@@ -238,6 +236,30 @@ private:
     auto& list = field_.lists.create(h);
     field_.lists.append(h, list, windows.data(), windows.size());
     list.processed = list.size;
+  }
+
+  // The image that is nearest everywhere between two neighbouring ends, up to rounding. Images behind each other on a ray along
+  // the edge tie on one side of the foot of the nearer one only, so one point does not decide.
+  static std::size_t nearest_along(const std::vector<Image>& images, double b0, double b1)
+  {
+    const std::array<double, 3> points = {{b0, (b0 + b1) / 2, b1}};
+    std::array<double, 3> lowest;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      lowest[i] = images[0].at(points[i]);
+      for (const Image& m : images) lowest[i] = (std::min)(lowest[i], m.at(points[i]));
+    }
+    std::size_t result = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < images.size(); ++j)
+    {
+      double excess = 0;
+      for (std::size_t i = 0; i < 3; ++i) excess = (std::max)(excess, images[j].at(points[i]) - lowest[i]);
+      if (!(excess < least)) continue;
+      least = excess;
+      result = j;
+    }
+    return result;
   }
 
   // Adds the points of an edge where two images are equally far, that is where their difference changes its sign. It is the
