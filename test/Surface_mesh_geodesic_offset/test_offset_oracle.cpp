@@ -112,7 +112,7 @@ void earlier_faults()
     (run.*run_faces)();
     check(run);
   };
-  for (const unsigned seed : {1137u, 5531u, 7436u, 119924u, 207048u, 207440u, 216710u, 225631u, 547908u, 580820u})
+  for (const unsigned seed : {1137u, 5531u, 7436u, 119924u, 207048u, 207440u, 216710u, 225631u, 547908u, 580820u, 6200885u})
     check_seed(seed, 1, &Oracle_run::random_windows);
   for (const unsigned seed : {8000029u, 5000311u, 7002747u, 5000407u, 7000559u})
     check_seed(seed, 20, &Oracle_run::real_faces);
