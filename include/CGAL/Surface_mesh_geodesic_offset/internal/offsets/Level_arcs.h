@@ -202,6 +202,13 @@ private:
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
+  // True if arc a between two points lies outside a bounding ray, or passes it by the error only. Neighbouring windows share a
+  // ray, and the distances on it.
+  bool is_beyond(const Half_plane<FT>& ray, const Arc& a, const Point& from, const Point& to) const
+  {
+    return !(a.largest_value(ray.opposite(), from, to) > m_tolerances.error);
+  }
+
   // True if p is covered by the window of b. From a point of the face, the straight path to any other point is valid; the cone
   // does not count then, since an arc may run along its bounding ray.
   bool covers(const Arc& b, const Point& p) const
@@ -213,6 +220,7 @@ private:
   // wholly or not at all; their middle points decide.
   bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
   {
+    if (!b.starts_at_point_of_face() && (is_beyond(b.left(), a, from, to) || is_beyond(b.right(), a, from, to))) return false;
     Point end[10];
     int n = 0;
     const auto add = [&](const Point& p) {

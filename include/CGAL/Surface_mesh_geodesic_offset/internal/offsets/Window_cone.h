@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Box_in_face.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -36,7 +37,7 @@ public:
 
   // `margin` widens the box and the largest distance.
   Window_cone(const Face_window<FT>& w, const Face_frame<FT>& frame, const FT& margin)
-    : m_box(w.left), m_highest(Estimates::upper_bound(estimate(w.distance_at(w.left))))
+    : m_box(w.left)
   {
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
     m_left_direction = (FT(1) / length(l)) * l;
@@ -69,27 +70,31 @@ private:
   void clip_face(const Face_window<FT>& w, const Face_frame<FT>& frame)
   {
     static constexpr int most_corners = 3 << 2; // each clipping leaves at most two per corner
-    Estimated_point polygon[most_corners], clipped[most_corners];
+    Estimated_point polygons[2][most_corners];
+    Estimated_point *polygon = polygons[0], *clipped = polygons[1];
     int n = 3;
     for (int k = 0; k < n; ++k) polygon[k] = estimated(frame.corner(k));
     for (const Half_plane<FT>* side : {&m_left, &m_right})
     {
       const Half_plane<Estimate> half_plane{estimated(side->n), estimate(side->m)};
+      Estimate values[most_corners];
+      for (int i = 0; i < n; ++i) values[i] = half_plane.value(polygon[i]);
       int m = 0;
       for (int i = 0; i < n; ++i)
       {
-        const Estimated_point &p = polygon[i], &q = polygon[i + 1 == n ? 0 : i + 1];
-        const Estimate a = half_plane.value(p), b = half_plane.value(q);
-        const bool p_is_outside = CGAL::certainly(CGAL::is_positive(a)), q_is_outside = CGAL::certainly(CGAL::is_positive(b));
-        if (!p_is_outside) clipped[m++] = p;
-        if ((p_is_outside && CGAL::possibly(CGAL::is_negative(b))) || (CGAL::possibly(CGAL::is_negative(a)) && q_is_outside))
-          clipped[m++] = p + crossing(a, b) * (q - p);
+        const int next = i + 1 == n ? 0 : i + 1;
+        const Estimate &a = values[i], &b = values[next];
+        const bool is_outside = CGAL::certainly(CGAL::is_positive(a)), next_is_outside = CGAL::certainly(CGAL::is_positive(b));
+        if (!is_outside) clipped[m++] = polygon[i];
+        if ((is_outside && CGAL::possibly(CGAL::is_negative(b))) || (CGAL::possibly(CGAL::is_negative(a)) && next_is_outside))
+          clipped[m++] = polygon[i] + crossing(a, b) * (polygon[next] - polygon[i]);
       }
-      std::copy(clipped, clipped + m, polygon);
+      std::swap(polygon, clipped);
       n = m;
     }
-    add(estimated(w.right), w);
-    for (int i = 0; i < n; ++i) add(polygon[i], w);
+    m_box.add(w.right);
+    for (int i = 0; i < n; ++i) m_box.add(Box_in_face<FT>(polygon[i].x, polygon[i].y));
+    m_highest = highest(w, polygon, n);
   }
 
   // Zero of a linear function between a and b, which have different signs, as a fraction from 0 to 1.
@@ -100,21 +105,33 @@ private:
     else return t;
   }
 
-  void add(const Estimated_point& p, const Face_window<FT>& w)
+  // The largest distance at the ends of the chord and at n other points.
+  static typename Estimates::Bound highest(const Face_window<FT>& w, const Estimated_point* points, int n)
   {
-    m_box.add(Box_in_face<FT>(p.x, p.y));
-    m_highest = (std::max)(m_highest, Estimates::upper_bound(distance(w, p)));
+    const Estimated_point image = estimated(w.image()), left = estimated(w.left), right = estimated(w.right);
+    const auto largest = [&](const auto& f) {
+      Estimate result = (std::max)(f(left), f(right), is_less);
+      for (int i = 0; i < n; ++i) result = (std::max)(result, f(points[i]), is_less);
+      return result;
+    };
+    const auto along_rays = [&](const Estimated_point& p) { return Estimate(-dot(image, p)); };
+    const auto from_image = [&](const Estimated_point& p) { return squared_length(p - image); };
+    return Estimates::upper_bound(estimate(w.sigma) + (w.is_parallel() ? largest(along_rays) : square_root_of(largest(from_image))));
   }
 
-  static Estimate distance(const Face_window<FT>& w, const Estimated_point& p)
+  // Compares the upper bounds of estimates.
+  static bool is_less(const Estimate& a, const Estimate& b) { return Estimates::upper_bound(a) < Estimates::upper_bound(b); }
+
+  static Estimate squared_length(const Estimated_point& v)
   {
-    if constexpr (Estimates::leaves_open)
-    {
-      const Estimated_point image = estimated(w.image());
-      if (w.is_parallel()) return estimate(w.sigma) - dot(image, p);
-      return estimate(w.sigma) + CGAL::sqrt(CGAL::square(p.x - image.x) + CGAL::square(p.y - image.y));
-    }
-    else return w.distance_at(p);
+    if constexpr (Estimates::leaves_open) return CGAL::square(v.x) + CGAL::square(v.y);
+    else return dot(v, v);
+  }
+
+  static Estimate square_root_of(const Estimate& x)
+  {
+    if constexpr (Estimates::leaves_open) return CGAL::sqrt(x);
+    else return square_root<FT>(x);
   }
 
   static Estimated_point estimated(const Point& p) { return {estimate(p.x), estimate(p.y)}; }
