@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Circle_points.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
 
 #include <algorithm>
 
@@ -59,6 +59,15 @@ struct Level_piece
   FT turn_sine() const { return (std::max)(FT(0), FT(cross(start - center, end - center))); }
   FT turn_cosine() const { return dot(start - center, end - center); }
 };
+
+// A piece on the arc of a window with a radius, with both ends inside the face.
+template <class FT>
+inline Level_piece<FT> piece_through(const Face_window<FT>& w, const FT& radius, const Point_in_face<FT>& start,
+                                     const Point_in_face<FT>& end, Index face)
+{
+  return {w.is_parallel() ? FT(-1) * w.image() : w.image(), radius, start, end, face, w.source_ref, w.pseudo_source(),
+          w.is_parallel(), 3, 3};
+}
 
 } // namespace internal
 } // namespace Geodesic_offset
