@@ -109,20 +109,31 @@ public:
     // Mostly at least the allowance of same_image().
     const FT rounding = Number_policy<FT>::rounding(1024);
     const FT allowance = rounding * (first->d0 + last[-1].d1 + last[-1].b1);
+    const FT larger_allowance = (std::max)(allowance, rounding);
     for (; last - first > 1; ++first)
-    { // without branches
+    { // without branches; nearly all pairs are rejected or accepted by these few differences
       const Window &a = first[0], &b = first[1];
-      const FT x = CGAL::abs(FT(a.x - b.x)), sigma = CGAL::abs(FT(a.sigma - b.sigma));
-      const FT& allowance_of_x = a.is_parallel() ? rounding : allowance;
-      const int may_be_one = int(((a.bits ^ b.bits) & ~2u) == 0) & int(x <= allowance_of_x) & int(sigma <= allowance);
-      const FT gap = b.b0 - a.b1;
-      const int may_occupy_gap = int(gap >= FT(0)) & int(b.b1 - b.b0 < widest) & int(b.d0 - a.d1 > gap);
-      if (may_be_one | int(b.b0 < a.b0) | int(b.b1 < a.b1) | may_be_closed(gap) | may_occupy_gap) return false;
+      if (int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
+      const int is_rare = int(CGAL::abs(FT(a.x - b.x)) <= larger_allowance) | int(b.b0 - a.b1 > largest_rounding) |
+                          int(b.b1 - b.b0 < widest);
+      if (BOOST_UNLIKELY(is_rare) && may_change(a, b, rounding, allowance, largest_rounding, widest)) return false;
     }
     return true;
   }
 
 private:
+  // True if two consecutive windows of a list may be one window, or if a gap between them, or occupied by the second one, may be
+  // closed. The arguments are those of is_monotone_list().
+  BOOST_NOINLINE static bool may_change(const Window& a, const Window& b, const FT& rounding, const FT& allowance,
+                                        const FT& largest_rounding, const FT& widest)
+  {
+    const FT gap = b.b0 - a.b1;
+    if (gap > largest_rounding && gap < widest) return true;
+    if (gap >= FT(0) && b.b1 - b.b0 < widest && b.d0 - a.d1 > gap) return true;
+    return ((a.bits ^ b.bits) & ~2u) == 0 && CGAL::abs(FT(a.x - b.x)) <= (a.is_parallel() ? rounding : allowance) &&
+           CGAL::abs(FT(a.sigma - b.sigma)) <= allowance;
+  }
+
   // Gaps between windows of one image are rounding up to this width.
   static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
 
@@ -149,9 +160,9 @@ private:
     // windows, and larger in margins of its sectors.
     const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
     const FT& of_image = a.is_parallel() ? rounding : allowance;
+    if (!(CGAL::abs(a.x - b.x) <= of_image)) return false; // as a rule
     const FT of_sigma = a.is_parallel() ? allowance : FT(Number_policy<FT>::rounding(16) * (a.sigma + b.sigma));
-    return CGAL::abs(a.x - b.x) <= of_image && CGAL::abs(a.y - b.y) <= of_image &&
-           CGAL::abs(a.sigma - b.sigma) <= of_sigma && have_one_source(a, b);
+    return CGAL::abs(a.y - b.y) <= of_image && CGAL::abs(a.sigma - b.sigma) <= of_sigma && have_one_source(a, b);
   }
 
   bool have_one_source(const Window& a, const Window& b) const
@@ -278,9 +289,11 @@ private:
   {
     const Window* const first = m_envelope.data();
     const std::size_t n = m_envelope.size();
+    if (i + 1 >= n) return n;
     const FT widest = m_widest_gap;
-    while (i + 1 < n && !(first[i + 1].b0 - first[i - 1].b1 < widest)) ++i;
-    return i;
+    const Window *before = first + (i - 1), *const last = first + (n - 2);
+    while (before != last && !(before[2].b0 - before->b1 < widest)) ++before;
+    return std::size_t(before - first) + 1;
   }
 
   // Closes the gaps between the first and last windows and the ends of the halfedge.
