@@ -236,14 +236,28 @@ private:
     std::vector<Exact_point> cone; // points of the face on the rays, counterclockwise
   };
 
+  // 8 units in the last place: ends of windows this near a corner, relative to their edge, are there, and images this near an
+  // entry edge, relative to the longest edge, are on it.
+  static constexpr double edge_rounding = 1.8e-15;
+
   // End of a window, exactly on its entry edge: rounding off the edge could exclude a part of the edge if rays are parallel
-  // to it. Snaps to corners within 8 units in the last place of the edge.
+  // to it. Snaps to corners.
   Exact_point end(const Face_window& w, const Point_in_face& p) const
   {
     if (w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE) return exact(p);
-    const double t = frame_.along(w.origin, p) / frame_.edge_length(w.origin), rounding = 1.8e-15;
+    const double t = frame_.along(w.origin, p) / frame_.edge_length(w.origin);
     const Exact_point &a = corner_[w.origin], &b = corner_[(w.origin + 1u) % 3];
-    return t <= rounding ? a : t >= 1 - rounding ? b : a + Exact(t) * (b - a);
+    return t <= edge_rounding ? a : t >= 1 - edge_rounding ? b : a + Exact(t) * (b - a);
+  }
+
+  // Whether the image is a point of the window's edge between its ends: rays then go into all directions of the face. Rounding of
+  // the image could put the rays along the edge beside it.
+  bool is_source_on_edge(const Face_window& w) const
+  {
+    if (w.is_parallel() || w.origin >= CGAL::Geodesic_offset::internal::STARTS_IN_FACE) return false;
+    const Point_in_face image{w.x, w.y};
+    return std::abs(frame_.height(w.origin, image)) <= edge_rounding * frame_.longest_edge() &&
+           dot(w.left - image, w.right - image) < 0;
   }
 
   void add_part(const Face_window& w, double lowest, std::vector<Exact_point> cone)
@@ -270,7 +284,7 @@ private:
   std::vector<Exact_point> cone(const Face_window& w, bool is_everywhere) const
   {
     std::vector<Exact_point> polygon(corner_.begin(), corner_.end());
-    if (is_everywhere) return polygon;
+    if (is_everywhere || is_source_on_edge(w)) return polygon;
     const Exact_point right = end(w, w.right), left = end(w, w.left);
     const auto direction = [&](const Exact_point& p, Exact& x, Exact& y) {
       x = w.is_parallel() ? Exact(-w.x) : Exact(p.x() - Exact(w.x));

@@ -5,6 +5,7 @@
 // benchmark/Surface_mesh_geodesic_offset/Robustness/offset_oracle.cpp. First the oracle itself: it detects each kind of
 // damage.
 
+#include "locations.h"
 #include "oracle_run.h"
 #include "test_check.h"
 
@@ -154,6 +155,34 @@ void overlapping_boundaries()
   CHECK(oracle.counts.faces == 40 && oracle.counts.differences() == 0);
 }
 
+// Of fuzz_offsets: a source in a flat face is nearer to an edge than the rounding of its image in the next face, and small circles
+// around it cross the edge.
+void sources_beside_edges()
+{
+  Random random(1);
+  Offset_oracle oracle;
+  const auto number = [&] { return uniform(random, -1, 1); };
+  for (int i = 0; i < 100; ++i)
+  {
+    Soup soup;
+    for (int k = 0; k < 4; ++k) soup.points.push_back({number(), number(), number()});
+    const CGAL::Vector_3<Kernel> up(number(), number(), number());
+    soup.points[2] = CGAL::midpoint(soup.points[0], soup.points[1]) + 1e-4 * up;
+    soup.add_triangle(std::array<std::size_t, 3>{0, 1, 2});
+    soup.add_triangle(std::array<std::size_t, 3>{1, 0, 3});
+    const Generated_mesh<Surface_mesh> data(soup);
+    Cut_geodesic geodesic(data.mesh);
+    const double t = uniform(random, 0.1, 0.9);
+    geodesic.add_source_point(Locations<Surface_mesh>(data.mesh).in_triangle(data, soup, 0, {1 - t, t, 1e-12}));
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    Face_tracing tracing(geodesic.mesh(), geodesic.initial(), geodesic.field());
+    for (const auto f : data.faces)
+      oracle.compare(tracing, geodesic.field_index(f), 1e-8 + uniform(random, 0, 1e-6),
+                     [](const std::string& text) { std::printf("%s\n", text.c_str()); });
+  }
+  CHECK_DETAIL(oracle.counts.chains == 200 && oracle.counts.differences() == 0, std::to_string(oracle.counts.differences()));
+}
+
 void search()
 {
   Report::instance().set_context("");
@@ -178,6 +207,7 @@ GEODESIC_OFFSET_TEST(test_offset_oracle)
   oracle_finds_damage();
   earlier_faults();
   overlapping_boundaries();
+  sources_beside_edges();
   search();
   return Report::instance().finish("test_offset_oracle");
 }
