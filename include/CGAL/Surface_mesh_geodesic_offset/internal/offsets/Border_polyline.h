@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 
 #include <cstddef>
 
@@ -35,8 +36,7 @@ public:
 
   bool operator()() const
   {
-    // Ten times the rounding of coordinates with six digits; a strip of this width is not meant as a side.
-    const FT tolerance = FT(1e-5) * m_length;
+    const FT tolerance = Offset_tolerances<FT>::border_strip(m_length);
     return for_each_segment([&](const Face_frame<FT>& frame, Index face, const Point& a, const Point& b) {
       for (int k = 0; k < 3; ++k)
       {

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -189,7 +190,7 @@ private:
     far = far_end_of(face);
     near = FT(0);
     for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
-    longest *= FT(1) + Number_policy<FT>::rounding(16);
+    longest += Offset_tolerances<FT>::edge_rounding(longest);
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     { // a vertex without a distance is beyond the maximum
       const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], m_field.maximum);

@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -108,8 +109,7 @@ private:
   {
     if (a.is_straight != b.is_straight || !(a.source_ref == b.source_ref) || a.pseudo_source != b.pseudo_source) return false;
     if (!a.is_straight && !CGAL::is_positive(cross(a.start - a.center, b.end - a.center))) return false;
-    const FT allowance = Number_policy<FT>::rounding(64) * (CGAL::abs(a.radius) + CGAL::abs(a.center.x) +
-                                                            CGAL::abs(a.center.y));
+    const FT allowance = Offset_tolerances<FT>::same_image(CGAL::abs(a.radius) + CGAL::abs(a.center.x) + CGAL::abs(a.center.y));
     return CGAL::abs(a.radius - b.radius) <= allowance && CGAL::abs(a.center.x - b.center.x) <= allowance &&
            CGAL::abs(a.center.y - b.center.y) <= allowance;
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Inner_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_extraction.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_selection.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <algorithm>
@@ -60,9 +61,9 @@ template <class Surface, class Build, class Function>
 auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
-  typedef Number_policy<typename Surface::Number> Policy;
+  typedef Offset_tolerances<typename Surface::Number> Tolerances;
   // Levels with a spacing within rounding would never end.
-  if (levels.is_unlimited() && levels[0] < Policy::rounding(1024) * mesh.unfolded().longest_edge())
+  if (levels.is_unlimited() && levels[0] < Tolerances::least_spacing(mesh.unfolded().longest_edge()))
     throw std::invalid_argument("Surface_mesh_geodesic_offset: the spacing of offsets is less than the rounding of "
                                 "distances");
   std::map<Index, Source_side> inside;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All tolerances of the offset step. Each is a multiple of the unit in the last place u of the number type. With exact numbers
-// u is zero, and so are all tolerances.
+// All tolerances of the offset step. Each but border_strip() is a multiple of the unit in the last place u of the number type.
+// With exact numbers u is zero, and so are these tolerances.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_TOLERANCES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_TOLERANCES_H
@@ -28,6 +28,13 @@ struct Offset_tolerances
   // Two faces of an edge bound its distances with different rounding. A level this near to a bound is searched in both: 2^14 u
   // times the largest distance of the face, far above the rounding of the bounds (2^4 u).
   static FT bound_slack(const FT& largest_distance) { return unit(14) * largest_distance; }
+
+  // Rounding of the longest edge of a face in the bound of its nearest distance: 2^4 u, some differences of two coordinates.
+  static FT edge_rounding(const FT& edge_length) { return unit(4) * edge_length; }
+
+  // Equally spaced levels without an end must be this far apart: 2^10 u times the longest edge of the mesh, the level shift at the
+  // distance of an edge, so that distances tell them apart there. Binding test: test_degenerate_levels.
+  static FT least_spacing(const FT& longest_edge) { return unit(10) * longest_edge; }
 
   // Near intervals of a segment, and gaps between them, up to this length are dropped: two errors of a distance, 2^6 u times
   // the magnitude. In an interval or gap of width w the distance differs from the level by at most w / 2, as it is 1-Lipschitz:
@@ -58,6 +65,14 @@ struct Offset_tolerances
   // The windows of small faces may come from a large face farther away, where coordinates had this rounding: 2^5 u times the
   // longest edge of the mesh, as for the error below. A cell up to this diameter whose gates no arcs connect is not divided.
   static FT farther_rounding(const FT& longest_edge) { return unit(5) * longest_edge; }
+
+  // Neighbouring pieces are one arc if their images and radii differ by at most this: 2^6 u times the coordinates of the image
+  // and the radius, two errors of an image that was unfolded on two ways. Binding test: test_offset_points.
+  static FT same_image(const FT& magnitude) { return unit(6) * magnitude; }
+
+  // A polyline runs along the border if it is this near to it: 1e-5 of its length, ten times the rounding of coordinates written
+  // with six digits; a strip of this width is not meant as a side. Also for exact numbers. Binding test: test_inner_sides.
+  static FT border_strip(const FT& length) { return FT(1e-5) * length; }
 
   // Error of a distance evaluated in a face: 2^5 u times the magnitude.
   FT error;
