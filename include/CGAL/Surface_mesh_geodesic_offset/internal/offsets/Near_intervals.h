@@ -80,10 +80,15 @@ public:
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
       {
-        const FT d_lo = w.path_length(o + lo * u), d_hi = w.path_length(o + hi * u);
+        // A point without a path lies behind the source of a strip by less than the slack, so on the source.
+        const auto distance = [&](const FT& t) {
+          const FT d = w.path_length(o + t * u);
+          return Number_policy<FT>::is_finite(d) ? d : FT(0);
+        };
+        const FT d_lo = distance(lo), d_hi = distance(hi);
         const auto lowest = [&] {
           const FT foot = w.is_parallel() ? lo : dot(w.image() - o, u);
-          return lo < foot && foot < hi ? w.path_length(o + foot * u) : (std::min)(d_lo, d_hi);
+          return lo < foot && foot < hi ? distance(foot) : (std::min)(d_lo, d_hi);
         };
         add(lo, hi, d_lo, d_hi, depth([&] { return FT(m_level - lowest()); }), reversed);
       }
