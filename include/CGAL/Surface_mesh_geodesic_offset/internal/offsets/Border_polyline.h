@@ -10,8 +10,8 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
 #include <cstddef>
 

@@ -115,24 +115,15 @@ private:
       return result;
     };
     const auto along_rays = [&](const Estimated_point& p) { return Estimate(-dot(image, p)); };
-    const auto from_image = [&](const Estimated_point& p) { return squared_length(p - image); };
-    return Estimates::upper_bound(estimate(w.sigma) + (w.is_parallel() ? largest(along_rays) : square_root_of(largest(from_image))));
+    const auto squared_way = [&](const Estimated_point& p) {
+      return Estimate(CGAL::square(p.x - image.x) + CGAL::square(p.y - image.y));
+    };
+    const Estimate way = w.is_parallel() ? largest(along_rays) : Estimate(CGAL::sqrt(largest(squared_way)));
+    return Estimates::upper_bound(estimate(w.sigma) + way);
   }
 
   // Compares the upper bounds of estimates.
   static bool is_less(const Estimate& a, const Estimate& b) { return Estimates::upper_bound(a) < Estimates::upper_bound(b); }
-
-  static Estimate squared_length(const Estimated_point& v)
-  {
-    if constexpr (Estimates::leaves_open) return CGAL::square(v.x) + CGAL::square(v.y);
-    else return dot(v, v);
-  }
-
-  static Estimate square_root_of(const Estimate& x)
-  {
-    if constexpr (Estimates::leaves_open) return CGAL::sqrt(x);
-    else return square_root<FT>(x);
-  }
 
   static Estimated_point estimated(const Point& p) { return {estimate(p.x), estimate(p.y)}; }
 
