@@ -202,8 +202,8 @@ public:
     if (behind.corner != no_index) f(turn_cw(back, 2), behind, first);
   }
 
-  // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46; at most 1 / 16 of each corner,
-  // for needles. Zero if the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by a
+  // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46, which may be several corners of
+  // needles. Zero if the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by a
   // fraction of 2^-75, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
   FT margin_angle(const Ray& back, bool ties, const FT& hidden) const
   {
@@ -214,14 +214,7 @@ public:
       if (ties) for_each_sector_behind(back, [&](const Ray& from, const Ray& to, Index first) {
         is_flat = is_flat && is_narrow(from, to, first, FT(1. / (std::uint64_t(1) << 36)));
       });
-      FT angle = is_flat ? hidden : FT((std::max)(hidden, FT(1. / (1 << 20))));
-      if (CGAL::is_zero(angle)) return FT(0);
-      const Index border = m_mesh->first_on_border(back.corner);
-      m_mesh->any_corner(border != no_index ? border : back.corner, [&](Index h) {
-        angle = (std::min)(angle, FT((*m_mesh)[h].apex_y / (*m_mesh)[m_mesh->previous(h)].length / 16));
-        return false;
-      });
-      return angle;
+      return is_flat ? hidden : FT((std::max)(hidden, FT(1. / (1 << 20))));
     }
   }
 
@@ -283,24 +276,32 @@ private:
     return quarter.corner == no_index ? quarter : turn_cw(turned(quarter, angle), 1);
   }
 
-  // Turns the ray counterclockwise by a small angle, at most to the border.
+  // Turns the ray counterclockwise by a small angle, at most to the border. The angle may span several corners.
   Ray turned(const Ray& ray, const FT& angle) const
   {
     Ray r{ray.corner, ray.x - angle * ray.y, ray.y + angle * ray.x};
     FT c, s;
-    if (CGAL::is_negative(r.y))
+    for (Index limit = Index(m_mesh->number_of_halfedges()); limit != 0; --limit)
     {
-      const Index before = m_mesh->corner_cw(r.corner);
-      if (before == no_index) return {ray.corner, FT(1), FT(0)};
-      m_mesh->corner_direction(before, c, s);
-      return {before, c * r.x - s * r.y, s * r.x + c * r.y};
+      if (CGAL::is_positive(angle))
+      {
+        const auto& h = (*m_mesh)[r.corner];
+        if (!CGAL::is_positive(cross(h.apex_x, h.apex_y, r.x, r.y))) return r;
+        const Index after = m_mesh->corner_ccw(r.corner);
+        if (after == no_index) return {r.corner, h.apex_x, h.apex_y};
+        m_mesh->corner_direction(r.corner, c, s);
+        r = {after, c * r.x + s * r.y, c * r.y - s * r.x};
+      }
+      else
+      {
+        if (!CGAL::is_negative(r.y)) return r;
+        const Index before = m_mesh->corner_cw(r.corner);
+        if (before == no_index) return {r.corner, FT(1), FT(0)};
+        m_mesh->corner_direction(before, c, s);
+        r = {before, c * r.x - s * r.y, s * r.x + c * r.y};
+      }
     }
-    const auto& h = (*m_mesh)[r.corner];
-    if (!CGAL::is_positive(cross(h.apex_x, h.apex_y, r.x, r.y))) return r;
-    const Index after = m_mesh->corner_ccw(r.corner);
-    if (after == no_index) return {ray.corner, h.apex_x, h.apex_y};
-    m_mesh->corner_direction(r.corner, c, s);
-    return {after, c * r.x + s * r.y, c * r.y - s * r.x};
+    return ray;
   }
 
   bool comes_first(Index c, Index from, Index to) const
