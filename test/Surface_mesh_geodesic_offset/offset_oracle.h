@@ -364,11 +364,18 @@ private:
       for (const Chain_arc& a : c.arcs)
       {
         sum += angle(a.start, a.end);
-        // between the chord and the arc
-        if (!a.is_straight && cross(a.start - q, a.end - q) < 0 && length(q - a.center) < a.radius) sum += 2 * CGAL_PI;
+        if (!a.is_straight && is_between_chord_and_arc(a, q)) sum += 2 * CGAL_PI;
       }
     }
     return sum / (2 * CGAL_PI);
+  }
+
+  // An arc turns by at most pi, so these points are among its directions from the center. Beside an arc of the size of
+  // rounding the side of the chord says nothing.
+  static bool is_between_chord_and_arc(const Chain_arc& a, const Point_in_face& q)
+  {
+    return cross(a.start - a.center, q - a.center) >= 0 && cross(q - a.center, a.end - a.center) >= 0 &&
+           cross(a.start - q, a.end - q) < 0 && length(q - a.center) < a.radius;
   }
 
   void count(const Chain_topology& t)
