@@ -99,10 +99,6 @@ public:
   /// an error of some roundings of the scale, which is the largest coordinate, or the longest edge if it is larger; and where it
   /// passes many edges, of some for each point.
   static constexpr double near_part = 1e-3, near_roundings = 8, roundings_per_point = 0.25, unit_roundoff = 1. / (1ull << 53);
-  /// The distance of a vertex is that of a window, whose image changes the frame at each edge: a coordinate has two products and two
-  /// sums, 3 u of the scale, and the frames are known up to 3 u of their edges, as apexes are. For both coordinates that is less than
-  /// 8 u per point of the path.
-  static constexpr double roundings_per_frame = 8;
 
   double longest_edge() const { return longest_edge_; }
   const Locations<Surface_mesh>& locations() const { return locations_; }
@@ -292,9 +288,8 @@ private:
     const bool is_near = d < near_part * scale_;
     if (is_near) worst_near_length = (std::max)(worst_near_length, error / (unit_roundoff * scale_));
     else worst_length = (std::max)(worst_length, error / d);
-    const double per_point = locations_.support(path.front()).size() == 1 ? roundings_per_frame : roundings_per_point;
-    expect(error <= tolerance * d + (is_near ? (near_roundings + per_point * double(path.size())) * unit_roundoff * scale_ : 0),
-           WRONG_LENGTH,
+    const double roundings = near_roundings + roundings_per_point * double(path.size());
+    expect(error <= tolerance * d + (is_near ? roundings * unit_roundoff * scale_ : 0), WRONG_LENGTH,
            "length " + number(l) + " instead of " + number(d));
   }
 

@@ -107,6 +107,8 @@ void known_cases()
   // near sources: measured paths are traced as they were measured; a path that is one point in space; the rounding of a vertex
   run(Answer_search::SPREAD, {500055435, 500097521, 500149794, 500199769});
   run(Answer_search::COINCIDING, {600007633, 600027313, 600050658});
+  // the distance of a vertex near a source is the length of its path
+  run(Answer_search::SPREAD, {1200019576, 1600047455});
   // joined polylines that end beside an edge
   run(Answer_search::BESIDE, {263, 9732, 400000423, 400003635, 400006489});
   // the names of points at the ends of polylines

@@ -231,9 +231,13 @@ public:
   /// \throws std::logic_error if no vertex has a distance
   FT largest_vertex_distance() const
   {
+    const auto& field = built().field;
     const Number* largest = nullptr;
-    for (const Number& d : built().field.distance)
+    for (Index v = 0; v < unfolded().number_of_vertices(); ++v)
+    {
+      const Number& d = field.distance_of_path(v);
       if (Policy::is_finite(d) && (largest == nullptr || *largest < d)) largest = &d;
+    }
     if (largest == nullptr) throw std::logic_error("Surface_mesh_geodesic_offset: no vertex has a distance");
     return Surface::exported(*largest);
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Farthest_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Near_path.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_tracing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
@@ -90,6 +91,7 @@ public:
     statistics.windows_propagated = front.counts().windows_propagated;
     statistics.windows_peak = field.lists.peak();
     field.release_front();
+    field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
     if (search)
     {
       if (!searches_on_the_way) search->add_all();

@@ -26,7 +26,7 @@ void write_vertex_distances(const Geodesic_mesh_data<Surface>& mesh, const Build
 {
   const Surface& surface = mesh.surface();
   for (const auto v : vertices(surface.tm))
-    put(map, v, typename Surface::FT(Surface::exported(build.field.distance[surface.index_of(v)])));
+    put(map, v, typename Surface::FT(Surface::exported(build.field.distance_of_path(surface.index_of(v)))));
 }
 
 template <class Surface, class Build, class VertexLabelMap>

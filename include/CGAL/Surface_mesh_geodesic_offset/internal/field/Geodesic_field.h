@@ -48,6 +48,7 @@ public:
   std::vector<FT> distance;       // per vertex
   std::vector<Backtrace<FT>> back; // per vertex
   std::map<Index, Backtrace<FT>> back_of_sector; // of pseudo-sources whose backtrace changed after the build
+  std::map<Index, FT> path_length; // of vertices near sources, see Near_path.h
   std::vector<Source_ref> source_ref;         // per vertex
   std::vector<char> has_margins;  // per vertex: true if rays start in the margins of its sectors
   std::vector<double> error;      // per vertex, with bounded error: largest excess of the true distance
@@ -74,6 +75,7 @@ public:
     source_ref.assign(mesh.number_of_vertices(), Source_ref());
     has_margins.assign(mesh.number_of_vertices(), 0);
     back_of_sector.clear();
+    path_length.clear();
     kept = Kept_windows<FT>();
   }
 
@@ -97,6 +99,14 @@ public:
       list.data[list.processed++].set_propagated();
     });
     return list;
+  }
+
+  // The distance of a vertex as the result of a query: near a source, the length of the path.
+  const FT& distance_of_path(Index v) const
+  {
+    if (BOOST_LIKELY(path_length.empty())) return distance[v];
+    const auto found = path_length.find(v);
+    return found == path_length.end() ? distance[v] : found->second;
   }
 
   // The backtrace that bounds the sector of a pseudo-source.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -71,7 +72,8 @@ private:
 
 // The distance of a point and the start of its path, as Path_starts computes them; but near a source, the distance is the length of
 // the path. The distances of windows are lower there by up to an allowance relative to the edges, where a window has been extended
-// beyond its rays (Lower_envelope::close_gap): far from the source this is rounding, near it it is not.
+// beyond its rays (Lower_envelope::close_gap): far from the source this is rounding, near it it is not. Vertices are measured once,
+// after the build; the propagation keeps their distances, which its windows share.
 template <class FT>
 class Near_path
 {
@@ -86,6 +88,7 @@ public:
   template <class Legs>
   FT distance(const Located_point<FT>& p, Legs& legs) const
   {
+    if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance_of_path(p.element);
     const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
     return is_near(p, d) ? measured(p, legs).distance : d;
   }
@@ -94,8 +97,33 @@ public:
   Path_start<FT> operator()(const Located_point<FT>& p, Legs& legs) const
   {
     Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
-    if (is_near(p, start.distance) && start.halfedge != no_index) measure(p, legs, start);
+    if (p.kind == Surface_point<FT>::VERTEX) set_length(m_field.distance_of_path(p.element), start);
+    else if (is_near(p, start.distance) && start.halfedge != no_index) measure(p, legs, start);
     return start;
+  }
+
+  // The lengths of the paths from vertices near sources, where they differ from their distances by more than rounding. No distance
+  // may be farther than `maximum`.
+  std::map<Index, FT> lengths_at_vertices(const FT& maximum) const
+  {
+    std::map<Index, FT> result;
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      if (!m_measures) return result;
+      const Path_starts<FT> starts(m_mesh, m_initial, m_field);
+      const No_suffix_cache<FT> no_legs{};
+      const FT limit = (std::min)(maximum, FT(FT(near_part) * m_mesh.longest_edge()));
+      for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
+      {
+        if (!(m_field.distance[v] <= limit)) continue;
+        const auto p = Surface_point<FT>::at_vertex(v);
+        Path_start<FT> start = starts.at_vertex(v);
+        if (start.halfedge == no_index || !is_near(p, start.distance)) continue;
+        measure(p, no_legs, start);
+        if (start.is_measured) result.emplace_hint(result.end(), v, start.distance);
+      }
+    }
+    return result;
   }
 
 private:
@@ -109,10 +137,10 @@ private:
   // that, as it may be an edge of the face beside.
   static constexpr double near_part = 1. / 8;
 
-  bool is_near(const Located_point<FT>& p, const FT& distance) const
+  bool is_near(const Surface_point<FT>& p, const FT& distance) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return (void)p, (void)distance, false;
-    return distance <= FT(near_part) * m_mesh.longest_edge() && p.kind != Surface_point<FT>::VERTEX && distance > FT(0) &&
+    return distance <= FT(near_part) * m_mesh.longest_edge() && distance > FT(0) &&
            distance <= FT(near_part) * extent(p) && m_measures;
   }
 
@@ -121,17 +149,18 @@ private:
   {
     const auto of_face = [&](Index f) { return (std::max)({m_mesh[3 * f].length, m_mesh[3 * f + 1].length, m_mesh[3 * f + 2].length}); };
     if (p.kind == Surface_point<FT>::FACE) return of_face(p.element);
-    const Index beyond = m_mesh.twin(p.element);
-    const FT size = of_face(m_mesh.face(p.element));
-    return beyond == no_index ? size : (std::max)(size, of_face(m_mesh.face(beyond)));
+    FT size = FT(0);
+    for (const Index f : faces_of(m_mesh, p)) size = (std::max)(size, of_face(f));
+    return size;
   }
 
   template <class Legs>
-  BOOST_NOINLINE void measure(const Located_point<FT>& p, Legs& legs, Path_start<FT>& start) const
+  BOOST_NOINLINE void measure(const Surface_point<FT>& p, Legs& legs, Path_start<FT>& start) const
   {
     Path_measurement<FT> path(m_mesh);
     Path_start<FT> bypass;
-    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path, &bypass);
+    const bool is_vertex = p.kind == Surface_point<FT>::VERTEX; // which has its direction from the build
+    Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path, is_vertex ? nullptr : &bypass);
     // A path that is longer by more than rounding does not tell the distance: the allowance of windows, twice, and less than 4 units
     // for each change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
     const FT allowance = Number_policy<FT>::rounding(512 + 4. * double(path.number_of_pieces())) * (start.distance + m_mesh.longest_edge());
@@ -143,12 +172,18 @@ private:
       start.direction = bypass.direction;
     }
     if (error <= Number_policy<FT>::rounding(4) * start.distance) return; // no better
-    const std::vector<Index> faces = faces_of(m_mesh, static_cast<const Surface_point<FT>&>(p));
-    const bool is_on_source =
-      std::any_of(faces.begin(), faces.end(), [&](Index f) { return path.length() <= size_of_point(m_mesh, f); });
+    const std::vector<Index> faces = faces_of(m_mesh, p);
+    const bool is_on_source = !is_vertex && std::any_of(faces.begin(), faces.end(),
+                                                        [&](Index f) { return path.length() <= size_of_point(m_mesh, f); });
+    set_length(is_on_source ? FT(0) : path.length(), start);
+  }
+
+  static void set_length(const FT& length, Path_start<FT>& start)
+  {
+    if (length == start.distance) return;
     start.is_measured = true;
     start.distance_of_windows = start.distance;
-    start.distance = is_on_source ? FT(0) : path.length();
+    start.distance = length;
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -157,6 +157,14 @@ private:
   std::atomic<std::size_t> m_bytes{0};
 };
 
+// In place of a cache, for few paths.
+template <class FT>
+struct No_suffix_cache
+{
+  typedef Path_suffix<FT, Path_crossing<FT>> Leg;
+  static constexpr bool keeps = false;
+};
+
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL
