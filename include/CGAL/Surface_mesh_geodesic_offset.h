@@ -194,39 +194,61 @@ public:
   /// \name Sources
   /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. If a function
   /// throws, it has added nothing.
+  ///
+  /// A source may have a *start value*, a distance that is added to all distances from the source. Distances are then
+  /// \f$\min_i (s_i + d_i)\f$ over the sources \f$i\f$ with their start values \f$s_i\f$, and with the distances
+  /// \f$d_i\f$ from one source alone. A source in a region where another source is nearer has no effect there. All
+  /// functions count the start value as a part of the distance: the offset at distance \f$d\f$ from a source with the start
+  /// value \f$s\f$ alone is the offset at distance \f$d - s\f$ without it. Its points have the distance \f$s\f$; they
+  /// have no gradient, and their signed distance is positive.
   /// @{
 
   /// adds a vertex.
+  /// \param v the vertex
+  /// \param np an optional named parameter, `start_value(s)`: the start value, a finite number that is not negative (default:
+  ///        0)
   /// \pre The vertex belongs to the mesh.
-  /// \throws std::invalid_argument if the vertex is null, or if its index is out of range.
-  std::size_t add_source_point(vertex_descriptor v) { return add(Source{Kind::VERTEX, v, {}, {}}); }
+  /// \throws std::invalid_argument if the vertex is null, or if its index is out of range, or if the start value is not a
+  ///         finite number or is negative.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(vertex_descriptor v, const NamedParameters& np = parameters::default_values())
+  {
+    return add(Source{Kind::VERTEX, v, {}, {}, Geodesic_offset::internal::start_value_of<FT>(np)});
+  }
 
   /// adds a point anywhere on the surface. The coordinates are divided by their sum. If one of them is zero up to round-off
   /// (1e-13), the point is on the edge; if two are, it is at the vertex.
-  /// \throws std::invalid_argument if the coordinates are not finite, if they are outside the face, or if their sum is not
-  ///         positive.
-  std::size_t add_source_point(const Face_location& location)
+  /// \param location the point
+  /// \param np as for a vertex
+  /// \throws std::invalid_argument if the coordinates are not finite, if they are outside the face, if their sum is not
+  ///         positive, or if the start value is not a finite number or is negative.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(const Face_location& location, const NamedParameters& np = parameters::default_values())
   {
-    return add(Source{Kind::LOCATION, no_vertex(), {location}, {}});
+    return add(Source{Kind::LOCATION, no_vertex(), {location}, {}, Geodesic_offset::internal::start_value_of<FT>(np)});
   }
 
   /// Overload for a location with the coordinates of another kernel, which are converted.
-  template <class Coordinate>
-  std::size_t add_source_point(const std::pair<face_descriptor, std::array<Coordinate, 3>>& location)
+  template <class Coordinate, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(const std::pair<face_descriptor, std::array<Coordinate, 3>>& location,
+                               const NamedParameters& np = parameters::default_values())
   {
-    return add_source_point(Geodesic_offset::internal::converted_location<FT>(location));
+    return add_source_point(Geodesic_offset::internal::converted_location<FT>(location), np);
   }
 
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
   /// \tparam LocationRange a model of `ConstRange` with `vertex_descriptor` or `Face_location` as value type
+  /// \param locations the points
+  /// \param np as for a vertex; the start value is that of all points
   /// \throws std::invalid_argument as `add_source_point()` does; no point has been added then.
-  template <class LocationRange>
-  std::vector<std::size_t> add_source_points(const LocationRange& locations)
+  template <class LocationRange, class NamedParameters = parameters::Default_named_parameters>
+  std::vector<std::size_t> add_source_points(const LocationRange& locations,
+                                             const NamedParameters& np = parameters::default_values())
   {
     for (const auto& l : locations) data().classified(l);
     std::vector<std::size_t> ids;
-    for (const auto& l : locations) ids.push_back(add_source_point(l));
+    for (const auto& l : locations) ids.push_back(add_source_point(l, np));
     return ids;
   }
 
@@ -236,11 +258,18 @@ public:
   /// \tparam FaceLocationRange a model of `ConstRange` with `Face_location` as value type
   /// \param locations the vertices of the polyline
   /// \param closed whether the last point is joined to the first one
-  /// \throws std::invalid_argument if the range is empty, or if two consecutive points have no face in common.
-  template <class FaceLocationRange>
-  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false)
+  /// \param np as for a vertex
+  /// \throws std::invalid_argument if the range is empty, if two consecutive points have no face in common, or if the start
+  ///         value is not a finite number or is negative.
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false,
+                                  const NamedParameters& np = parameters::default_values())
   {
-    Source s{closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE, no_vertex(), {}, {}};
+    Source s{closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
+             no_vertex(),
+             {},
+             {},
+             Geodesic_offset::internal::start_value_of<FT>(np)};
     for (const auto& l : locations) s.locations.push_back(Geodesic_offset::internal::converted_location<FT>(l));
     return add(std::move(s));
   }
@@ -248,14 +277,19 @@ public:
   /// adds a set of edges.
   /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
   /// \param edges the edges
+  /// \param np as for a vertex
   /// \pre The edges belong to the mesh.
-  /// \throws std::invalid_argument if the range is empty, or if an edge has no face, or if an edge is null or of another mesh.
-  ///         An edge of another mesh that has the descriptor of an edge of this mesh, an index for instance, is that edge.
-  template <class EdgeRange>
-  std::size_t add_source_edges(const EdgeRange& edges)
+  /// \throws std::invalid_argument if the range is empty, or if an edge has no face, or if an edge is null or of another mesh, or
+  ///         if the start value is not a finite number or is negative. An edge of another mesh that has the descriptor of an
+  ///         edge of this mesh, an index for instance, is that edge.
+  template <class EdgeRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_edges(const EdgeRange& edges, const NamedParameters& np = parameters::default_values())
   {
-    return add(
-      Source{Kind::EDGES, no_vertex(), {}, std::vector<edge_descriptor>(std::begin(edges), std::end(edges))});
+    return add(Source{Kind::EDGES,
+                      no_vertex(),
+                      {},
+                      std::vector<edge_descriptor>(std::begin(edges), std::end(edges)),
+                      Geodesic_offset::internal::start_value_of<FT>(np)});
   }
 
   /// adds the sources of a set, in the order of their ids in the set.

@@ -57,6 +57,9 @@ void refused(const Mesh& mesh, Geodesic& geodesic, std::vector<Geodesic::Offset_
   geodesic.build(parameters::keep_windows(true).number_of_iterations(3));
   // of a mesh, at the start
   geodesic.build(parameters::vertex_point_map(mesh.points()).keep_windows(true));
+  // of a source
+  geodesic.build(parameters::start_value(1.));
+  geodesic.add_source_point(Mesh::Vertex_index(0), parameters::start_value(1.).keep_windows(true));
   // of a build
   Geodesic refused(mesh, parameters::keep_windows(true));
   geodesic.update(parameters::visitor([](double) { return true; }).distance_limit(1.));

@@ -387,6 +387,54 @@ void test_segments_in_plane()
   CHECK(s.geodesic().nearest_source(target)->distance == distance(FT(4), FT(0)));
 }
 
+// Sources with start values in a plane, one of which lies where another one is nearer.
+void test_start_values()
+{
+  std::map<std::pair<int, int>, std::size_t> id;
+  Shape s = squares("start values", 4, 3, id, [](int, int) { return true; });
+  const FT third = FT(1) / 3, far = root(FT(2)) - FT(1) / 5;
+  Geodesic geodesic(s.mesh);
+  const auto at = [&](int x, int y) { return s.vertices[id.at({x, y})]; };
+  const std::size_t corner = geodesic.add_source_point(at(0, 0));
+  const std::size_t edge = geodesic.add_source_polyline(
+    std::vector<Face_location>{s.at({{id.at({3, 0}), FT(1)}}), s.at({{id.at({3, 0}), FT(1) / 2}, {id.at({4, 1}), FT(1) / 2}})},
+    false, CGAL::parameters::start_value(third));
+  const std::size_t opposite =
+    geodesic.add_source_point(s.center(id.at({3, 2}), id.at({4, 3}), id.at({3, 3})), CGAL::parameters::start_value(far));
+  geodesic.add_source_point(at(1, 0), CGAL::parameters::start_value(FT(1) + third)); // nowhere nearest
+  geodesic.add_source_point(at(0, 1), CGAL::parameters::start_value(1));             // ties behind it
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const auto expect = [&](const auto& query, const FT& x, const FT& y) {
+    const FT t = ((x - 3) + y) / 2; // along the segment from (3, 0) to (3.5, 0.5), of which 1/2 is the end
+    const FT foot = t < 0 ? FT(0) : t > FT(1) / 2 ? FT(FT(1) / 2) : t;
+    const FT to_corner = hypotenuse(x, y), to_edge = third + hypotenuse(x - 3 - foot, y - foot),
+             to_opposite = far + hypotenuse(x - FT(10) / 3, y - FT(8) / 3);
+    const FT d = least(least(to_corner, to_edge), to_opposite);
+    CHECK(geodesic.distance_to_sources(query) == d);
+    const auto nearest = geodesic.nearest_source(query);
+    CHECK(nearest->distance == d);
+    CHECK(nearest->source == corner     ? d == to_corner
+          : nearest->source == edge     ? d == to_edge
+          : nearest->source == opposite ? d == to_opposite
+                                        : d == to_corner && x == 0);
+  };
+  for (const auto& v : id) expect(s.vertices[v.second], FT(v.first.first), FT(v.first.second));
+  expect(s.center(id.at({1, 1}), id.at({2, 1}), id.at({2, 2})), FT(5) / 3, FT(4) / 3);
+  expect(s.center(id.at({3, 0}), id.at({4, 0}), id.at({4, 1})), FT(11) / 3, third);
+  // one arc about each of the three sources; that of the segment has a straight part on both sides
+  std::vector<Geodesic::Offset_curve> curves;
+  geodesic.field().offset_curves(far, std::back_inserter(curves));
+  std::set<std::size_t> sources;
+  for (const auto& c : curves)
+    for (const auto& piece : c.pieces())
+    {
+      sources.insert(piece.source());
+      if (piece.source() == corner) CHECK(piece.radius() == far);
+      if (piece.source() == edge && piece.is_arc()) CHECK(piece.radius() == far - third);
+    }
+  CHECK(sources == (std::set<std::size_t>{corner, edge}));
+}
+
 // Two sources in a plane: the arcs of the offset meet where both sources are at the level.
 void test_offsets()
 {
@@ -607,24 +655,29 @@ void test_tolerance()
 
 GEODESIC_OFFSET_TEST(test_exact_kernel)
 {
-  const std::pair<const char*, std::function<void()>> tests[] = {
-    {"cube", [] { test_box(FT(1), FT(1), FT(1)); }},
-    {"box of integers", [] { test_box(FT(4), FT(3), FT(2)); }},
-    {"box of fractions", [] { test_box(FT(1), FT(3) / 4, FT(1) / 2); }},
-    {"box of roots", [] { test_box(root(FT(2)), FT(1), root(FT(3))); }},
-    {"tetrahedron", test_tetrahedron},
-    {"octahedron", test_octahedron},
-    {"prism over a rectangle", [] { test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5)); }},
-    {"prism over a triangle", [] { test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3)); }},
-    {"prism over a square", [] { test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2)); }},
-    {"saddle", test_saddle},
-    {"L", test_l},
-    {"segments in a plane", test_segments_in_plane},
-    {"offsets", test_offsets},
-    {"points", test_points},
+  const std::pair<const char*, std::function<void()>> tests[] =
+    {{"cube", [] { test_box(FT(1), FT(1), FT(1)); }},
+     {"box of integers", [] { test_box(FT(4), FT(3), FT(2)); }},
+     {"box of fractions", [] { test_box(FT(1), FT(3) / 4, FT(1) / 2); }},
+     {"box of roots", [] { test_box(root(FT(2)), FT(1), root(FT(3))); }},
+     {"tetrahedron", test_tetrahedron},
+     {"octahedron", test_octahedron},
+     {"prism over a rectangle",
+      [] {
+    test_prism({{{0, 0}}, {{3, 0}}, {{3, 4}}, {{0, 4}}}, FT(5));
+      }},
+     {"prism over a triangle",
+      [] {
+    test_prism({{{0, 0}}, {{2, 0}}, {{1, root(FT(3))}}}, FT(3));
+      }},
+                                                      {"prism over a square",
+                                                       [] {
+    test_prism({{{1, 0}}, {{0, 1}}, {{-1, 0}}, {{0, -1}}}, FT(2));
+                                                       }},
+    {"saddle", test_saddle}, {"L", test_l}, {"segments in a plane", test_segments_in_plane},
+    {"start values", test_start_values}, {"offsets", test_offsets}, {"points", test_points},
     {"coinciding sources", test_coinciding_sources},
     {"coinciding sources in general position", test_coinciding_sources_in_general_position},
-    {"derived traits", test_derived_traits},
-    {"tolerance", test_tolerance}};
+    {"derived traits", test_derived_traits}, {"tolerance", test_tolerance}};
   return run_tests("test_exact_kernel", tests);
 }

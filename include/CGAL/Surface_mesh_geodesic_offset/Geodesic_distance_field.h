@@ -169,7 +169,7 @@ public:
     const Located_point p = classified(location);
     const Path_start start = start_at(p);
     const double d = CGAL::to_double(start.distance);
-    if (d == 0 || !start.is_reached()) return d;
+    if (start.is_at_source() || !start.is_reached()) return d;
     switch (built().is_approximate() ? start.source_ref.side() : end_of(p, start).source_ref.side())
     {
     case Source_side::LEFT: return -d;
@@ -189,7 +189,7 @@ public:
     if (!start.is_reached()) return std::nullopt;
     const auto end = end_of(p, start);
     const auto& primitive = built().initial.primitives[end.source_ref.primitive()];
-    const bool is_there = CGAL::is_zero(start.distance);
+    const bool is_there = start.is_at_source();
     return Nearest_source{primitive.source,  primitive.part, primitive.is_segment,
                           end.source_ref.side(), Surface::exported(start.distance),
                           is_there ? surface().location(p) : surface().location(end.point)};
@@ -203,7 +203,7 @@ public:
   Vector_3 gradient(const Location& location) const
   {
     const Path_start start = start_at(classified(location));
-    if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || CGAL::is_zero(start.distance))
+    if (!start.is_reached() || start.halfedge == Geodesic_offset::internal::no_index || start.is_at_source())
       return CGAL::NULL_VECTOR;
     const Number size = length(start.direction);
     if (CGAL::is_zero(size)) return CGAL::NULL_VECTOR;

@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
 #include <CGAL/boost/graph/properties.h>
 
 #include <array>
@@ -65,42 +67,62 @@ public:
     vertex_descriptor vertex;             ///< the vertex of `VERTEX`
     std::vector<Face_location> locations; ///< the point of `LOCATION`, and the points of a polyline
     std::vector<edge_descriptor> edges;   ///< the edges of `EDGES`
+    FT start_value = FT(0);               ///< the distance of the points of the source; finite and not negative
   };
   /// @}
 
   /// \name Modification
   /// Each function that adds a source returns its id: 0, 1, 2, ... Ids of removed sources are not used again. Constant or
   /// linear time in the size of the source, and logarithmic time in the number of sources.
+  ///
+  /// \param np an optional named parameter, `start_value(s)`, a finite number that is not negative (default: 0): a distance that
+  ///        is added to all distances from the source
   /// @{
 
   /// adds a vertex.
-  std::size_t add_vertex(vertex_descriptor v) { return add({Kind::VERTEX, v, {}, {}}); }
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_vertex(vertex_descriptor v, const NamedParameters& np = parameters::default_values())
+  {
+    return add({Kind::VERTEX, v, {}, {}, Geodesic_offset::internal::start_value_of<FT>(np)});
+  }
 
   /// adds a point of the surface.
-  std::size_t add_location(const Face_location& location)
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_location(const Face_location& location, const NamedParameters& np = parameters::default_values())
   {
-    return add({Kind::LOCATION, boost::graph_traits<TriangleMesh>::null_vertex(), {location}, {}});
+    return add({Kind::LOCATION,
+                boost::graph_traits<TriangleMesh>::null_vertex(),
+                {location},
+                {},
+                Geodesic_offset::internal::start_value_of<FT>(np)});
   }
 
   /// adds a polyline. Each of its segments is straight within one closed face.
   /// \tparam FaceLocationRange a model of `ConstRange` with values that are convertible to `Face_location`
   /// \param locations the vertices of the polyline, at least one
   /// \param closed whether the last point is joined to the first one
-  template <class FaceLocationRange>
-  std::size_t add_polyline(const FaceLocationRange& locations, bool closed = false)
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_polyline(const FaceLocationRange& locations, bool closed = false,
+                           const NamedParameters& np = parameters::default_values())
   {
-    return add({closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE, boost::graph_traits<TriangleMesh>::null_vertex(),
-                std::vector<Face_location>(std::begin(locations), std::end(locations)), {}});
+    return add({closed ? Kind::CLOSED_POLYLINE : Kind::OPEN_POLYLINE,
+                boost::graph_traits<TriangleMesh>::null_vertex(),
+                std::vector<Face_location>(std::begin(locations), std::end(locations)),
+                {},
+                Geodesic_offset::internal::start_value_of<FT>(np)});
   }
 
   /// adds a set of edges.
   /// \tparam EdgeRange a model of `ConstRange` with `edge_descriptor` as value type
   /// \param edges the edges, at least one
-  template <class EdgeRange>
-  std::size_t add_edges(const EdgeRange& edges)
+  template <class EdgeRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_edges(const EdgeRange& edges, const NamedParameters& np = parameters::default_values())
   {
-    return add({Kind::EDGES, boost::graph_traits<TriangleMesh>::null_vertex(), {},
-                std::vector<edge_descriptor>(std::begin(edges), std::end(edges))});
+    return add({Kind::EDGES,
+                boost::graph_traits<TriangleMesh>::null_vertex(),
+                {},
+                std::vector<edge_descriptor>(std::begin(edges), std::end(edges)),
+                Geodesic_offset::internal::start_value_of<FT>(np)});
   }
 
   /// adds a source.

@@ -100,7 +100,7 @@ public:
   /// @}
 
   /// \name Mesh and Sources
-  /// The functions that add a source are those of `Surface_mesh_geodesic_offset`, with the same exceptions.
+  /// The functions that add a source are those of `Surface_mesh_geodesic_offset`, with the same parameters and exceptions.
   /// @{
 
   /// the mesh with what was set up of it.
@@ -110,45 +110,51 @@ public:
   const Source_set& sources() const { return m_sources; }
 
   /// adds a vertex.
-  std::size_t add_source_point(vertex_descriptor v)
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(vertex_descriptor v, const NamedParameters& np = parameters::default_values())
   {
-    data().classified(v);
-    return m_sources.add_vertex(v);
+    Source_set set;
+    set.add_vertex(v, np);
+    return add_sources(set).front();
   }
 
   /// adds a point anywhere on the surface.
-  std::size_t add_source_point(const Face_location& location)
+  template <class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_point(const Face_location& location, const NamedParameters& np = parameters::default_values())
   {
-    data().classified(location);
-    return m_sources.add_location(location);
+    Source_set set;
+    set.add_location(location, np);
+    return add_sources(set).front();
   }
 
   /// adds each point of a range as a source of its own.
   /// \return the ids of the sources, in the order of the range
-  template <class LocationRange>
-  std::vector<std::size_t> add_source_points(const LocationRange& locations)
+  template <class LocationRange, class NamedParameters = parameters::Default_named_parameters>
+  std::vector<std::size_t> add_source_points(const LocationRange& locations,
+                                             const NamedParameters& np = parameters::default_values())
   {
     for (const auto& l : locations) data().classified(l);
     std::vector<std::size_t> ids;
-    for (const auto& l : locations) ids.push_back(add_source_point(l));
+    for (const auto& l : locations) ids.push_back(add_source_point(l, np));
     return ids;
   }
 
   /// adds a polyline.
-  template <class FaceLocationRange>
-  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false)
+  template <class FaceLocationRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_polyline(const FaceLocationRange& locations, bool closed = false,
+                                  const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    set.add_polyline(locations, closed);
+    set.add_polyline(locations, closed, np);
     return add_sources(set).front();
   }
 
   /// adds a set of edges.
-  template <class EdgeRange>
-  std::size_t add_source_edges(const EdgeRange& edges)
+  template <class EdgeRange, class NamedParameters = parameters::Default_named_parameters>
+  std::size_t add_source_edges(const EdgeRange& edges, const NamedParameters& np = parameters::default_values())
   {
     Source_set set;
-    set.add_edges(edges);
+    set.add_edges(edges, np);
     return add_sources(set).front();
   }
 

@@ -36,6 +36,7 @@ using Joined_tags = decltype(First::joined_with(Second()));
 typedef Parameter_tags<internal_np::vertex_point_t, internal_np::geodesic_edge_length_map_t, internal_np::geom_traits_t,
                        internal_np::vertex_index_t, internal_np::face_index_t, internal_np::concurrency_tag_t>
   Mesh_parameters;
+typedef Parameter_tags<internal_np::geodesic_start_value_t> Source_parameters;
 typedef Parameter_tags<internal_np::visitor_t, internal_np::verbose_t, internal_np::concurrency_tag_t> Update_parameters;
 typedef Joined_tags<Update_parameters,
                     Parameter_tags<internal_np::geodesic_distance_limit_t, internal_np::geodesic_keep_windows_t,
@@ -86,6 +87,14 @@ using Parameter_type = typename internal_np::Lookup_named_param_def<Tag, NamedPa
 
 template <class Tag, class NamedParameters>
 constexpr bool has_parameter = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+// The start value of a source.
+template <class FT, class NamedParameters>
+FT start_value_of(const NamedParameters& np)
+{
+  check_named_parameters<Source_parameters, NamedParameters>();
+  return FT(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_start_value), FT(0)));
+}
 
 // The concurrency tag of a sequence of parameters.
 template <class NamedParameters>

@@ -36,7 +36,7 @@ public:
     : sources(source_set), initial(sources.initial_windows(mesh)), maximum(request.maximum), kept(request.keeps_windows),
       legs(mesh.number_of_vertices()), legs_in_space(mesh.number_of_vertices()), m_mesh(mesh), m_request(request)
   {
-    field.clear(mesh);
+    field.clear(mesh, initial.start_values);
   }
 
   // What comes of another build when there are more sources. Its windows must be all that there are, up to the maximum
@@ -47,7 +47,7 @@ public:
       legs_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
       m_first_new(Index(before.initial.primitives.size()))
   {
-    field.start_from(before.field);
+    field.start_from(before.field, initial.start_values);
   }
 
   // Propagates without a consumer of finalized faces.

@@ -13,6 +13,7 @@
 
 CGAL_add_named_parameter(geodesic_edge_length_map_t, geodesic_edge_length_map, edge_length_map)
 
+CGAL_add_named_parameter(geodesic_start_value_t, geodesic_start_value, start_value)
 CGAL_add_named_parameter(geodesic_distance_limit_t, geodesic_distance_limit, distance_limit)
 CGAL_add_named_parameter(geodesic_keep_windows_t, geodesic_keep_windows, keep_windows)
 CGAL_add_named_parameter(geodesic_compute_largest_distance_t, geodesic_compute_largest_distance, compute_largest_distance)

@@ -36,9 +36,11 @@ public:
   void run(const Certified_sources& sources)
   {
     m_state.set_number_of_primitives(sources.vertices.size() + sources.in_faces.size());
-    start(sources);
-    while (m_state.queue.advance())
+    find_next_start_value(sources);
+    while (true)
     {
+      start_near(sources);
+      if (!m_state.queue.advance() && !jumps_to_next_sources()) break;
       Index i;
       while (m_state.queue.pop_face(i)) m_state.try_to_finish(i);
       m_state.release_finished();
@@ -54,18 +56,53 @@ public:
   }
 
 private:
-  void start(const Certified_sources& sources)
+  // Starts the sources with start values not far beyond the front, as in Wavefront.
+  void start_near(const Certified_sources& sources)
   {
-    for (Index v : sources.vertices) m_state.field.bounds.update(v, 0., 0.);
-    for (Index v : sources.vertices)
-      m_unfolded.for_each_fan(v, [&](Index first) { spread(Ray(), Ray(), first, 0., 0.); });
+    const Bucket_queue& queue = m_state.queue;
+    if (!Number_policy<double>::is_finite(m_next_start_value)) return;
+    const std::size_t last =
+      queue.current() + (std::size_t(1) << 12) + 2 * queue.bucket_of(m_mesh.to_unit(m_unfolded.longest_edge()));
+    if (queue.bucket_of(m_next_start_value) > last) return;
+    const double above = m_last_started;
+    m_last_started = (std::max)(m_next_start_value, double(last) * queue.width());
+    start(sources, [&](const auto& s) { return above < s.start_value && s.start_value <= m_last_started; });
+    find_next_start_value(sources);
+  }
+
+  template <class Predicate>
+  void start(const Certified_sources& sources, const Predicate& starts)
+  {
+    for (const Certified_source_vertex& s : sources.vertices)
+      if (starts(s)) m_state.field.bounds.update(s.vertex, s.start_value, 0.);
+    for (const Certified_source_vertex& s : sources.vertices)
+      if (starts(s)) m_unfolded.for_each_fan(s.vertex, [&](Index first) { spread(Ray(), Ray(), first, s.start_value, 0.); });
     for (const Certified_source& s : sources.in_faces)
-    {
-      m_state.schedule(s.face);
-      for (int k = 0; k < 3; ++k) start_at_corner(sources, s, k);
-    }
+      if (starts(s))
+      {
+        m_state.schedule(s.face);
+        for (int k = 0; k < 3; ++k) start_at_corner(sources, s, k);
+      }
     for (const Certified_source& s : sources.in_faces)
-      sources.for_each_window(s, [&](Index h, const Window& w) { m_state.add(h, w); });
+      if (starts(s)) sources.for_each_window(s, [&](Index h, const Window& w) { m_state.add(h, w); });
+  }
+
+  void find_next_start_value(const Certified_sources& sources)
+  {
+    m_next_start_value = Number_policy<double>::infinity();
+    const auto consider = [&](const auto& s) {
+      if (m_last_started < s.start_value) m_next_start_value = (std::min)(m_next_start_value, s.start_value);
+    };
+    for (const Certified_source_vertex& s : sources.vertices) consider(s);
+    for (const Certified_source& s : sources.in_faces) consider(s);
+  }
+
+  // Called when no event is left: moves to the sources with the next start value. Returns false if there are none.
+  bool jumps_to_next_sources()
+  {
+    if (!Number_policy<double>::is_finite(m_next_start_value)) return false;
+    m_state.queue.jump_to(m_state.queue.bucket_of(m_next_start_value));
+    return true;
   }
 
   // Path from a source to a corner of its face.
@@ -77,7 +114,8 @@ private:
     const double distance = length(way);
     // direction to the nearest point of the source, in the frame of the corner's halfedge
     const Double_double_2 back = in_frame(sources.direction(s.face, k), {way.x, way.y});
-    m_state.arrive(m_unfolded.source(h), distance, 4 * s.moved, Ray{h, back.x.high, back.y.high},
+    m_state.arrive(m_unfolded.source(h), s.start_value + distance, 4 * s.moved + length_error * s.start_value,
+                   Ray{h, back.x.high, back.y.high},
                    distance > 0 ? length_error * (1 + reach / distance)
                                 : Number_policy<double>::infinity() CGAL_GEODESIC_OFFSET_CERTIFICATE(, {}));
   }
@@ -209,6 +247,7 @@ private:
   Vertex_sector<double> m_sector;
   Certified_envelope m_envelope;
   Certified_batch m_propagate;
+  double m_last_started = -1, m_next_start_value = 0; // start values
   CGAL_GEODESIC_OFFSET_CERTIFICATE(Certificate_of_sector m_certificate{m_mesh};)
 };
 

@@ -63,7 +63,7 @@ private:
     const double moved = 4 * length_error * size;
     m_sources.for_each_in_face(face, [&](const Certified_source& s) {
       double reach;
-      const double d = length(s.way_from(p, reach)), error = 4 * s.moved + moved;
+      const double d = s.start_value + length(s.way_from(p, reach)), error = 4 * s.moved + moved + length_error * s.start_value;
       add_bounds(d - error, d + error);
     });
     for (int k = 0; k < 3; ++k)

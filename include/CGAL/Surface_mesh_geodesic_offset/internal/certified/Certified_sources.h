@@ -31,6 +31,7 @@ struct Certified_source
   bool is_segment;
   int on_edge; // halfedge that contains the source, or -1
   double moved;
+  double start_value;
 
   // Vector from p to the nearest point of the source, with an error of `length_error` times the sum of its length and, for
   // a segment, the distances of p from both ends. `reach`: the distance of p from `first`, plus that from `second` for a
@@ -53,6 +54,12 @@ private:
   }
 };
 
+struct Certified_source_vertex
+{
+  Index vertex;
+  double start_value; // the smallest one of its sources
+};
+
 class Certified_sources
 {
 public:
@@ -64,13 +71,18 @@ public:
     for (std::size_t i = 0; i < initial.primitives.size(); ++i)
     {
       const auto& place = initial.places[i];
-      add_point(place.first);
+      const double s = m_mesh.to_unit(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
+      add_point(place.first, s);
       if (!initial.primitives[i].is_segment) continue;
-      add_point(place.second);
-      add_segment(place.first, place.second);
+      add_point(place.second, s);
+      add_segment(place.first, place.second, s);
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    typedef Certified_source_vertex Vertex;
+    std::sort(vertices.begin(), vertices.end(), [](const Vertex& a, const Vertex& b) {
+      return a.vertex < b.vertex || (a.vertex == b.vertex && a.start_value < b.start_value);
+    });
+    const auto is_same = [](const Vertex& a, const Vertex& b) { return a.vertex == b.vertex; };
+    vertices.erase(std::unique(vertices.begin(), vertices.end(), is_same), vertices.end());
     std::stable_sort(in_faces.begin(), in_faces.end(),
                      [](const Certified_source& a, const Certified_source& b) { return a.face < b.face; });
   }
@@ -119,7 +131,7 @@ public:
     return {-c.x, k == 1 ? c.y : -c.y};
   }
 
-  std::vector<Index> vertices; // source vertices
+  std::vector<Certified_source_vertex> vertices; // by their indices
   std::vector<Certified_source> in_faces; // sorted by face
 
   // Calls f(source) for the sources in a face.
@@ -147,6 +159,7 @@ public:
       if (g == no_index) continue;
       Certified_window w{};
       w.radius = s.moved;
+      w.sigma = s.start_value;
       if (!s.is_segment)
       {
         if (k == s.on_edge) continue;
@@ -154,7 +167,8 @@ public:
         // a point that rounding moved onto the edge is displaced inward by less than the error of an image
         if (w.y > -0.01 * image_error) w.set_image({w.image().x, -0.01 * image_error});
         w.set_interval(0., m_mesh.length(g));
-        CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, s.first, false, w); check_window(w, m_mesh.length(g));)
+        CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, s.first, false, w, s.start_value);
+                                         check_window(w, m_mesh.length(g));)
         f(g, w);
         continue;
       }
@@ -179,11 +193,11 @@ private:
     return {c.x + t * d.x, c.y + t * d.y};
   }
 
-  void add_point(const Place& p)
+  void add_point(const Place& p, double start_value)
   {
     if (p.kind == Place::VERTEX)
     {
-      vertices.push_back(p.element);
+      vertices.push_back({p.element, start_value});
       return;
     }
     for (Index face : faces_of(m_mesh.unfolded(), p))
@@ -191,18 +205,18 @@ private:
       Double_double_2 place;
       unsigned edges;
       place_in_face(p, face, place, edges);
-      in_faces.push_back({face, place, place, false, edges ? edge_of_bit(edges) : -1, moved_in(face)});
+      in_faces.push_back({face, place, place, false, edges ? edge_of_bit(edges) : -1, moved_in(face), start_value});
     }
   }
 
-  void add_segment(const Place& p, const Place& q)
+  void add_segment(const Place& p, const Place& q, double start_value)
   {
     for (Index face : faces_of(m_mesh.unfolded(), p))
     {
       Double_double_2 a, b;
       unsigned ea, eb;
       if (!place_in_face(p, face, a, ea) || !place_in_face(q, face, b, eb)) continue;
-      const Certified_source s{face, a, b, true, (ea & eb) ? edge_of_bit(ea & eb) : -1, moved_in(face)};
+      const Certified_source s{face, a, b, true, (ea & eb) ? edge_of_bit(ea & eb) : -1, moved_in(face), start_value};
       const Double_double x = b.x - a.x, y = b.y - a.y;
       if (std::abs(x.high) + std::abs(y.high) > s.moved) in_faces.push_back(s);
     }
@@ -235,9 +249,9 @@ private:
     w.set_image(beyond_edge(s.face, k, {-n.x, -n.y}, true));
     if (w.y >= -Certified_mesh::flat) return false;
     const Double_double_2 a = beyond_edge(s.face, k, s.first, false);
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, {-n.x, -n.y}, true, w, &s.first);)
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, {-n.x, -n.y}, true, w, s.start_value, &s.first);)
     const Double_double_2 axis = beyond_edge(s.face, k, along, true);
-    const Double_double sigma = w.image().x * a.x + w.image().y * a.y;
+    const Double_double sigma = w.image().x * a.x + w.image().y * a.y + s.start_value;
     w.sigma = sigma.high;
     w.sigma_low = sigma.low;
     // part of the edge in front of the segment, between the rays from both ends
@@ -254,7 +268,8 @@ private:
     const double first_0 = -(ex * a.x.high + ey * a.y.high), first_1 = first_0 + ex * length;
     if (!clip(first_0 + allowance, first_1 + allowance)) return false;
     if (!clip(size.high - first_0 + allowance, size.high - first_1 + allowance)) return false;
-    if (!clip(w.distance_at(0.) + allowance, w.distance_at(length) + allowance)) return false;
+    const double before = s.start_value - allowance;
+    if (!clip(w.distance_at(0.) - before, w.distance_at(length) - before)) return false;
     const double rounding = length_error * length;
     from = (std::max)(0., from - rounding);
     to = (std::min)(length, to + rounding);
@@ -267,7 +282,7 @@ private:
 #ifdef CGAL_GEODESIC_OFFSET_CHECK_CERTIFICATES
   // Sets the exact image beyond halfedge k of the face: the position of a point source, or the direction of a segment's
   // rays, with `first` on the segment.
-  void set_precise(Index face, int k, const Double_double_2& p, bool is_direction, Certified_window& w,
+  void set_precise(Index face, int k, const Double_double_2& p, bool is_direction, Certified_window& w, double start_value,
                    const Double_double_2* first = nullptr) const
   {
     const Precise_mesh& mesh = m_mesh.precise();
@@ -275,13 +290,13 @@ private:
     if (!is_direction)
     { // a source on the edge counts as inside, too, by an amount visible in 200 bits
       image.y = (std::min)(image.y, Precise(-0x1p-150));
-      w.precise = mesh.add({image.x, image.y, Precise(0), false});
+      w.precise = mesh.add({image.x, image.y, Precise(start_value), false});
       return;
     }
     const Precise size = precise_length(image.x, image.y); // 1 up to rounding
     image = {image.x / size, image.y / size};
     const Precise_2 a = mesh.beyond_edge(face, k, {precise(first->x), precise(first->y)}, false);
-    w.precise = mesh.add({image.x, image.y, image.x * a.x + image.y * a.y, true});
+    w.precise = mesh.add({image.x, image.y, image.x * a.x + image.y * a.y + Precise(start_value), true});
   }
 #endif
 
@@ -293,7 +308,8 @@ private:
     Certified_window w{};
     w.bits = 1u;
     w.y = -1;
-    CGAL_GEODESIC_OFFSET_CERTIFICATE(w.precise = m_mesh.precise().add({Precise(0), Precise(-1), Precise(0), true});)
+    w.sigma = s.start_value;
+    CGAL_GEODESIC_OFFSET_CERTIFICATE(w.precise = m_mesh.precise().add({Precise(0), Precise(-1), Precise(s.start_value), true});)
     w.radius = 4 * s.moved;
     w.set_interval((std::max)(0., (std::min)(a, b) - s.moved), (std::min)(length, (std::max)(a, b) + s.moved));
     return w;

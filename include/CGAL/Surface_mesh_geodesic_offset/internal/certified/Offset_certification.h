@@ -8,7 +8,7 @@
 //
 // {D < d - eps} is inside R: the shortest path to a point outside of R starts at a source, in R, and so meets C. D grows along
 // the path, so D is at least the minimum of D on C there. Thus it is enough that D >= d - eps on C, and that all sources are in
-// R; otherwise eps = d.
+// R. A source with the start value s outside of R needs eps >= d - s, as D is at least s on all paths from it.
 //
 // R is inside {D <= d + eps}: D has a largest value on R, which is compact. The point where it is taken is on C, or on a part of
 // an edge in R, or it is in the interior of a face and of R, and so a local maximum of D. It is enough to bound D on C, on these
@@ -241,23 +241,26 @@ private:
     set_limit(limit, face, place, bounds, curve);
   }
 
-  // The first source of a component is inside; so must the others be.
+  // The first source of a component is inside; so must the others be. Sources with start values from the level on are nowhere
+  // nearer, and may be on either side.
   void find_sides()
   {
-    for (Index v : m_sources.vertices)
-      if (!m_region.is_on_curve(v) && m_mesh.unfolded().corner(v) != no_index)
-        put_source({m_region.part(m_mesh.unfolded().corner(v), 0), false, true}, m_mesh.unfolded().corner(v) / 3,
-                   m_sources.corner(m_mesh.unfolded().corner(v) / 3, int(m_mesh.unfolded().corner(v) % 3)));
-    for (const Certified_source& s : m_sources.in_faces) put_source(m_side(s.face, s.first), s.face, s.first);
+    for (const Certified_source_vertex& s : m_sources.vertices)
+      if (const Index corner = m_mesh.unfolded().corner(s.vertex);
+          s.start_value < m_distance && !m_region.is_on_curve(s.vertex) && corner != no_index)
+        put_source({m_region.part(corner, 0), false, true}, s.start_value, corner / 3,
+                   m_sources.corner(corner / 3, int(corner % 3)));
+    for (const Certified_source& s : m_sources.in_faces)
+      if (s.start_value < m_distance) put_source(m_side(s.face, s.first), s.start_value, s.face, s.first);
     for (std::size_t i = 0; i < m_region.number_of_parts(); ++i)
       if (!m_region.has_side(i)) m_region.set_side(i, false);
   }
 
-  void put_source(const Face_side::Side& side, Index face, const Double_double_2& place)
+  void put_source(const Face_side::Side& side, double start_value, Index face, const Double_double_2& place)
   {
     if (side.is_known && !m_region.has_side(side.part)) m_region.set_side(side.part, !side.differs);
     if (!side.is_known || m_region.is_inside(side.part) == side.differs)
-      raise(m_distance, Limit::SOURCE_OUTSIDE, face, place, {0., 0.}, no_curve);
+      raise(m_distance - start_value, Limit::SOURCE_OUTSIDE, face, place, {0., start_value}, no_curve);
   }
 
   // Curves have the region on their left.

@@ -47,7 +47,7 @@ public:
   Piece_bounds(const Certified_mesh& mesh, const Certified_sources& sources, const Certified_field& field)
     : m_mesh(mesh), m_sources(sources), m_field(field), m_is_source(mesh.unfolded().number_of_vertices(), 0)
   {
-    for (Index v : sources.vertices) m_is_source[v] = 1;
+    for (const Certified_source_vertex& s : sources.vertices) m_is_source[s.vertex] = 1;
   }
 
   // Selects the face; all windows of it may matter.
@@ -130,7 +130,7 @@ private:
 
   double error_of(const Certified_source& s, const Bounds& distances, double everywhere) const
   {
-    return 4 * s.moved + everywhere + length_error * (distances.second + m_perimeter);
+    return 4 * s.moved + everywhere + length_error * (s.start_value + distances.second + m_perimeter);
   }
 
   void add_sources(const Face_piece& piece, double everywhere)
@@ -138,7 +138,7 @@ private:
     m_sources.for_each_in_face(m_face, [&](const Certified_source& s) {
       const Bounds d = distances_from(piece, s);
       const double error = error_of(s, d, everywhere);
-      take(d.first - error, d.second + error);
+      take(s.start_value + d.first - error, s.start_value + d.second + error);
     });
   }
 
@@ -149,7 +149,7 @@ private:
     m_sources.for_each_in_face(m_face, [&](const Certified_source& s) {
       const Bounds d = distances_from(piece, s);
       const double error = error_of(s, d, everywhere);
-      if (d.first - error > m_upper) return;
+      if (s.start_value + d.first - error > m_upper) return;
       if (!(d.first > error)) m_has_unknown = true;
       for (int i = 0; i < piece.size && !m_has_unknown; ++i)
         for (const Double_double_2& end : {s.first, s.second})

@@ -140,8 +140,17 @@ private:
   void add_local_windows()
   {
     const auto range = local_windows(m_initial, m_face);
-    for (auto it = range.first; it != range.second; ++it) add(it->window, FT(0));
+    for (auto it = range.first; it != range.second; ++it)
+      if (!is_dominated(it->window)) add(it->window, it->window.start_value);
     m_has_local_sources = range.first != range.second;
+  }
+
+  // True for a fan of a source vertex with a shorter path to another source.
+  bool is_dominated(const Window_in_face& w) const
+  {
+    if (w.origin != STARTS_AT_CORNER || CGAL::is_zero(w.start_value)) return false;
+    const FT& d = m_field.distance[m_mesh.source(3 * m_face + Index(w.edge))];
+    return d < w.start_value && !tie(d, w.start_value);
   }
 
   FT rounding_of(const FT& distance) const
@@ -164,10 +173,9 @@ private:
     const Index h = 3 * m_face + Index(k), v = m_mesh.source(h);
     const FT& d = m_field.distance[v];
     // Rays from sources are local windows.
-    if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) return;
+    if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d) || m_field.back[v].corner == no_index) return;
     if (!m_mesh.can_be_pseudo_source(v)) return add_cone(k, d, FT(0), FT(0));
-    if (m_mesh.has_several_fans(v) || m_field.back[v].corner == no_index)
-      return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
+    if (m_mesh.has_several_fans(v)) return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
     const Vertex_sector<FT> sector(m_mesh);
     const Ray_at_vertex<FT> back = m_field.backtrace_of_sector(v).ray();
     FT left(0), right(0), margin_left(0), margin_right(0);

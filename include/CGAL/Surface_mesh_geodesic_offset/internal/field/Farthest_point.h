@@ -136,7 +136,7 @@ private:
   // Path length, convex in the whole face: behind a source segment inside the face, that of its other side.
   static FT path_length(const Window& w, const Point& p)
   {
-    return w.is_in_front(p) ? w.path_length(p) : w.path_length(p + FT(2) * w.distance_at(p) * w.image());
+    return w.is_in_front(p) ? w.path_length(p) : w.path_length(p + FT(2) * (w.distance_at(p) - w.start_value) * w.image());
   }
 
   FT edge_length(const Triangle& t, int k) const
@@ -441,8 +441,16 @@ private:
   static Point_in_face<NT> approximate(const Point& p) { return {approximate(p.x), approximate(p.y)}; }
   static Face_window<NT> approximate(const Face_window<FT>& w)
   {
-    return {approximate(w.x), approximate(w.y), approximate(w.sigma), approximate(w.left), approximate(w.right),
-            w.source_ref, w.bits, w.origin, w.edge};
+    return {approximate(w.x),
+            approximate(w.y),
+            approximate(w.sigma),
+            approximate(w.left),
+            approximate(w.right),
+            w.source_ref,
+            w.bits,
+            w.origin,
+            w.edge,
+            approximate(w.start_value)};
   }
   static Per_corner<Point_in_face<NT>> corners(const Face_frame<FT>& frame)
   {

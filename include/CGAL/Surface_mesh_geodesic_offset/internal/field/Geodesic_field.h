@@ -54,9 +54,10 @@ public:
   std::vector<double> error;      // per vertex, with bounded error: largest excess of the true distance
   Window_lists<FT> lists;         // of halfedges in the front
   Kept_windows<FT> kept;          // of finalized faces, if kept
+  Start_values<FT> start_values;  // of the source primitives
 
   // Initializes from another field and its windows. `other` must stay valid until release_front().
-  void start_from(const Geodesic_field& other)
+  void start_from(const Geodesic_field& other, const Start_values<FT>& starts)
   {
     distance = other.distance;
     back = other.back;
@@ -64,11 +65,12 @@ public:
     source_ref = other.source_ref;
     has_margins = other.has_margins;
     kept = other.kept;
+    set_start_values(starts);
     m_before = &other;
   }
 
   // Sets all distances to infinity.
-  void clear(const Unfolded_mesh<FT>& mesh)
+  void clear(const Unfolded_mesh<FT>& mesh, const Start_values<FT>& starts)
   {
     distance.assign(mesh.number_of_vertices(), Number_policy<FT>::infinity());
     back.assign(mesh.number_of_vertices(), Backtrace<FT>());
@@ -77,6 +79,7 @@ public:
     back_of_sector.clear();
     path_length.clear();
     kept = Kept_windows<FT>();
+    set_start_values(starts);
   }
 
   void release_front()
@@ -117,11 +120,18 @@ public:
     return found == back_of_sector.end() ? back[v] : found->second;
   }
 
+  // True for a vertex whose shortest path has no length: it is a point of its nearest source.
+  bool is_source(Index v) const
+  {
+    if (back[v].corner == no_index) return Number_policy<FT>::is_finite(distance[v]);
+    return distance[v] == start_values.of(source_ref[v]);
+  }
+
   // Source reference of a path through v. At a corner of a polyline, which lies on both sides, an equally long path with the
   // reference `known` keeps its side.
   Source_ref source_ref_via(Index v, Source_ref known) const
   {
-    const bool is_corner = CGAL::is_zero(distance[v]) && source_ref[v].is_lateral();
+    const bool is_corner = source_ref[v].is_lateral() && distance[v] == start_values.of(source_ref[v]);
     return is_corner && known.is_valid() && known.is_lateral() ? Source_ref(source_ref[v].primitive(), known.side()) : source_ref[v];
   }
 
@@ -139,6 +149,12 @@ public:
   }
 
 private:
+  void set_start_values(const Start_values<FT>& starts)
+  {
+    start_values = starts;
+    kept.set_start_values(starts);
+  }
+
   const Geodesic_field* m_before = nullptr;
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Rays_through_chord.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_lists.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
@@ -48,6 +49,8 @@ public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
   bool is_empty() const { return m_begin.empty(); }
+
+  void set_start_values(const Start_values<FT>& starts) { m_start_values = starts; }
 
   // Stores the lists of the halfedges of `faces`; a halfedge without a list keeps its stored windows. Windows are dropped if
   // their pseudo-source has come nearer since (`distance`, per vertex), as they are not shortest anywhere. The layout does not
@@ -164,6 +167,7 @@ public:
     Kept_windows fresh;
     fresh.m_begin.assign(m_begin.size(), 0);
     fresh.m_sigma = m_sigma;
+    fresh.m_start_values = m_start_values;
     fresh.make_room(m_live);
     Index place = 0;
     for (std::size_t f = 0; 4 * f < m_begin.size(); ++f)
@@ -185,7 +189,7 @@ public:
   }
 
 private:
-  // An interval window starts at a vertex of known distance and source, or at a source at distance 0. The sigma of a
+  // An interval window starts at a vertex of known distance and source, or at a source of known start value. The sigma of a
   // parallel-source window and of a merged window is stored in m_sigma.
   struct Packed
   {
@@ -297,7 +301,7 @@ private:
   {
     const Index value = p.value();
     if (p.bits & 1u || p.is_merged()) return m_sigma[value];
-    return value == 0 ? FT(0) : distance[value - 1];
+    return value == 0 ? m_start_values.of(p.source_ref()) : distance[value - 1];
   }
 
   FT path_length(const Packed& p, const std::vector<FT>& distance, const Point_in_face<FT>& q, bool& is_straight) const
@@ -351,7 +355,8 @@ private:
       w.sigma = m_sigma[value];
       w.bits = Window::make_bits(p.bits & 1u, p.is_merged() ? merge_error_code(value) : no_index);
     }
-    else if (value != 0)
+    else if (value == 0) w.sigma = m_start_values.of(w.source_ref);
+    else
     {
       w.sigma = distance[value - 1];
       w.source_ref = source_ref[value - 1];
@@ -377,6 +382,7 @@ private:
 
   std::vector<boost::container::vector<Packed>> m_pages;
   std::size_t m_size = 0, m_live = 0; // windows in the pages, and those in use
+  Start_values<FT> m_start_values;
   std::vector<FT> m_sigma;            // of parallel-source and merged windows
   std::vector<Index> m_begin;         // four per face: begin of the windows per halfedge, and end
 };

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -82,6 +83,20 @@ public:
     CGAL_precondition(bucket == m_current || (bucket > m_current && bucket <= first()));
     m_begin = (m_begin + (bucket - m_current)) & (m_ring.size() - 1);
     m_current = bucket;
+  }
+
+  // Moves to a later bucket, however far ahead, and puts all faces into it. There must be no events.
+  void jump_to(std::size_t bucket)
+  {
+    CGAL_precondition(!has_events() && bucket >= m_current);
+    Bucket pending;
+    for (Bucket& b : m_ring)
+    {
+      pending.faces.insert(pending.faces.end(), b.faces.begin(), b.faces.end());
+      b.faces.clear();
+    }
+    m_current = bucket;
+    m_ring[m_begin].faces = std::move(pending.faces);
   }
 
   // Number of elements in the current bucket.

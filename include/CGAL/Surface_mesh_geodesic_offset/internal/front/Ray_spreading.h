@@ -29,21 +29,27 @@ public:
   {
   }
 
-  // Starts the rays of all source primitives from `first_primitive` on.
-  void start(Index first_primitive)
+  // Starts the rays of source primitives from `first_primitive` on with start values beyond `above` up to `last`.
+  void start(Index first_primitive, const FT& above, const FT& last)
   {
-    const auto starts = [&](const auto& what) { return what.source_ref.primitive() >= first_primitive; };
+    const auto starts = [&](const auto& what) {
+      const FT& s = m_initial.start_values.of(what.source_ref);
+      return what.source_ref.primitive() >= first_primitive && above < s && s <= last;
+    };
     // Source vertices, which have their own fans, come before distances of other vertices, which may be 0 as well.
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
         if (starts(s) && (s.back.corner == no_index) == is_source)
           m_state.update_vertex(s.vertex, {s.distance, s.back, s.source_ref, no_index});
     for (const auto& f : m_initial.fans)
-      if (starts(f)) spread(f.vertex, f.from, f.to, f.first, f.source_ref, no_index, m_state);
+      // A source vertex inside the region of another source sends no rays.
+      if (starts(f) && !(m_state.field.distance[f.vertex] < m_initial.start_values.of(f.source_ref)))
+        spread(f.vertex, f.from, f.to, f.first, f.source_ref, no_index, m_state);
     for (const auto& e : m_initial.edges)
     {
       if (!starts(e)) continue;
-      Window w{FT(0), FT(-1), FT(0), e.b0, e.b1, FT(0), FT(0), e.source_ref, Window::make_bits(true, no_index)};
+      const FT& s = m_initial.start_values.of(e.source_ref);
+      Window w{FT(0), FT(-1), s, e.b0, e.b1, s, s, e.source_ref, Window::make_bits(true, no_index)};
       m_state.append(e.halfedge, w);
     }
     for (const auto& l : m_initial.local)
@@ -118,26 +124,27 @@ private:
     w.d1 = w.distance_at(w.b1);
     // the terms of the distances, in the frame of the face and in that of the edge
     const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
-    if (in_front(size, w)) m_state.add(g, w);
+    if (in_front(local.start_value, size, w)) m_state.add(g, w);
   }
 
   // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.
   static constexpr double roundings_of_distance = 4;
 
-  // Cuts off the part of a window behind its segment. Negative distances within the rounding of terms of the given size become
-  // zero: on an edge nearly parallel to the segment, they belong to a long part of the window.
-  static bool in_front(const FT& size, Window& w)
+  // Cuts off the part of a window behind its segment, where the distance is less than the start value s. Differences within
+  // the rounding of terms of the given size become zero: on an edge nearly parallel to the segment, they belong to a long part
+  // of the window.
+  static bool in_front(const FT& s, const FT& size, Window& w)
   {
-    if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return true;
+    if (w.d0 >= s && w.d1 >= s) return true;
     if (!w.is_parallel()) return false;
     const FT rounding = Number_policy<FT>::rounding(roundings_of_distance) * size;
     for (FT* const d : {&w.d0, &w.d1})
-      if (CGAL::is_negative(*d) && -*d <= rounding) *d = FT(0);
-    if (!CGAL::is_negative(w.d0) && !CGAL::is_negative(w.d1)) return CGAL::is_positive(w.d0) || CGAL::is_positive(w.d1);
-    if (!CGAL::is_positive(w.d0) && !CGAL::is_positive(w.d1)) return false;
-    const FT b = w.b0 + (w.d0 / (w.d0 - w.d1)) * (w.b1 - w.b0);
-    (CGAL::is_negative(w.d0) ? w.b0 : w.b1) = b;
-    (CGAL::is_negative(w.d0) ? w.d0 : w.d1) = FT(0);
+      if (*d < s && s - *d <= rounding) *d = s;
+    if (w.d0 >= s && w.d1 >= s) return w.d0 > s || w.d1 > s;
+    if (w.d0 <= s && w.d1 <= s) return false;
+    const FT b = w.b0 + ((w.d0 - s) / (w.d0 - w.d1)) * (w.b1 - w.b0);
+    (w.d0 < s ? w.b0 : w.b1) = b;
+    (w.d0 < s ? w.d0 : w.d1) = s;
     return w.b0 < w.b1;
   }
 
@@ -163,7 +170,7 @@ private:
   void spread(Index v, const Ray& from, const Ray& to, Index first, Source_ref source_ref, Index pseudo_source, Front& front,
               bool is_margin = false) const
   {
-    const FT sigma = m_state.field.distance[v];
+    const FT sigma = pseudo_source == no_index ? m_state.field.start_values.of(source_ref) : m_state.field.distance[v];
     m_sector.for_each_corner(from, to, first, [&](Index h, const Ray* lower, const Ray* upper) {
       const Index e = m_mesh.next(h), p = m_mesh.previous(h);
       front.schedule(m_mesh.face(h));

@@ -50,12 +50,12 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits,
-            const FT& maximum_distance, bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
+  Wavefront(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Traits& traits, const FT& maximum_distance,
+            bool keep_lists, bool consumer_reads_lists, Geodesic_field<FT>& field,
             const Merging_tolerance<FT>& tolerance = Merging_tolerance<FT>())
     : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
       m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
-      m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
+      m_start_values(initial.start_values), m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
       m_front(m_state, initial.source_of, traits, tolerance)
   {
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
@@ -73,12 +73,14 @@ public:
   void run(Consumer& consumer, const Condition& goes_on, Index first_primitive = 0)
   {
     m_is_update = first_primitive > 0;
+    m_first_primitive = first_primitive;
+    m_next_start_value = m_start_values.next(first_primitive, m_last_started);
     m_state.field.maximum = m_state.maximum;
-    m_spreading.start(first_primitive);
     std::size_t settled = 1, asked = 1;
-    m_front.look_at_all_parts();
-    while (m_front.advance() || reveals_hidden_vertices())
+    while (true)
     {
+      start_sources();
+      if (!m_front.advance() && !reveals_hidden_vertices() && !jumps_to_next_sources()) break;
       if (m_state.current() > asked)
       { // minus one bucket, against rounding
         asked = m_state.current();
@@ -127,6 +129,33 @@ private:
       if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f))) function(f);
   }
 
+  // Buckets ahead of the current one, at least, in which sources are started. The front moves by less until the next call.
+  std::size_t buckets_ahead() const { return (std::size_t(1) << 12) + 2 * m_state.bucket_of(m_mesh.longest_edge()); }
+
+  // Starts the sources with start values not far beyond the front.
+  void start_sources()
+  {
+    if (!(m_next_start_value <= m_state.maximum) || !Number_policy<FT>::is_finite(m_next_start_value)) return;
+    const std::size_t last = m_state.current() + buckets_ahead();
+    if (m_state.bucket_of(m_next_start_value) > last) return;
+    const FT last_value = (std::max)(m_next_start_value, FT(double(last) * m_state.bucket_width()));
+    m_front.look_at_all_parts();
+    m_state.unfinished.oldest(m_state.current()); // forgets the buckets before
+    m_spreading.start(m_first_primitive, m_last_started, last_value);
+    m_front.look_at_all_parts();
+    m_last_started = last_value;
+    m_next_start_value = m_start_values.next(m_first_primitive, m_last_started);
+  }
+
+  // Called when no event is left: moves to the sources with the next start value. Returns false if there are none.
+  bool jumps_to_next_sources()
+  {
+    if (!(m_next_start_value <= m_state.maximum) || !Number_policy<FT>::is_finite(m_next_start_value)) return false;
+    m_state.jump_to((std::max)(m_state.bucket_of(m_next_start_value), m_state.current()));
+    m_front.look_at_all_parts();
+    return true;
+  }
+
   // Called when no event is left: reveals hidden vertices. Returns true if one of them moves the front.
   bool reveals_hidden_vertices()
   {
@@ -170,11 +199,14 @@ private:
   const bool m_keep;
   const typename Front::Partition m_partition;
   State m_state;
+  const Start_values<FT>& m_start_values;
   const Face_finalizer<FT> m_passing;
   Ray_spreading<Traits> m_spreading;
   Front m_front;
   Passed_faces m_passed; // not yet passed to the consumer
   bool m_is_update = false;
+  Index m_first_primitive = 0;
+  FT m_last_started = FT(-1), m_next_start_value = FT(0); // start values
   std::size_t m_number_of_passed = 0;
 };
 

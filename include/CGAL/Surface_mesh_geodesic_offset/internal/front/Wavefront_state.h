@@ -87,6 +87,15 @@ public:
     CGAL_precondition(bucket >= m_current);
     m_current = bucket;
   }
+  std::size_t bucket_of(const FT& distance) const { return m_part.front().queue.bucket_of(distance); }
+
+  // Moves to a later bucket when no event is left in the queues, which puts pending faces there.
+  void jump_to(std::size_t bucket)
+  {
+    for (Part& p : m_part) p.queue.jump_to(bucket);
+    m_current = bucket;
+  }
+
   double bucket_width() const { return m_part.front().queue.width(); }
   FT passed() const { return FT(double(m_current) * bucket_width()); } // distance passed by the front
 
@@ -207,7 +216,7 @@ public:
   FT distance_of_image(Index v, Index pseudo_source) const
   {
     const bool is_source = pseudo_source == no_index || Merge_error_code::is_merged(pseudo_source);
-    return is_source ? field.distance[v] : FT(field.distance[v] - field.distance[pseudo_source]);
+    return field.distance[v] - (is_source ? field.start_values.of(field.source_ref[v]) : field.distance[pseudo_source]);
   }
 
   // Apex update; the parallel sender has its own overload.

@@ -103,7 +103,7 @@ public:
   FT outside_cone(const Point& p) const
   {
     FT out = (std::max)(left().value(p), right().value(p));
-    if (starts_in_strip()) out = (std::max)(out, FT(-m_window->distance_at(p)));
+    if (starts_in_strip()) out = (std::max)(out, FT(m_window->start_value - m_window->distance_at(p)));
     return out;
   }
 
@@ -112,7 +112,7 @@ public:
   bool is_in_cone(const Point& p) const
   {
     return CGAL::is_negative(left().value(p)) && CGAL::is_negative(right().value(p)) &&
-           (!starts_in_strip() || !CGAL::is_negative(m_window->distance_at(p)));
+           (!starts_in_strip() || !CGAL::is_negative(FT(m_window->distance_at(p) - m_window->start_value)));
   }
 
   // Distance of p through this window minus the level.

@@ -161,7 +161,8 @@ private:
   {
     // Windows that only touch the level count: it may run along the edge by which they enter.
     if (!(c.lowest < m_level + m_margin && c.cone.reaches(m_level))) return;
-    if (!c.window->is_parallel() && !CGAL::is_positive(FT(m_level - c.window->sigma))) return;
+    const FT& nearest = c.window->is_parallel() ? c.window->start_value : c.window->sigma;
+    if (!CGAL::is_positive(FT(m_level - nearest))) return;
     const Arc arc(*c.window, c.cone, m_level);
     const Box box = arc.box(m_margin);
     if (box.is_empty()) return;
@@ -248,7 +249,7 @@ private:
       add_side(b.right());
     }
     if (b.window().is_parallel() && b.window().origin == STARTS_IN_FACE)
-      add_side({b.forward(), b.radius() - m_level}); // line of the source
+      add_side({b.forward(), b.radius() - (m_level - b.window().start_value)}); // line of the source
     Point p = from;
     for (int k = 0; k <= n; ++k)
     {

@@ -75,7 +75,7 @@ public:
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed, FT(0), m_length);
     // Add the ends of a source segment as points too: rounding may leave a perpendicular edge at an end beside its strips.
     if (w.origin >= STARTS_IN_FACE)
-      for (const Point& end : {w.left, w.right}) add_disk(end, m_level, o, u, reversed, FT(0), m_length);
+      for (const Point& end : {w.left, w.right}) add_disk(end, FT(m_level - w.start_value), o, u, reversed, FT(0), m_length);
     add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
@@ -83,7 +83,7 @@ public:
         // A point without a path lies behind the source of a strip by less than the slack, so on the source.
         const auto distance = [&](const FT& t) {
           const FT d = w.path_length(o + t * u);
-          return Number_policy<FT>::is_finite(d) ? d : FT(0);
+          return Number_policy<FT>::is_finite(d) ? d : w.start_value;
         };
         const FT d_lo = distance(lo), d_hi = distance(hi);
         const auto lowest = [&] {
@@ -220,7 +220,7 @@ private:
     if (!clip(cross(r, o - w.right), cross(r, u), slack * internal::length(r), lo, hi)) return;
     if (w.is_parallel() && (is_inexact || w.origin == STARTS_IN_FACE))
     { // in front of the source or chord; by rounding, rays along the chord pass points behind it
-      const FT nearest = w.origin == STARTS_IN_FACE ? FT(0) : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
+      const FT nearest = w.origin == STARTS_IN_FACE ? w.start_value : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
       if (!clip(w.distance_at(o) - nearest, -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi)) return;
     }
     f(lo, hi);

@@ -90,15 +90,15 @@ public:
   {
     if (p.kind == Surface_point<FT>::VERTEX) return m_field.distance_of_path(p.element);
     const FT d = Path_starts<FT>(m_mesh, m_initial, m_field).distance(p);
-    return is_near(p, d) ? measured(p, legs).distance : d;
+    return d > FT(0) && is_near(p, FT(d - m_field.start_values.largest())) ? measured(p, legs).distance : d;
   }
 
   template <class Legs>
   Path_start<FT> operator()(const Located_point<FT>& p, Legs& legs) const
   {
     Path_start<FT> start = Path_starts<FT>(m_mesh, m_initial, m_field)(p);
-    if (p.kind == Surface_point<FT>::VERTEX) set_length(m_field.distance_of_path(p.element), start);
-    else if (is_near(p, start.distance) && start.halfedge != no_index) measure(p, legs, start);
+    if (p.kind == Surface_point<FT>::VERTEX) set_distance(m_field.distance_of_path(p.element), start);
+    else if (!start.is_at_source() && is_near(p, start.length()) && start.halfedge != no_index) measure(p, legs, start);
     return start;
   }
 
@@ -112,13 +112,13 @@ public:
       if (!m_measures) return result;
       const Path_starts<FT> starts(m_mesh, m_initial, m_field);
       const No_suffix_cache<FT> no_legs{};
-      const FT limit = (std::min)(maximum, FT(FT(near_part) * m_mesh.longest_edge()));
+      const FT limit = (std::min)(maximum, FT(m_field.start_values.largest() + FT(near_part) * m_mesh.longest_edge()));
       for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       {
         if (!(m_field.distance[v] <= limit)) continue;
         const auto p = Surface_point<FT>::at_vertex(v);
         Path_start<FT> start = starts.at_vertex(v);
-        if (start.halfedge == no_index || !is_near(p, start.distance)) continue;
+        if (start.halfedge == no_index || !is_near(p, start.length())) continue;
         measure(p, no_legs, start);
         if (start.is_measured) result.emplace_hint(result.end(), v, start.distance);
       }
@@ -137,11 +137,11 @@ private:
   // that, as it may be an edge of the face beside.
   static constexpr double near_part = 1. / 8;
 
-  bool is_near(const Surface_point<FT>& p, const FT& distance) const
+  // `length`: of the path from p.
+  bool is_near(const Surface_point<FT>& p, const FT& length) const
   {
-    if constexpr (!Number_policy<FT>::is_inexact) return (void)p, (void)distance, false;
-    return distance <= FT(near_part) * m_mesh.longest_edge() && distance > FT(0) &&
-           distance <= FT(near_part) * extent(p) && m_measures;
+    if constexpr (!Number_policy<FT>::is_inexact) return (void)p, (void)length, false;
+    return length <= FT(near_part) * m_mesh.longest_edge() && length <= FT(near_part) * extent(p) && m_measures;
   }
 
   // The longest edge of the faces of a point.
@@ -164,7 +164,7 @@ private:
     // A path that is longer by more than rounding does not tell the distance: the allowance of windows, twice, and less than 4 units
     // for each change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
     const FT allowance = Number_policy<FT>::rounding(512 + 4. * double(path.number_of_pieces())) * (start.distance + m_mesh.longest_edge());
-    const FT error = CGAL::abs(path.length() - start.distance);
+    const FT error = CGAL::abs(path.length() - start.length());
     if (!(error <= allowance)) return;
     if (bypass.halfedge != no_index)
     {
@@ -175,15 +175,15 @@ private:
     const std::vector<Index> faces = faces_of(m_mesh, p);
     const bool is_on_source = !is_vertex && std::any_of(faces.begin(), faces.end(),
                                                         [&](Index f) { return path.length() <= size_of_point(m_mesh, f); });
-    set_length(is_on_source ? FT(0) : path.length(), start);
+    set_distance(start.start_value + (is_on_source ? FT(0) : path.length()), start);
   }
 
-  static void set_length(const FT& length, Path_start<FT>& start)
+  static void set_distance(const FT& distance, Path_start<FT>& start)
   {
-    if (length == start.distance) return;
+    if (distance == start.distance) return;
     start.is_measured = true;
     start.distance_of_windows = start.distance;
-    start.distance = length;
+    start.distance = distance;
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -95,7 +95,7 @@ public:
     return other.is_valid() && source_of(other) == source_of(source_ref) && (is_source(v) || other.side() == source_ref.side());
   }
 
-  bool is_source(Index v) const { return CGAL::is_zero(m_field.distance[v]); }
+  bool is_source(Index v) const { return m_field.is_source(v); }
 
   // Whether the goal is a point of the face.
   bool is_in_face(const Goal& goal, Index face) const
@@ -131,7 +131,7 @@ public:
 
   FT distance_of(const Goal& goal) const
   {
-    return goal.end.is_at_source() ? FT(0) : m_field.distance[goal.vertex];
+    return goal.end.is_at_source() ? m_field.start_values.of(goal.end.source_ref) : m_field.distance[goal.vertex];
   }
 
   // Whether a point is at a vertex, up to the rounding of positions on edges.
@@ -183,9 +183,12 @@ public:
       find_end(frame, face, way_to(frame, frame.corner(int(corner_at(v, face) % 3))), search);
     };
     const int edge = int(h % 3);
-    search_at_corner(m_mesh.face(h), [&](const Face_frame<FT>& frame, const Point& corner) {
-      return way_in(frame, frame.from_halfedge(edge, p), corner, frame.vector_from_halfedge(edge, direction), start.distance);
-    }, arrival);
+    search_at_corner(
+      m_mesh.face(h),
+      [&](const Face_frame<FT>& frame, const Point& corner) {
+      return way_in(frame, frame.from_halfedge(edge, p), corner, frame.vector_from_halfedge(edge, direction), start.length());
+      },
+      arrival);
     if (arrival.is_of_known_source()) return {at_v, arrival.end.source_ref};
     if (is_at_vertex(start.source_ref, v)) return end_at_source_vertex(v, start);
     // another part of the source may have the vertex; of several sources at the vertex, that of the way is meant
@@ -199,7 +202,7 @@ public:
           const Index to = corner_at(v, face);
           Point u = back;
           if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return Way{corner, corner, corner};
-          return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.distance);
+          return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.length());
         }, around);
     if (around.is_found()) return {at_v, around.end.source_ref};
     if (arrival.is_found()) return {at_v, arrival.end.source_ref};
@@ -248,7 +251,7 @@ public:
     const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
     const FT nearest = has_missed ? FT(way + longest) : miss(way, start, extent);
     End_search search{start.source_ref, longest, nearest, !has_missed};
-    find_end(frame, face, way_in(frame, p, q, frame.vector_from_halfedge(edge, walk.direction()), start.distance), search);
+    find_end(frame, face, way_in(frame, p, q, frame.vector_from_halfedge(edge, walk.direction()), start.length()), search);
     end = search.end;
     return search.is_found();
   }
@@ -360,7 +363,8 @@ private:
     const auto for_each_candidate = [&](const auto& f) {
       const auto consider = [&](Source_ref source_ref, const Face_window<FT>* window) {
         const Source_place<FT>& place = m_initial.places[source_ref.primitive()];
-        if ((search.only_known_source && source_of(source_ref) != source_of(search.known)) || !is_in_face(place.first, face) ||
+        if ((search.only_known_source && source_of(source_ref) != source_of(search.known)) ||
+            m_field.start_values.of(source_ref) != m_field.start_values.of(search.known) || !is_in_face(place.first, face) ||
             !is_in_face(place.second, face))
           return;
         const Foot foot = foot_in(face, frame, way_to_end, source_ref.primitive());
@@ -400,7 +404,7 @@ private:
   {
     if constexpr (Interval_filter<FT>::leaves_open)
       return CGAL::possibly(estimate(w.left_side(p)) <= 0) && CGAL::possibly(estimate(w.right_side(p)) >= 0) &&
-             (!w.is_parallel() || CGAL::possibly(estimate(w.distance_at(p)) >= 0));
+             (!w.is_parallel() || CGAL::possibly(estimate(w.distance_at(p)) >= estimate(w.start_value)));
     else return w.contains(p, allowance);
   }
 

@@ -25,6 +25,7 @@ template <class FT>
 struct Path_start
 {
   FT distance = Number_policy<FT>::infinity();
+  FT start_value = FT(0); // of the source
   Source_ref source_ref; // of the window: the source and the side; the end of the path tells the part of the source
   Index pseudo_source = no_index;
   Index halfedge = no_index; // none at a source and where the distance is infinite
@@ -36,6 +37,10 @@ struct Path_start
   FT distance_of_windows = FT(0); // of a measured path, which starts and ends as this distance tells
 
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
+
+  // Length of the path.
+  FT length() const { return CGAL::is_zero(start_value) ? distance : FT(distance - start_value); }
+  bool is_at_source() const { return !(start_value < distance); }
 
   Path_start before_measurement() const
   {
@@ -73,8 +78,9 @@ public:
     Path_start<FT> start;
     start.distance = m_field.distance[v];
     start.source_ref = m_field.source_ref[v];
+    start.start_value = m_field.start_values.of(start.source_ref);
     const Backtrace<FT>& back = m_field.back[v];
-    if (!start.is_reached() || CGAL::is_zero(start.distance) || back.corner == no_index) return start;
+    if (!start.is_reached() || start.is_at_source() || back.corner == no_index) return start;
     start.pseudo_source = back.pseudo_source;
     start.halfedge = back.corner;
     start.exit = 1;
@@ -87,8 +93,8 @@ public:
         start.to = u; // the way itself: only directions of parallel rays and of edges are unit vectors
         return start;
       }
-    FT way = start.distance;
-    if (back.pseudo_source != no_index) way -= m_field.distance[back.pseudo_source];
+    FT way = start.length();
+    if (back.pseudo_source != no_index) way = start.distance - m_field.distance[back.pseudo_source];
     start.to = (way / length(u)) * u;
     return start;
   }
@@ -118,6 +124,7 @@ private:
     FT by_corner = Number_policy<FT>::infinity(); // the shortest way by a corner
     int corner = 0;
     bool is_near_source = false; // something starts in the face
+    FT start_value = FT(0);      // of the source in the face with the shortest straight path
     Per_corner<Point> q;        // the point in the frames of the face's halfedges
   };
 
@@ -143,14 +150,27 @@ private:
     }
     const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
     // no corner of a face with a source is farther than that
-    if (!is_reached || d[0] <= extent) look_at_sources(face, n);
+    if (!is_reached || d[0] <= extent + m_field.start_values.largest()) look_at_sources(face, n);
     const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
     m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
     const FT shortest = (std::min)({n.straight, n.bent, n.by_corner});
     const FT tie = shortest + Number_policy<FT>::rounding(16) * shortest;
     n.distance = n.straight <= tie ? n.straight : n.by_corner <= tie ? n.by_corner : shortest;
-    if (n.distance <= size_of_point(m_mesh, face)) n.distance = FT(0); // on the source
+    const FT s = start_value(face, n);
+    if (n.distance <= s + size_of_point(m_mesh, face)) n.distance = s; // on the source
     return n;
+  }
+
+  // Start value of the source at the end of the shortest path, unless the path bends at the end of a window.
+  FT start_value(Index face, const Nearest& n) const
+  {
+    const Start_values<FT>& starts = m_field.start_values;
+    if (CGAL::is_zero(starts.largest())) return FT(0);
+    if (n.distance == n.by_corner) return starts.of(m_field.source_ref[m_mesh.source(3 * face + Index(n.corner))]);
+    if (n.distance != n.straight) return FT(0);
+    return n.window == no_index
+           ? n.start_value
+           : starts.of(m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref).source_ref);
   }
 
   // A point of a segment may be behind both of its sides: its ends are known up to the rounding of the edges that they are on.
@@ -164,9 +184,10 @@ private:
       FT d = i->window.path_length(n.q[0], is_straight);
       if (!Number_policy<FT>::is_finite(d) && i->window.contains(n.q[0], size_of_point(m_mesh, face)))
       {
-        d = FT(0);
+        d = i->window.start_value;
         is_straight = true;
       }
+      if (is_straight && d < n.straight) n.start_value = i->window.start_value;
       FT& best = is_straight ? n.straight : n.bent;
       best = (std::min)(best, d);
     }
@@ -182,7 +203,7 @@ private:
     {
       const Window<FT> w = m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref);
       if (w.source_ref.side() == Source_side::CAP) return false; // the side of a segment may tie
-      start.source_ref = w.source_ref;
+      set_source(w.source_ref, start);
       start.pseudo_source = w.is_parallel() ? no_index : w.pseudo_source();
       start.halfedge = 3 * p.element + Index(n.halfedge);
       start.exit = 0;
@@ -197,8 +218,7 @@ private:
       const Index h = 3 * p.element + Index(n.corner), v = m_mesh.source(h);
       const FT extent = m_mesh[h].length + m_mesh[h + 1 - 3 * Index(n.corner == 2)].length;
       const FT tied = n.distance + Number_policy<FT>::rounding(256) * (n.distance + extent);
-      if (n.distance != n.by_corner || CGAL::is_zero(m_field.distance[v]) || (std::min)(n.straight, n.bent) <= tied)
-        return false;
+      if (n.distance != n.by_corner || m_field.is_source(v) || (std::min)(n.straight, n.bent) <= tied) return false;
       lead_by_vertex(h, n.q[n.corner], start);
     }
     return true;
@@ -305,7 +325,7 @@ private:
     const Index v = ahead ? m_mesh.target(h) : m_mesh.source(h);
     // rays from sources are among the windows
     const FT& d = m_field.distance[v];
-    if (CGAL::is_zero(d) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
+    if (m_field.is_source(v) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
     if (ahead)
       lead_by_vertex(n, (way / edge) * Point{m_mesh[n].apex_x, m_mesh[n].apex_y}, start);
     else
@@ -317,7 +337,7 @@ private:
   void lead_by_vertex(Index h, const Point& from, Path_start<FT>& start) const
   {
     const Index v = m_mesh.source(h);
-    start.source_ref = m_field.source_ref[v];
+    set_source(m_field.source_ref[v], start);
     start.pseudo_source = v;
     start.halfedge = h;
     start.exit = -1;
@@ -325,16 +345,22 @@ private:
     set_goal(start, {FT(0), FT(0)}, false);
   }
 
+  void set_source(Source_ref source_ref, Path_start<FT>& start) const
+  {
+    start.source_ref = source_ref;
+    start.start_value = m_field.start_values.of(source_ref);
+  }
+
   // The image of the window, from `from` and at the distance that are known.
   static void set_goal(Path_start<FT>& start, const Point& image, bool is_parallel)
   {
     start.direction = is_parallel ? image : image - start.from;
-    start.to = is_parallel ? start.from + start.distance * image : image;
+    start.to = is_parallel ? start.from + start.length() * image : image;
   }
 
-  static void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w)
+  void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w) const
   {
-    start.source_ref = w.source_ref;
+    set_source(w.source_ref, start);
     start.pseudo_source = w.pseudo_source();
     start.halfedge = 3 * face;
     start.exit = w.origin <= ENTERS_HALFEDGE_2 ? int(w.edge) : -1;

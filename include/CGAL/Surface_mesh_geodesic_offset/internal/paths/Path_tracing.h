@@ -43,9 +43,9 @@ public:
   End operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out, Path_start<FT>* bypass = nullptr) const
   {
     if (!first.is_reached()) return End();
-    if (first.is_measured && CGAL::is_positive(first.distance)) return (*this)(p, first.before_measurement(), legs, out, bypass);
+    if (first.is_measured && !first.is_at_source()) return (*this)(p, first.before_measurement(), legs, out, bypass);
     out.start(p);
-    if (!CGAL::is_positive(first.distance) || first.halfedge == no_index) return end_at_source(p, first);
+    if (first.is_at_source() || first.halfedge == no_index) return end_at_source(p, first);
     const Index limit = Index(m_mesh.number_of_vertices());
     Path_start<FT> further;
     auto& passed = out.passed();
@@ -61,7 +61,7 @@ public:
       }
       if (guard != 0) further = m_start.at_vertex(v);
       const Path_start<FT>& start = guard == 0 ? first : further;
-      if (start.halfedge == no_index || !CGAL::is_positive(start.distance)) break;
+      if (start.halfedge == no_index || start.is_at_source()) break;
       if constexpr (Legs::keeps)
         if (start.pseudo_source != no_index) legs.prefetch(start.pseudo_source);
       passed.clear();
@@ -181,7 +181,7 @@ private:
         !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
       Strip_walk<FT> strip(m_mesh, h, from, to, reach, start.exit);
-      const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.distance;
+      const FT extent = m_mesh.longest_edge() + FT(1. / (1 << 15)) * start.length();
       const FT ahead = m_goals.miss(reach, start, extent);
       is_under_way = strip(FT(FT(2 * nearby) * extent), ahead, passed);
       if (is_under_way)
@@ -357,7 +357,7 @@ private:
       if (!turn_to_corner(m_mesh, rest.halfedge, 3 * m_mesh.face(detour.halfedge) + Index(corner), ccw, u)) continue;
       const Point goal = vertex + from_corner(u), way = goal - begin;
       // the vertex is on the left of a way that passes it counterclockwise
-      const FT side = cross(way, vertex - begin), l = length(way);
+      const FT side = cross(way, vertex - begin), l = length(way) + rest.start_value;
       if ((ccw ? CGAL::is_negative(side) : CGAL::is_positive(side)) || !(l < shortest)) continue;
       shortest = l;
       is_found = true;
@@ -389,11 +389,12 @@ private:
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     CGAL_assertion(k == exit || k == (exit + 1) % 3);
     const FT beside = k == exit ? FT(crossing.length - crossing.t) : crossing.t;
-    if (beside > FT(nearby) * crossing.length && off * off > near * (dot(to_vertex, to_vertex) + start.distance * start.distance * FT(nearby)))
+    if (beside > FT(nearby) * crossing.length &&
+        off * off > near * (dot(to_vertex, to_vertex) + start.length() * start.length() * FT(nearby)))
       return false;
     const FT& d = m_field.distance[v];
     const FT straight_on = length(to_goal);
-    const FT rest = start.pseudo_source == no_index ? straight_on : FT(straight_on + m_field.distance[start.pseudo_source]);
+    const FT rest = straight_on + (start.pseudo_source == no_index ? start.start_value : m_field.distance[start.pseudo_source]);
     return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance &&
            (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.source_ref));
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
@@ -50,7 +51,7 @@ public:
     Index face;
     Face_window<FT> window;
   };
-  struct Edge_window // interval of an edge that is source, with distance 0
+  struct Edge_window // interval of an edge that is source
   {
     Index halfedge;
     FT b0, b1;
@@ -73,12 +74,15 @@ public:
 
   explicit Initial_windows(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh) {}
 
+  // Sets the start value of the sources that are added next.
+  void set_start_value(const FT& s) { m_start_value = s; }
+
   void add_point(Index source, const Surface_point_& p)
   {
     const Source_ref source_ref(add_primitive({source, 0, false}, {p, p}), Source_side::NONE);
     if (p.kind == Surface_point_::VERTEX)
     {
-      seeds.push_back({p.element, FT(0), Ray(), source_ref});
+      add_seed_at_source(p.element, source_ref);
       m_mesh.for_each_fan(p.element, [&](Index first) { fans.push_back({p.element, Ray(), Ray(), first, source_ref}); });
     }
     else
@@ -113,6 +117,7 @@ public:
   std::vector<Source_primitive> primitives;
   std::vector<Source_place<FT>> places; // per primitive
   std::vector<Index> source_of;         // per primitive, its source
+  Start_values<FT> start_values;        // of the primitives
   std::vector<Local_window> local;
   std::vector<Local_window> beyond_edges; // rays that start in the face beyond an edge next to their image; for the front only
   std::vector<Edge_window> edges;
@@ -124,6 +129,7 @@ public:
     primitives.push_back(primitive);
     places.push_back(place);
     source_of.push_back(primitive.source);
+    start_values.push_back(m_start_value);
     CGAL_postcondition(primitives.size() == places.size() && primitives.size() == source_of.size());
     return Index(primitives.size() - 1);
   }
@@ -131,8 +137,8 @@ public:
   // Adds the rays from a segment inside a face to the side of the unit normal n. `left` and `right` are seen along the rays.
   void add_strip(Index face, const Point& left, const Point& right, const Point& n, Source_ref source_ref)
   {
-    local.push_back({face, Face_window<FT>{-n.x, -n.y, -dot(n, left), left, right, source_ref,
-                                           Window<FT>::make_bits(true, no_index), STARTS_IN_FACE, 3}});
+    local.push_back({face, Face_window<FT>{-n.x, -n.y, m_start_value - dot(n, left), left, right, source_ref,
+                                           Window<FT>::make_bits(true, no_index), STARTS_IN_FACE, 3, m_start_value}});
   }
 
   void add_edge_windows(Index h, const FT& b0, const FT& b1, Source_ref on_left, Source_ref on_right)
@@ -143,10 +149,15 @@ public:
       edges.push_back({m_mesh.twin(h), m_mesh[h].length - b1, m_mesh[h].length - b0, on_right});
   }
 
+  // First distance of a source vertex.
+  void add_seed_at_source(Index v, Source_ref source_ref) { seeds.push_back({v, m_start_value, Ray(), source_ref}); }
+
+  // `distance`: from the source.
   void seed_corner(Index face, const Face_frame<FT>& frame, int k, const FT& distance, const Point& back, Source_ref source_ref)
   {
     const Point u = frame.vector_to_halfedge(k, back);
-    seeds.push_back({m_mesh.source(3 * face + Index(k)), distance, Ray{3 * face + Index(k), u.x, u.y}, source_ref});
+    seeds.push_back({m_mesh.source(3 * face + Index(k)), m_start_value + distance, Ray{3 * face + Index(k), u.x, u.y},
+                     source_ref});
   }
 
   // Adds the rays from a point inside a face or an edge. The sector, at most a half turn, reaches counterclockwise from `from`
@@ -225,8 +236,9 @@ private:
       if (is_fan || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
-      out.push_back({face, Face_window<FT>{p.x, p.y, FT(0), left, right, source_ref, Window<FT>::make_bits(false, no_index),
-                                           STARTS_IN_FACE, (unsigned char)(k)}});
+      out.push_back({face,
+                     Face_window<FT>{p.x, p.y, m_start_value, left, right, source_ref, Window<FT>::make_bits(false, no_index),
+                                     STARTS_IN_FACE, (unsigned char)(k), m_start_value}});
     }
   }
 
@@ -280,10 +292,10 @@ private:
     if (!(right + Number_policy<FT>::rounding(64) * length < left)) return;
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
     const Point& c = frame.corner(k);
-    local.push_back({m_mesh.face(h), Face_window<FT>{c.x, c.y, FT(0), frame.on_edge(opposite, left),
-                                                     frame.on_edge(opposite, right), source_ref,
-                                                     Window<FT>::make_bits(false, no_index), STARTS_AT_CORNER,
-                                                     (unsigned char)(k)}});
+    const FT& s = start_values.of(source_ref);
+    local.push_back({m_mesh.face(h),
+                     Face_window<FT>{c.x, c.y, s, frame.on_edge(opposite, left), frame.on_edge(opposite, right), source_ref,
+                                     Window<FT>::make_bits(false, no_index), STARTS_AT_CORNER, (unsigned char)(k), s}});
   }
 
   // Clips the chord to the side of the line through p with direction u where cross(u, . - p) has the given sign. Returns false
@@ -298,6 +310,7 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
+  FT m_start_value = FT(0);
 };
 
 } // namespace internal

@@ -88,7 +88,7 @@ public:
     {
       const Surface_point_ place = Surface_point_::at_vertex(v);
       const Source_ref source_ref(m_out.add_primitive({source, v, false}, {place, place}), Source_side::NONE);
-      m_out.seeds.push_back({v, FT(0), Ray(), source_ref});
+      m_out.add_seed_at_source(v, source_ref);
       m_mesh.for_each_fan(v, [&](Index first) { add_fan_between_edges(v, first, is_source, source_ref); });
     }
   }
@@ -250,7 +250,7 @@ private:
     if (p.kind == Surface_point_::VERTEX)
     {
       const Ray r = ray_of(s, at_second);
-      m_out.seeds.push_back({p.element, FT(0), Ray(), source_ref});
+      m_out.add_seed_at_source(p.element, source_ref);
       add_gap(p.element, r, r, source_ref, m_out.lost_angle(s.face, length(s.b - s.a)));
       add_other_fans(p.element, r.corner, no_index, source_ref);
       return;
@@ -270,7 +270,7 @@ private:
     {
       const FT lost = (std::max)(m_out.lost_angle(in.face, length(in.b - in.a)), m_out.lost_angle(out.face, length(out.b - out.a)));
       const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);
-      m_out.seeds.push_back({p.element, FT(0), Ray(), left});
+      m_out.add_seed_at_source(p.element, left);
       if (same_fan(r_in.corner, r_out.corner))
       {
         add_gap(p.element, r_out, r_in, left, lost);

@@ -63,7 +63,8 @@ public:
     for (const auto& [id, s] : set.sources())
     {
       (void)id;
-      typename Source_set::Source source{typename Source_set::Kind(s.kind), s.vertex, {}, s.edges};
+      typename Source_set::Source source{
+        typename Source_set::Kind(s.kind), s.vertex, {}, s.edges, converted_number<FT>(s.start_value)};
       for (const auto& l : s.locations) source.locations.push_back(converted_location<FT>(l));
       m_set.add(std::move(source));
     }

@@ -13,19 +13,23 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// \throws std::invalid_argument if the source is empty, or a location or an edge is not one of the mesh
+// \throws std::invalid_argument if the source is empty, a location or an edge is not one of the mesh, or the start value is not
+// a finite number or is negative
 template <class Surface, class Source>
 auto classified_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
 {
   typedef Source_set<typename Surface::Number> Sources;
   typedef decltype(source.kind) Kind;
-  typename Sources::Source result{Sources::POINT, {}, {}};
+  if (!(source.start_value >= 0) || !Number_policy<std::decay_t<decltype(source.start_value)>>::is_finite(source.start_value))
+    throw std::invalid_argument("Surface_mesh_geodesic_offset: the start value of a source is negative or not a finite number");
+  typename Sources::Source result{Sources::POINT, {}, {}, mesh.surface().imported(source.start_value)};
   switch (source.kind)
   {
   case Kind::VERTEX: result.points.push_back(mesh.classified(source.vertex)); break;

@@ -31,6 +31,7 @@ public:
     Kind kind;
     std::vector<Surface_point<FT>> points;
     std::vector<Index> halfedges;
+    FT start_value = FT(0);
   };
 
   void insert(std::size_t id, Source source) { m_sources.emplace(id, std::move(source)); }
@@ -59,7 +60,7 @@ public:
     return initial;
   }
 
-  // Calls f(id, is_closed, set with this source only) for each polyline.
+  // Calls f(id, is_closed, set with this source only, without its start value) for each polyline.
   template <class Function>
   void for_each_polyline(const Function& f) const
   {
@@ -67,7 +68,7 @@ public:
     {
       if (s.second.kind != OPEN_POLYLINE && s.second.kind != CLOSED_POLYLINE) continue;
       Source_set alone;
-      alone.m_sources.insert(s);
+      alone.m_sources.insert(s).first->second.start_value = FT(0);
       f(Index(s.first), s.second.kind == CLOSED_POLYLINE, alone);
     }
   }
@@ -75,6 +76,7 @@ public:
 private:
   static void start(const Unfolded_mesh<FT>& mesh, const Source& s, Index id, Initial_windows<FT>& initial)
   {
+    initial.set_start_value(s.start_value);
     switch (s.kind)
     {
     case POINT: initial.add_point(id, s.points.front()); break;

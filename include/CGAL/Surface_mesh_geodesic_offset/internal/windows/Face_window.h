@@ -41,6 +41,7 @@ struct Face_window
   Face_window_origin origin;
   unsigned char edge; // STARTS_IN_FACE: halfedge of the chord, 3 if the chord is the source;
                       // STARTS_AT_CORNER: the corner
+  FT start_value = FT(0); // distance at the source, of windows of sources in the face
 
   bool is_parallel() const { return bits & 1u; }
   Index pseudo_source() const { return (bits >> 2) - 1; } // no_index if none
@@ -61,7 +62,7 @@ struct Face_window
   // False if p lies behind the source of a strip by more than the allowance.
   bool is_in_front(const Point& p, const FT& allowance = FT(0)) const
   {
-    return !starts_in_strip() || distance_at(p) >= -allowance;
+    return !starts_in_strip() || distance_at(p) - start_value >= -allowance;
   }
 
   bool contains(const Point& p) const
@@ -92,9 +93,9 @@ struct Face_window
       return distance_at(p);
     }
     is_straight = false;
-    if (starts_in_strip() && distance_at(p) < -rounding_at(p)) return Number_policy<FT>::infinity();
+    if (starts_in_strip() && distance_at(p) - start_value < -rounding_at(p)) return Number_policy<FT>::infinity();
     const FT d = with_rays([&](const auto& rays) { return rays.path_length(p, is_straight); });
-    return is_straight ? (std::max)(d, FT(0)) : d;
+    return is_straight ? (std::max)(d, start_value) : d;
   }
 
 private:
