@@ -17,7 +17,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 packages=(g++ cmake make libcgal-dev libcgal-demo libboost-program-options-dev libboost-dev libpng-dev zlib1g-dev libeigen3-dev
-          libgmp-dev libmpfr-dev libtbb-dev python3 doxygen)
+          libgmp-dev libmpfr-dev libtbb-dev libopenmesh-dev python3 doxygen)
 # Readers of the program's files in the tests: large packages, which are installed while the compiler runs.
 packages_of_readers=(python3-vtk9 python3-ezdxf python3-svgelements librsvg2-bin)
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All models of FaceListGraph give the same distances as Surface_mesh, with one templated body: Surface_mesh with removed
-// elements, Polyhedron_3 with and without ids, Linear_cell_complex, Seam_mesh, Face_filtered_graph, and a mesh that has lengths
-// instead of points. Lengths alone: a flat torus, which embeds nowhere, against its closed form.
+// elements, Polyhedron_3 with and without ids, Linear_cell_complex, Seam_mesh, Face_filtered_graph, OpenMesh if it is installed,
+// an archetype of the concept, and a mesh that has lengths instead of points. Lengths alone: a flat torus, which embeds nowhere,
+// against its closed form.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
 #include "locations.h"
+#include "mesh_archetype.h"
 #include "test_check.h"
 
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
@@ -20,6 +22,11 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/boost/graph/graph_traits_Seam_mesh.h>
+#ifdef GEODESIC_OFFSET_HAS_OPENMESH
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -38,6 +45,42 @@ typedef Mesh::Edge_index Edge_index;
 typedef Mesh::Face_index Face_index;
 typedef Mesh::Vertex_index Vertex_index;
 
+template <class Graph>
+auto points_of(const Graph& graph)
+{
+  return get(CGAL::vertex_point, graph);
+}
+inline mesh_archetype::Point_map points_of(const mesh_archetype::Mesh& mesh)
+{
+  return {&mesh};
+}
+
+// Found by the type of the graph alone; CGAL has no overload for the archetype.
+template <class Graph>
+auto vertices_of(const Graph& graph)
+{
+  return vertices(graph);
+}
+template <class Graph>
+auto faces_of(const Graph& graph)
+{
+  return faces(graph);
+}
+
+template <class Graph>
+struct Geodesic_for
+{
+  typedef Geodesic_on<Graph> type;
+};
+template <>
+struct Geodesic_for<mesh_archetype::Mesh>
+{
+  typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, mesh_archetype::Mesh>,
+                                             mesh_archetype::Vertex_index_map, mesh_archetype::Face_index_map,
+                                             mesh_archetype::Point_map>
+    type;
+};
+
 /// A graph with its elements by the numbers of a soup, which are found by their points.
 template <class Graph>
 struct Numbered
@@ -48,12 +91,12 @@ struct Numbered
 
   Numbered(const Graph& graph, const Soup& soup) : graph(graph)
   {
-    const auto points = get(CGAL::vertex_point, graph);
+    const auto points = points_of(graph);
     std::map<Point_3, vertex_descriptor> vertex_at;
-    for (vertex_descriptor v : CGAL::vertices(graph)) vertex_at[get(points, v)] = v;
+    for (vertex_descriptor v : vertices_of(graph)) vertex_at[get(points, v)] = v;
     for (const Point_3& p : soup.points) vertices.push_back(vertex_at.at(p));
     std::map<std::set<Point_3>, face_descriptor> face_at;
-    for (face_descriptor f : CGAL::faces(graph))
+    for (face_descriptor f : faces_of(graph))
     {
       std::set<Point_3> corners;
       for (vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, graph), graph))
@@ -73,7 +116,7 @@ struct Numbered
 template <class Graph, class NamedParameters>
 std::vector<double> distances(const Numbered<Graph>& data, const Soup& soup, unsigned seed, const NamedParameters& np)
 {
-  typedef Geodesic_on<Graph> Geodesic;
+  typedef typename Geodesic_for<Graph>::type Geodesic;
   Random random(seed);
   Geodesic geodesic(data.graph, np);
   const Locations<Graph> locations(data.graph);
@@ -176,6 +219,24 @@ void run(const std::string& name, const Soup& soup, Worst_error& worst)
   for (Face_index f : of_two_parts.faces()) part[f] = f.idx() < n ? 0 : 1;
   const CGAL::Face_filtered_graph<Mesh> filtered(of_two_parts, 0, part);
   compare(name + ", Face_filtered_graph", filtered, soup, expected, worst, none);
+
+  const mesh_archetype::Mesh archetype(soup);
+  compare(name + ", archetype", archetype, soup, expected, worst,
+          CGAL::parameters::vertex_point_map(points_of(archetype))
+            .vertex_index_map(mesh_archetype::Vertex_index_map())
+            .face_index_map(mesh_archetype::Face_index_map()));
+
+#ifdef GEODESIC_OFFSET_HAS_OPENMESH
+  struct Traits : OpenMesh::DefaultTraits
+  {
+    typedef OpenMesh::Vec3d Point;
+  };
+  OpenMesh::TriMesh_ArrayKernelT<Traits> open_mesh; // CGAL::copy_face_graph() rounds its points to floats
+  std::vector<OpenMesh::VertexHandle> handles;
+  for (const Point_3& p : soup.points) handles.push_back(open_mesh.add_vertex(OpenMesh::Vec3d(p.x(), p.y(), p.z())));
+  for (const auto& c : soup.triangles) open_mesh.add_face(handles[c[0]], handles[c[1]], handles[c[2]]);
+  compare(name + ", OpenMesh", open_mesh, soup, expected, worst, none);
+#endif
 
   Mesh with_lengths = data.mesh;
   const auto length = with_lengths.add_property_map<Edge_index, double>("e:length").first;

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Normal_angle.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Polyline_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Plane_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -109,12 +110,11 @@ public:
   /// the vertex point map: `VertexPointMap`, or the type that stands for `Default`
   typedef unspecified_type Vertex_point_map;
 #else
-  typedef typename Default::Get<VertexIndexMap, typename GetInitializedVertexIndexMap<Triangle_mesh>::const_type>::type
+  typedef typename Default::Lazy_get<VertexIndexMap, Geodesic_offset::internal::Own_vertex_index_map<Triangle_mesh>>::type
     Vertex_index_map;
-  typedef typename Default::Get<FaceIndexMap, typename GetInitializedFaceIndexMap<Triangle_mesh>::const_type>::type
+  typedef typename Default::Lazy_get<FaceIndexMap, Geodesic_offset::internal::Own_face_index_map<Triangle_mesh>>::type
     Face_index_map;
-  typedef typename Default::Get<
-    VertexPointMap, typename boost::property_map<Triangle_mesh, boost::vertex_point_t>::const_type>::type
+  typedef typename Default::Lazy_get<VertexPointMap, Geodesic_offset::internal::Own_vertex_point_map<Triangle_mesh>>::type
     Vertex_point_map;
 #endif
   /// @}

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Own_maps.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
@@ -29,8 +30,8 @@ namespace internal {
 template <class TriangleMesh, class NamedParameters>
 struct Types_of_call
 {
-  typedef typename boost::property_map<TriangleMesh, boost::vertex_point_t>::const_type Own_point_map;
-  typedef Parameter_type<internal_np::vertex_point_t, NamedParameters, Own_point_map> Point_map;
+  typedef typename Default::Lazy_get<Parameter_type<internal_np::vertex_point_t, NamedParameters, Default>,
+                                     Own_vertex_point_map<TriangleMesh>>::type Point_map;
   typedef typename Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel Mesh_kernel;
   typedef std::conditional_t<has_square_roots<typename Mesh_kernel::FT>(), Mesh_kernel,
                              Exact_predicates_inexact_constructions_kernel>
