@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances near sources: the length of the path itself, which has fewer rounding errors there than windows have.
+// Distances near sources: the length of the traced path, which has smaller rounding errors there than distances by windows.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_NEAR_PATH_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_NEAR_PATH_H
@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Output of Path_tracing that measures the path, piece by piece, each in a face that contains both of its ends.
+// Output of Path_tracing that sums up the lengths of the pieces of a path. Each piece is measured in a face that contains both
+// of its ends.
 template <class FT>
 class Path_measurement
 {
@@ -70,21 +71,22 @@ private:
   std::size_t m_pieces = 0;
 };
 
-// The distance of a point and the start of its path, as Path_starts computes them; but near a source, the distance is the length of
-// the path. The distances of windows are lower there by up to an allowance relative to the edges, where a window has been extended
-// beyond its rays (Lower_envelope::close_gap): far from the source this is rounding, near it it is not. Vertices are measured once,
-// after the build; the propagation keeps their distances, which its windows share.
+// The distance of a point and the start of its path. Both are those of Path_starts, except near a source, where the distance is
+// the length of the traced path. A window that Lower_envelope::close_gap() has extended beyond its rays gives distances that
+// are too small by up to an allowance relative to the edges. Far from the source, the allowance is rounding of the distance;
+// near the source, it is more. Vertices are measured once, after the build. The windows share the unmeasured distances of
+// vertices, so the field keeps both.
 template <class FT>
 class Near_path
 {
 public:
-  // `measures`: paths can be traced, since windows have not been merged within a tolerance.
+  // `measures`: false if windows were merged within a tolerance; then paths cannot be traced.
   Near_path(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field, bool measures)
     : m_mesh(mesh), m_initial(initial), m_field(field), m_measures(measures)
   {
   }
 
-  // `legs`: those of this field.
+  // `legs`: the cache of path suffixes of this field.
   template <class Legs>
   FT distance(const Located_point<FT>& p, Legs& legs) const
   {
@@ -102,8 +104,8 @@ public:
     return start;
   }
 
-  // The lengths of the paths from vertices near sources, where they differ from their distances by more than rounding. No distance
-  // may be farther than `maximum`.
+  // Distances by path length of the vertices near sources for which it differs from the distance by windows by more than
+  // rounding. Vertices farther than `maximum` are left out.
   std::map<Index, FT> lengths_at_vertices(const FT& maximum) const
   {
     std::map<Index, FT> result;
@@ -133,8 +135,8 @@ private:
     return (*this)(p, legs);
   }
 
-  // An allowance of 256 units of rounding is less than 1e-12 of the distance beyond 1/16 of the edge that it is relative to; twice
-  // that, as it may be an edge of the face beside.
+  // Largest length of a measured path, as a part of the longest edge. The allowance of windows, 256 units of rounding of an
+  // edge, is less than 1e-12 of a distance of 1/16 of that edge. Twice this part also covers an edge of an adjacent face.
   static constexpr double near_part = 1. / 8;
 
   // `length`: of the path from p.
@@ -144,7 +146,7 @@ private:
     return length <= FT(near_part) * m_mesh.longest_edge() && length <= FT(near_part) * extent(p) && m_measures;
   }
 
-  // The longest edge of the faces of a point.
+  // Longest edge of the faces that contain a point.
   FT extent(const Surface_point<FT>& p) const
   {
     const auto of_face = [&](Index f) { return (std::max)({m_mesh[3 * f].length, m_mesh[3 * f + 1].length, m_mesh[3 * f + 2].length}); };
@@ -159,10 +161,10 @@ private:
   {
     Path_measurement<FT> path(m_mesh);
     Path_start<FT> bypass;
-    const bool is_vertex = p.kind == Surface_point<FT>::VERTEX; // which has its direction from the build
+    const bool is_vertex = p.kind == Surface_point<FT>::VERTEX; // the direction of its path is that of the build
     Path_tracing<FT>(m_mesh, m_initial, m_field)(p, start, legs, path, is_vertex ? nullptr : &bypass);
-    // A path that is longer by more than rounding does not tell the distance: the allowance of windows, twice, and less than 4 units
-    // for each change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
+    // A path whose length differs by more than rounding gives no distance. The limit is twice the allowance of windows plus 4
+    // units per change of the frame: a coordinate has two products and two sums, and frames are as exact as apexes.
     const FT allowance = Number_policy<FT>::rounding(512 + 4. * double(path.number_of_pieces())) * (start.distance + m_mesh.longest_edge());
     const FT error = CGAL::abs(path.length() - start.length());
     if (!(error <= allowance)) return;
@@ -192,7 +194,7 @@ private:
   const bool m_measures;
 };
 
-// The start of the path from p in a build; none beyond the distance limit.
+// Start of the path from p in a build; not reached if p is beyond the distance limit.
 template <class FT, class Build>
 Path_start<FT> start_of_path(const Unfolded_mesh<FT>& mesh, const Build& build, const Located_point<FT>& p)
 {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a straight way leads that a shortest path begins with, whether it has got there, and on which part of the source it ends.
+// The goal of the first straight part of a shortest path: a pseudo-source or a source. Tests whether the path has reached the
+// goal, and finds the part of the source on which the path ends.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOAL_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOAL_H
@@ -30,24 +31,25 @@ public:
   typedef Surface_point<FT> Surface_point_;
   typedef Suffix_end<FT> End;
 
-  // Units of rounding of an edge by which the position of a point on the edge is off: a position is a quotient of two cross products,
-  // with two roundings in each, times the length.
+  // Error of the position of a point on an edge, in units of rounding of the edge. A position is a quotient of two cross
+  // products, with two roundings in each, times the length.
   static constexpr double roundings_of_position = 8;
 
-  // Units of rounding of the distance and the largest face by which a straight way may miss its goal: the frames of the faces that
-  // it passes turn its direction.
+  // Largest distance by which a straight part of a path misses its goal through rounding, in units of rounding of the distance
+  // plus the largest face. Each change of the frame turns the direction of the path.
   static constexpr double roundings_of_way = 1 << 12;
 
-  static constexpr double nearby = 1. / (1 << 30); // part of an edge: a path so near to a vertex may be meant to pass it
+  // As a part of an edge: a path this close to a vertex may be a path through the vertex.
+  static constexpr double nearby = 1. / (1 << 30);
 
-  // By how much a straight way of the given length may miss its goal. `extent`: of the largest face that it passes.
+  // Allowance for a straight part of length `way` that misses its goal. `extent`: longest edge of the faces that it crosses.
   static FT miss(const FT& way, const Path_start<FT>& start, const FT& extent)
   {
     return FT(nearby) * way + Number_policy<FT>::rounding(roundings_of_way) * (start.distance + extent);
   }
 
-  // Where a straight way leads: to a vertex, a point in a face or on the edge between two, or to a segment. `end` has the
-  // point, and the source_ref if that is known already.
+  // The goal of a straight part: a vertex, a point in a face or on the edge of two faces, or a source segment. `end` has the
+  // point, and the source reference of a source.
   struct Goal
   {
     Index vertex = no_index, face = no_index, other_face = no_index;
@@ -86,8 +88,9 @@ public:
     return goal;
   }
 
-  // Whether a path with the given source_ref may go by a vertex, or end there: if the vertex's own path has the same source and side, or
-  // the vertex is a point of the source. Where several sources tie at the vertex, the path goes on to its own.
+  // True if a path to the given source may pass through a vertex or end there: the shortest path of the vertex has the same
+  // source and side, or the vertex is a point of the source. Where several sources tie at the vertex, a path continues to its
+  // own source.
   bool may_lead_by(Index v, Source_ref source_ref) const
   {
     if (is_source(v) && is_at_vertex(source_ref, v)) return true;
@@ -97,15 +100,15 @@ public:
 
   bool is_source(Index v) const { return m_field.is_source(v); }
 
-  // Whether the goal is a point of the face.
+  // True if the goal is a point of the closed face.
   bool is_in_face(const Goal& goal, Index face) const
   {
     if (goal.vertex != no_index) return has_corner(face, goal.vertex);
     return goal.face != no_index && (face == goal.face || face == goal.other_face);
   }
 
-  // From a face that the goal lies in, the straight way to it is the shortest, as it is the shortest in space; tells how
-  // long it is. Not for segments.
+  // True if the goal is a point of the closed face of the walk. The straight segment to it is the shortest path then, since it
+  // is the shortest in space; `distance` receives its length. Always false for source segments.
   bool is_in_sight(const Goal& goal, const Straight_walk<FT>& walk, bool is_first, FT& distance) const
   {
     if (goal.vertex != no_index)
@@ -134,7 +137,7 @@ public:
     return goal.end.is_at_source() ? m_field.start_values.of(goal.end.source_ref) : m_field.distance[goal.vertex];
   }
 
-  // Whether a point is at a vertex, up to the rounding of positions on edges.
+  // True if a point is at a vertex, up to the rounding of positions on edges.
   bool is_at(const Surface_point_& p, Index v) const
   {
     if (p.kind == Surface_point_::VERTEX) return p.element == v;
@@ -151,7 +154,8 @@ public:
     return false;
   }
 
-  // Whether a point is on the edge of h, or in its face, and at the distance t from the source of h along the edge, up to rounding.
+  // Overload for a point on a halfedge: true if p, on the edge or in the face of h, is at the distance t from the source of h,
+  // up to the rounding of positions.
   bool is_at(const Surface_point_& p, Index h, const FT& t) const
   {
     const FT& size = m_mesh[h].length;
@@ -162,15 +166,15 @@ public:
     return length(Point{p.x, p.y} - Face_frame<FT>(m_mesh, p.element).on_edge(int(h % 3), t)) <= allowance;
   }
 
-  // The end of a way that has reached its goal in the face of h, which it has entered at p or has started in at p; p and the
-  // direction of the way in the frame of h.
+  // End of a straight part that has reached its goal in the face of h. p: the point where the part enters the face or starts in
+  // it. p and `direction` are in the frame of h.
   End end_at_goal(const Goal& goal, Index h, const Point& p, const Point& direction, const Path_start<FT>& start) const
   {
     return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, direction, start);
   }
 
-  // The end of a way to a corner of the face of h. The path ends there or goes on from there. If it ends there, the windows that
-  // start in the face know the side.
+  // Overload for a straight part to a corner of the face of h, where the path ends or continues. If the path ends there, the
+  // windows that start in the face determine the side.
   End end_at_vertex(Index v, Index h, const Point& p, const Point& direction, const Path_start<FT>& start) const
   {
     const Surface_point_ at_v = Surface_point_::at_vertex(v);
@@ -191,7 +195,7 @@ public:
       arrival);
     if (arrival.is_of_known_source()) return {at_v, arrival.end.source_ref};
     if (is_at_vertex(start.source_ref, v)) return end_at_source_vertex(v, start);
-    // another part of the source may have the vertex; of several sources at the vertex, that of the way is meant
+    // Another part of the source may contain the vertex. Of several sources at the vertex, the path ends at its own.
     End_search around{start.source_ref, everywhere, FT(0), true};
     const Index from = corner_at(v, m_mesh.face(h));
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
@@ -209,7 +213,7 @@ public:
     return end_at_source_vertex(v, start);
   }
 
-  // The halfedge of the face that starts at a vertex of it.
+  // Halfedge of the face with the source v, a corner of the face.
   Index corner_at(Index v, Index face) const
   {
     Index h = 3 * face;
@@ -218,8 +222,8 @@ public:
     return h;
   }
 
-  // The same if no face is known through which the way arrives, or none of its windows starts there. Corners of polylines are on both
-  // sides of them.
+  // End at a source vertex for which no window in the face of arrival is known. The corner of a polyline is on both of its
+  // sides; the path keeps its side.
   End end_at_source_vertex(Index v, const Path_start<FT>& start) const
   {
     End end{Surface_point_::at_vertex(v), m_field.source_ref[v]};
@@ -229,19 +233,19 @@ public:
     return end;
   }
 
-  // The part of a source that contains a point at distance zero, up to rounding; not valid if there is none.
+  // Part of the source that contains p, up to rounding; invalid if there is none.
   Source_ref source_ref_at(const Surface_point_& p, const Path_start<FT>& start) const
   {
     if (p.kind == Surface_point_::VERTEX) return m_field.source_ref[p.element];
     const Source_ref source_ref = source_ref_within(p, start, 64);
-    // distances of windows are too small by up to 256 units beside gaps that were closed
+    // Distances by windows are too small by up to 256 units beside closed gaps.
     return source_ref.is_valid() ? source_ref : source_ref_within(p, start, 512);
   }
 
-  // Whether a way to a segment ends in the face that it has entered, and where. `extent`: of the largest face that was passed.
-  // Where it leads is known as exactly as its direction: the next segment, in the next face, may be meant. `has_missed`: the way
-  // has found no end as near as that; then any point of any source will do that is as near to its start: where sources coincide, and
-  // one of them ends, rounding may take the windows of one for those of the other.
+  // True if a path to a source segment ends in the face that the walk has entered; `end` receives the end. `extent`: longest
+  // edge of the crossed faces. The goal is as exact as the direction of the path, so the path may end on the next segment, in
+  // the next face. `has_missed`: no end was found within this error; then the nearest point of any source counts. Where sources
+  // coincide and one of them ends, rounding may exchange their windows.
   bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
@@ -257,8 +261,8 @@ public:
   }
 
 private:
-  // The part of a source that is nearest to a point, within some units of rounding of the edges; not valid if there is none. The
-  // source may be in another face: all faces within that distance are searched, from those of the point on.
+  // Part of the source that is nearest to p, at most `roundings` units of rounding of the edges away; invalid if there is none.
+  // The search visits all faces within this distance, starting with the faces of p.
   Source_ref source_ref_within(const Surface_point_& p, const Path_start<FT>& start, double roundings) const
   {
     struct Visit
@@ -300,14 +304,14 @@ private:
     return Source_ref();
   }
 
-  // A straight way from `first` to `last` in a face, or beyond it in its plane. `before` is the first point, or one farther back on
-  // the way if the first is so near to the last one that rounding hides on which side of a segment it is.
+  // A straight segment of the path from `first` to `last`, in the plane of a face. `before`: the first point, or a point
+  // farther back if rounding hides the side of a source segment on which the first point lies.
   struct Way
   {
     Point first, last, before;
   };
 
-  // Of a way as long as a distance that has the given direction.
+  // Makes the segment from p to q, of a path with the given direction and length.
   static Way way_in(const Face_frame<FT>& frame, const Point& p, const Point& q, const Point& direction, const FT& distance)
   {
     Way way{p, q, p};
@@ -320,17 +324,18 @@ private:
     return way;
   }
 
-  // Units of rounding of the longest edge of a face up to which rays reach a point, whatever their cone says.
+  // Largest distance of a point from a cone whose rays reach the point up to rounding, in units of rounding of the longest
+  // edge.
   static constexpr double reach_roundings = 64;
 
-  // Where a way comes from: so far before a segment, the point is reached by rays of one side only, unless the way runs along
-  // the segment up to an angle of 2^-10.
+  // Distance of `Way::before` from a source segment, in the same units. Rays of one side only reach a point so far away, unless
+  // the path meets the segment at an angle of less than 2^-10.
   static constexpr double clear_roundings = 1024 * reach_roundings;
 
-  // The end of a straight way from p to q in a face: the source point that is nearest to q, no farther from q than `nearest` and
-  // from p than `longest`. Windows of segments in one line become one, and sources may coincide, so that several parts of sources
-  // may be there: a part whose rays reach p comes first, then one of the same source as the source_ref of the way, then of the same
-  // side. `only_known_source`: parts of other sources do not count.
+  // Search for the end of a segment of the path from p to q in a face: the source point nearest to q, at most `nearest` from q
+  // and at most `longest` from p. Several parts of sources may tie, since windows of collinear segments merge and sources may
+  // coincide. A part whose rays reach p is preferred, then a part of the source `known`, then a part of its side.
+  // `only_known_source`: parts of other sources do not count.
   struct End_search
   {
     const Source_ref known;
@@ -345,10 +350,10 @@ private:
   };
   enum End_preference
   {
-    CORNER = 1, // rather than a segment whose rays do not reach the start of the way
+    CORNER = 1, // a corner is preferred to a segment whose rays do not reach p
     KNOWN_PRIMITIVE = 2,
     KNOWN_SIDE = 4,
-    ON_ITS_SIDE = 8, // the way comes from there
+    ON_ITS_SIDE = 8, // the path arrives on the side of the part
     KNOWN_SOURCE = 16,
     RAYS_REACH_IT = 32
   };
@@ -359,7 +364,8 @@ private:
     typedef typename Interval_filter<FT>::Bound Bound;
     const Bound limit = Interval_filter<FT>::upper_bound(estimate(search.nearest));
     const FT allowance = Number_policy<FT>::rounding(reach_roundings) * frame.longest_edge();
-    // Calls f(source_ref, foot, its distance from q, whether the way comes from that side, whether rays of the source_ref reach it).
+    // Calls f(source reference, foot, distance of the foot from q, true if the path arrives on this side, true if the rays
+    // reach p).
     const auto for_each_candidate = [&](const auto& f) {
       const auto consider = [&](Source_ref source_ref, const Face_window<FT>* window) {
         const Source_place<FT>& place = m_initial.places[source_ref.primitive()];
@@ -399,7 +405,7 @@ private:
     });
   }
 
-  // Whether rays of a window reach p, up to a distance; if numbers are exact, by estimates.
+  // True if rays of a window reach p, up to the allowance; with exact numbers, decided by estimates.
   static bool may_reach(const Face_window<FT>& w, const Point& p, const FT& allowance)
   {
     if constexpr (Interval_filter<FT>::leaves_open)
@@ -410,7 +416,7 @@ private:
 
   Index source_of(Source_ref source_ref) const { return m_initial.source_of[source_ref.primitive()]; }
 
-  // Whether a source_ref is a point at a vertex, or a segment with an end there.
+  // True for a point source at a vertex, and for a segment with an end there.
   bool is_at_vertex(Source_ref source_ref, Index v) const
   {
     const Source_place<FT>& place = m_initial.places[source_ref.primitive()];
@@ -433,14 +439,15 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // The nearest point of a point or segment to the first point p of a way. Where rounding leaves several, it is the nearest of them
-  // to the last point q: the direction of a segment is known up to the rounding of its ends over its length.
+  // Point of a source part that is nearest to the first point p of a segment of the path. Of the points that tie through
+  // rounding, it is the nearest to the last point q: the direction of a source segment has the error of its ends divided by its
+  // length.
   struct Foot
   {
     Surface_point_ point;
     Point position;
-    bool is_left = true, is_right = true; // whether the way may come from there, seen along the segment
-    bool is_beside = true;                // whether p may be between the normals at the ends of the segment
+    bool is_left = true, is_right = true; // true if the path may arrive on this side, seen along the segment
+    bool is_beside = true;                // true if p may lie between the normals at the ends of the segment
   };
 
   Foot foot_in(Index face, const Face_frame<FT>& frame, const Way& way, Index primitive) const

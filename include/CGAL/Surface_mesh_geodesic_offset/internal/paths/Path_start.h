@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The distance of a point, and how the shortest path begins there: at a vertex as the propagation has left it, elsewhere
-// by the windows of the faces around.
+// The distance of a point and the first straight part of its shortest path: at a vertex by the backtrace of the propagation,
+// elsewhere by the windows of the adjacent faces.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_START_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_START_H
@@ -18,23 +18,23 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The decision from which all answers at a point are derived: by which window, or vertex, the shortest path starts. The path goes
-// from `from` straight to `to`, in the frame of a halfedge of the face where it starts: up to the pseudo-source, or to the source
-// if there is none. Path_tracing follows it to its end.
+// The window or vertex by which the shortest path of a point starts. All query results derive from this choice. In the frame of
+// a halfedge of the first face, the path runs straight from `from` to `to`: to the pseudo-source, or to the source if there is
+// no pseudo-source. Path_tracing follows the path to its end.
 template <class FT>
 struct Path_start
 {
   FT distance = Number_policy<FT>::infinity();
   FT start_value = FT(0); // of the source
-  Source_ref source_ref; // of the window: the source and the side; the end of the path tells the part of the source
+  Source_ref source_ref;  // source and side of the window; the part of the source is known at the end of the path only
   Index pseudo_source = no_index;
-  Index halfedge = no_index; // none at a source and where the distance is infinite
-  int exit = -1;             // the edge, counted from that halfedge, that the path leaves through, if it leaves the face
-  Index edge = no_index;     // a halfedge on which the point lies, if it lies inside an edge
+  Index halfedge = no_index; // of the first face; no_index at a source and at infinite distance
+  int exit = -1;             // edge through which the path leaves the face, counted from the halfedge; -1 if it does not leave
+  Index edge = no_index;     // halfedge on which the point lies, for a point inside an edge
   Point_in_face<FT> from, to;
-  Point_in_face<FT> direction; // of the path, of any length: beside a source `to` - `from` loses its digits
-  bool is_measured = false;    // the distance is the length of the path itself
-  FT distance_of_windows = FT(0); // of a measured path, which starts and ends as this distance tells
+  Point_in_face<FT> direction;    // not normalized; near a source, `to` - `from` loses its digits
+  bool is_measured = false;       // true if the distance is the length of the traced path
+  FT distance_of_windows = FT(0); // of a measured path: the distance with which it is traced
 
   bool is_reached() const { return Number_policy<FT>::is_finite(distance); }
 
@@ -62,7 +62,7 @@ public:
   {
   }
 
-  // Other points than vertices need kept windows.
+  // Precondition: windows are kept, or p is a vertex.
   Path_start<FT> operator()(const Located_point<FT>& p) const
   {
     if (p.kind == Surface_point<FT>::VERTEX) return at_vertex(p.element);
@@ -90,7 +90,7 @@ public:
     if constexpr (!Number_policy<FT>::is_inexact)
       if (dot(u, u) != FT(1))
       {
-        start.to = u; // the way itself: only directions of parallel rays and of edges are unit vectors
+        start.to = u; // the vector to the image; only parallel rays and edges have unit vectors
         return start;
       }
     FT way = start.length();
@@ -121,14 +121,14 @@ private:
   struct Nearest : Nearest_kept_window<FT>
   {
     FT distance = Number_policy<FT>::infinity();
-    FT by_corner = Number_policy<FT>::infinity(); // the shortest way by a corner
+    FT by_corner = Number_policy<FT>::infinity(); // length of the shortest path through a corner
     int corner = 0;
-    bool is_near_source = false; // something starts in the face
+    bool is_near_source = false; // true if a source lies in the face
     FT start_value = FT(0);      // of the source in the face with the shortest straight path
     Per_corner<Point> q;        // the point in the frames of the face's halfedges
   };
 
-  // From kept windows, without making them. Of ways that tie, a straight one tells the distance best.
+  // Reads the packed windows. Of paths that tie, a straight path has the most precise distance.
   Nearest nearest_in(Index face, const Per_corner<FT>& w) const
   {
     Nearest n;
@@ -149,7 +149,7 @@ private:
       }
     }
     const FT extent = m_mesh[h].length + m_mesh[h + 1].length + m_mesh[h + 2].length;
-    // no corner of a face with a source is farther than that
+    // Upper bound of the distances of the corners of a face that contains a source.
     if (!is_reached || d[0] <= extent + m_field.start_values.largest()) look_at_sources(face, n);
     const FT nearby = Number_policy<FT>::is_inexact ? FT(1. / (1 << 20)) : FT(0);
     m_field.kept.find_nearest(face, n.q, FT(nearby * (n.by_corner + extent)), m_field.distance, n);
@@ -173,7 +173,7 @@ private:
            : starts.of(m_field.kept.rays_of_window(n.window, m_field.distance, m_field.source_ref).source_ref);
   }
 
-  // A point of a segment may be behind both of its sides: its ends are known up to the rounding of the edges that they are on.
+  // A point of a source segment may lie behind both of its sides, since the ends of the segment are rounded.
   void look_at_sources(Index face, Nearest& n) const
   {
     const auto local = local_windows(m_initial, face);
@@ -193,7 +193,7 @@ private:
     }
   }
 
-  // The start without more ado if one window, or one corner, is known to be the right one.
+  // Sets the start if one window or one corner is certainly the nearest. Returns false if a closer look is needed.
   bool starts_clearly(const Located_point<FT>& p, const Nearest& n, Path_start<FT>& start) const
   {
     if (!Number_policy<FT>::is_finite(n.distance)) return true;
@@ -250,13 +250,13 @@ private:
       field.set_face_at(f, q, distance);
       choose(field, q, edge, start, choice);
     });
-    // images of merged windows may be so far away that they tell the distance with more rounding than ties are allowed
+    // The image of a merged window may be so far away that the rounding of the distance exceeds that of ties.
     if (choice.preference < 0)
       for_each_face(p, [&](Index f, const Point& q, int edge) {
         field.set_face(f);
         choose(field, q, edge, start, choice);
       });
-    // in a face that has the pseudo-source, the way goes straight to it, whatever image a window in a needle has
+    // In a face with the pseudo-source as a corner, the path leads straight to the corner; in needles, images are less precise.
     if (start.pseudo_source != no_index && start.halfedge % 3 == 0)
       for (int k = 0; k < 3; ++k)
         if (const Index h = start.halfedge + Index(k); m_mesh.source(h) == start.pseudo_source)
@@ -265,7 +265,7 @@ private:
           lead_by_vertex(h, frame.vector_to_halfedge(k, start.from - frame.corner(k)), start);
           return start;
         }
-    // through the edge that the point is on: the path starts on the other side
+    // A path through the edge of the point starts in the face on the other side.
     if (start.exit != -1 && p.kind == Surface_point<FT>::EDGE && !goes_along_edge(start))
     {
       Straight_walk<FT> walk(m_mesh, start.halfedge, start.from, start.to);
@@ -290,17 +290,17 @@ private:
     FT length = Number_policy<FT>::infinity();
   };
 
-  // Of the windows in a face the one by which a path from q, which is on an edge or not, starts best.
+  // Chooses the window of a face by which the path from q starts. `edge`: number of the edge that contains q, or -1.
   void choose(const Face_field<FT>& field, const Point& q, int edge, Path_start<FT>& start, Choice& best) const
   {
     for (std::size_t i = 0; i < field.windows().size(); ++i)
     {
       const Face_window<FT>& w = field.windows()[i];
       const FT d = w.path_length(q);
-      // a path that leaves the face there is one of the other face, which may be much smaller, and its rounding with it
+      // A path that leaves through the edge of q belongs to the other face, which may be smaller and have less rounding.
       const bool stays = edge == -1 || int(w.edge) != edge || w.origin > ENTERS_HALFEDGE_2;
       const bool ties = field.tie(d, start.distance), is_straight = field.contains(i, q);
-      // a straight path is better than one round the end of a window that is shorter by rounding
+      // A straight path is preferred to a path around the end of a window that is shorter by rounding.
       const bool may_start = ties || (is_straight && field.tie_in_margin(d, start.distance));
       const int preference = may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) +
                                          2 * int(field.preference(i, q) & 1) + int(stays) : -1;
@@ -310,7 +310,8 @@ private:
     }
   }
 
-  // The way may lie in the edge, up to rounding. Then it leads by the vertex at the end, if this gives as short a way.
+  // Replaces a path that runs along an edge, up to rounding, by the path through the vertex at the end of the edge, if both
+  // have the same length. Returns true if it does so.
   bool goes_along_edge(Path_start<FT>& start) const
   {
     const Index h = 3 * m_mesh.face(start.halfedge) + Index(start.exit), n = m_mesh.next(h);
@@ -318,12 +319,12 @@ private:
     const FT& edge = m_mesh[h].length;
     const FT from = frame.along(start.exit, start.from), to = frame.along(start.exit, start.to);
     const FT allowance = Number_policy<FT>::rounding(256) * (start.distance + edge);
-    if (CGAL::abs(frame.height(start.exit, start.from)) > allowance) return false; // the point is on another edge
+    if (CGAL::abs(frame.height(start.exit, start.from)) > allowance) return false; // a point of another edge
     if (CGAL::abs(frame.height(start.exit, start.to)) > allowance) return false;
     const bool ahead = to > from;
     const FT way = ahead ? FT(edge - from) : from;
     const Index v = ahead ? m_mesh.target(h) : m_mesh.source(h);
-    // rays from sources are among the windows
+    // Rays from source vertices are among the windows.
     const FT& d = m_field.distance[v];
     if (m_field.is_source(v) || CGAL::abs(FT(d + way - start.distance)) > allowance) return false;
     if (ahead)
@@ -333,7 +334,7 @@ private:
     return true;
   }
 
-  // From a point in the frame of h to the source of h.
+  // Sets the path from a point, in the frame of h, to the source vertex of h.
   void lead_by_vertex(Index h, const Point& from, Path_start<FT>& start) const
   {
     const Index v = m_mesh.source(h);
@@ -351,7 +352,7 @@ private:
     start.start_value = m_field.start_values.of(source_ref);
   }
 
-  // The image of the window, from `from` and at the distance that are known.
+  // Sets the goal, the image of the window. `from` and the distance must be set.
   static void set_goal(Path_start<FT>& start, const Point& image, bool is_parallel)
   {
     start.direction = is_parallel ? image : image - start.from;

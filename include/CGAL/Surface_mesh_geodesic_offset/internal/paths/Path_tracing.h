@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A shortest path back to the source: straight on through the unfolded faces, from pseudo-source to pseudo-source. It takes
-// windows only where it starts, and none at all at a vertex.
+// Traces a shortest path back to the source: straight through the unfolded faces, from pseudo-source to pseudo-source. Windows
+// are read at the start of the path only, and not at all if it starts at a vertex.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_TRACING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_TRACING_H
@@ -36,9 +36,9 @@ public:
 
   typedef Suffix_end<FT> End;
 
-  // Hands the path from p out, which starts as told: see Path_output.h. `legs`: those of this field, which must be final.
-  // Returns where it ends: the point is that of p for a point of a source. Nothing if p is not reached. `bypass`: receives the start
-  // if the path turns out to start otherwise, see find_bypass().
+  // Writes the path from p to `out`, see Path_output.h, and returns its end: p itself for a point of a source, an empty end if
+  // p is not reached. `first`: the start of the path. `legs`: the cache of path suffixes of this field, which must be final.
+  // `bypass`: receives a corrected start, see find_bypass().
   template <class Point_, class Legs, class Output>
   End operator()(const Point_& p, const Path_start<FT>& first, Legs& legs, Output& out, Path_start<FT>* bypass = nullptr) const
   {
@@ -76,7 +76,7 @@ public:
     return {Surface_point_::at_vertex(v), m_field.source_ref[v]};
   }
 
-  // If a path from v goes along an edge first, changes its backtrace to lead to the end of that edge. Returns whether it does.
+  // If the path from v first runs along an edge, changes its backtrace to lead to the end of this edge, and returns true.
   bool find_backtrace(Index v, Backtrace<FT>& back, Source_ref& source_ref) const
   {
     if (back.corner == no_index || starts_within_face(v, back.corner)) return false;
@@ -101,8 +101,8 @@ public:
   }
 
 private:
-  // Whether a path from v that starts in the face of h is known not to lead to another corner of it, as most do not: at one
-  // glance, and therefore with more allowance than where that is decided.
+  // True if the path from v, which starts in the face of h, certainly does not lead to another corner of the face. This is a
+  // cheap filter with a larger allowance than the decision in find_backtrace().
   bool starts_within_face(Index v, Index h) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return (void)v, (void)h, false;
@@ -112,22 +112,22 @@ private:
            m_field.distance[previous.origin] + previous.length > limit;
   }
 
-  // The end of the path from a point of a source is the point itself.
+  // End of the path from a point of a source: the point itself.
   End end_at_source(const Surface_point_& p, const Path_start<FT>& start) const
   {
     const Source_ref source_ref = m_goals.source_ref_at(p, start);
     return {p, source_ref.is_valid() ? source_ref : start.source_ref};
   }
 
-  // The vertex by which the way is the shortest, of those passed, and how many points have been passed before.
+  // The passed vertex through which the path is shortest, and the number of points passed before it.
   struct Detour
   {
     FT length = Number_policy<FT>::infinity();
     Index vertex = no_index;
     std::size_t passed = 0;
-    Index halfedge = no_index; // of the face that has the vertex, and where the way is there, in the frame of the halfedge
-    Point position{FT(0), FT(0)}, direction{FT(0), FT(0)}, goal{FT(0), FT(0)}; // the goal of the way
-    int corner = 0; // the vertex, counted from the halfedge
+    Index halfedge = no_index; // of a face with the vertex; the walk in its frame:
+    Point position{FT(0), FT(0)}, direction{FT(0), FT(0)}, goal{FT(0), FT(0)};
+    int corner = 0; // number of the vertex, counted from the halfedge
   };
 
   static constexpr double nearby = Path_goals<FT>::nearby;
@@ -139,8 +139,9 @@ private:
     else return (void)legs, (void)v, nullptr;
   }
 
-  // Goes straight on to the source, the pseudo-source, or a vertex that is on the way up to rounding and whose own shortest path
-  // has the same source and side. If the way misses where it should lead, it goes by the best vertex that it passes, of any source.
+  // Follows a straight part of the path to the source, to the pseudo-source, or to a vertex that is on the path up to rounding
+  // and whose shortest path has the same source and side. A part that misses its goal ends at the best vertex that it passes,
+  // of any source.
   template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, Path_start<FT>* bypass = nullptr) const
   {
@@ -159,14 +160,15 @@ private:
     return end;
   }
 
-  // The last point that was passed: a vertex, or at a position on a halfedge.
+  // The last point passed: a vertex, or a position on a halfedge.
   struct Last_passed
   {
     Index vertex = no_index, halfedge = no_index;
     FT position = FT(0);
   };
 
-  // `bypass`: null, or receives the way that find_bypass() has found, if it was taken.
+  // `has_missed`: true for the second attempt, after the first one has missed the goal. `bypass`: null, or receives the start
+  // that find_bypass() has found, if the path was traced from it.
   template <class Passed>
   End follow(const Path_start<FT>& start, Passed& passed, bool has_missed, Last_passed& last_passed, Path_start<FT>* bypass) const
   {
@@ -176,7 +178,7 @@ private:
     Point from = start.from, to = start.to, direction = start.direction;
     bool is_under_way = false;
     passed.set_apart(0);
-    // not with exact numbers, of which strips make long expressions
+    // Not for exact numbers, for which strips build long expressions.
     if (Number_policy<FT>::is_inexact && !has_missed && start.exit != -1 && !is_one_edge(exit_of(start), start.edge) &&
         !m_goals.is_in_face(goal, m_mesh.face(h)))
     {
@@ -204,8 +206,8 @@ private:
     const auto end_at_corner = [&](int k) {
       return m_goals.end_at_vertex(walk.vertex(k), walk.halfedge(), walk.position(), walk.direction(), start);
     };
-    // Of the largest face that was passed, whose rounding the way has. The walk through the strip does not measure its faces; the
-    // first one may be the largest.
+    // Longest edge of the crossed faces, which determines the rounding. The walk through the strip does not measure its faces;
+    // the first face may be the largest.
     FT extent = walk.extent();
     if (is_under_way) extent = (std::max)(extent, FT(m_mesh[start.halfedge].length + m_mesh[m_mesh.next(start.halfedge)].length));
     const Index limit = Index(m_mesh.number_of_halfedges());
@@ -223,7 +225,7 @@ private:
           return end_at_goal();
         break;
       }
-      if (!is_first) exit = walk.exit(); // not before: a goal in sight may lie exactly on the way
+      if (!is_first) exit = walk.exit(); // not earlier: a goal in sight may lie exactly on the path
       auto crossing = walk.crossing(exit);
       const FT beside = m_goals.miss(reach, start, extent);
       if (crossing.goal.y <= beside)
@@ -246,11 +248,11 @@ private:
           return end;
         }
         if (crossing.goal.y < -beside) break;
-        // the goal may lie before the edge, up to rounding: no farther than to the goal
+        // The goal may lie before the edge, up to rounding; the crossing is next to the goal then.
         if (CGAL::is_negative(crossing.goal.y)) crossing.t = (std::max)(FT(0), (std::min)(crossing.goal.x, crossing.length));
       }
       const Index beyond = walk.beyond(exit);
-      // the corners that have not been looked at
+      // The corners that were not examined yet.
       if (is_first)
       {
         const int source = exit, target = (exit + 1) % 3;
@@ -261,13 +263,13 @@ private:
       else if (passes(walk, 2, exit, crossing, start, goal, has_missed))
         return end_at_corner(2);
       if (beyond == no_index) break;
-      // vertices in the way that the path passes by, but not as closely as to start from there anew
+      // A vertex at the crossing, which the path does not use as a new start.
       const FT rounding = Number_policy<FT>::rounding(Path_goals<FT>::roundings_of_position) * crossing.length;
       const Index v = crossing.t <= rounding                     ? walk.vertex((exit + 1) % 3)
                       : crossing.t >= crossing.length - rounding ? walk.vertex(exit)
                                                                  : no_index;
       if (is_one_edge(beyond, start.edge) && is_first)
-        last_passed = {}; // rounding crosses the edge that the path starts from
+        last_passed = {}; // through rounding, the path crosses the edge on which it starts
       else
       {
         if (v == no_index)
@@ -302,7 +304,7 @@ private:
     return goal.end;
   }
 
-  // Follows another way, which *bypass then has, if it ends at a source. Else nothing is passed.
+  // Follows the path from another start. If it ends at a source, *bypass receives the start; otherwise no point is passed.
   template <class Passed>
   End follow_instead(const Path_start<FT>& other, Passed& passed, Last_passed& last_passed, Path_start<FT>* bypass) const
   {
@@ -319,12 +321,12 @@ private:
     return End();
   }
 
-  // The start of a way to another goal, which is given beside the old one in the frame that a walk has reached; the direction is that
-  // of the walk there.
+  // Start of the path to another goal. `goal`, `old_goal` and `direction`: both goals and the direction of the walk, in the
+  // frame that the walk has reached.
   static Path_start<FT> aimed_at(const Point& goal, const Path_start<FT>& start, const Point& old_goal, const Point& direction)
   {
     const Point along = (FT(1) / length(direction)) * direction, off = goal - old_goal;
-    const Point turned{dot(along, off), cross(along, off)}; // where the way runs along the x axis
+    const Point turned{dot(along, off), cross(along, off)}; // in a frame with the x axis along the path
     const Point there = (FT(1) / length(start.direction)) * start.direction;
     Path_start<FT> other = start;
     other.to = start.to + Point{there.x * turned.x - there.y * turned.y, there.y * turned.x + there.x * turned.y};
@@ -332,9 +334,9 @@ private:
     return other;
   }
 
-  // Where a source lies beside a vertex, the direction towards it may be known so badly that the way passes the vertex on the wrong
-  // side. From the vertex, the source is known: makes `other` the straight way to where the shortest path of the vertex ends, if it
-  // is shorter than that by the vertex.
+  // Next to a source, the direction of the path may be so imprecise that the path passes a vertex on the wrong side. The path
+  // of the vertex to the source is precise. If the straight path to the end of the vertex's path is shorter than the path
+  // through the vertex, `other` receives its start, and the result is true.
   bool find_bypass(const Path_start<FT>& start, const Detour& detour, Path_start<FT>& other) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return (void)start, (void)detour, (void)other, false;
@@ -356,7 +358,7 @@ private:
       Point u = rest.to;
       if (!turn_to_corner(m_mesh, rest.halfedge, 3 * m_mesh.face(detour.halfedge) + Index(corner), ccw, u)) continue;
       const Point goal = vertex + from_corner(u), way = goal - begin;
-      // the vertex is on the left of a way that passes it counterclockwise
+      // A path that passes the vertex counterclockwise has the vertex on its left.
       const FT side = cross(way, vertex - begin), l = length(way) + rest.start_value;
       if ((ccw ? CGAL::is_negative(side) : CGAL::is_positive(side)) || !(l < shortest)) continue;
       shortest = l;
@@ -373,9 +375,9 @@ private:
 
   bool is_one_edge(Index g, Index h) const { return h != no_index && (g == h || m_mesh.twin(h) == g); }
 
-  // Whether the walk passes corner k, an end of the edge that it leaves through, so closely that the way by it is as short as the
-  // rest of the path, straight on; if numbers are exact, whether it meets the corner. Of the same source and side, unless the walk
-  // has missed its goal.
+  // True if the walk passes corner k, an end of its exit edge, so closely that the path through the corner is as short as the
+  // straight one; with exact numbers, if the walk meets the corner. The corner must have the same source and side, unless the
+  // walk has missed its goal.
   bool passes(const Straight_walk<FT>& walk, int k, int exit, const typename Straight_walk<FT>::Crossing& crossing,
               const Path_start<FT>& start, const typename Path_goals<FT>::Goal& goal, bool has_missed) const
   {
