@@ -275,6 +275,9 @@ public:
     search();
     if (m_is_beyond || m_distance > m_field.maximum) return Farthest<FT>{m_field.maximum, no_index, {}};
     if (m_face == no_index) return std::nullopt;
+    // Vertices near sources were measured since, and the result is not nearer than any of them.
+    for (const auto& [v, d] : m_field.path_length)
+      if (m_distance < d) set_vertex(m_mesh.face(m_mesh.corner(v)), int(m_mesh.corner(v) % 3), d);
     return Farthest<FT>{m_distance, m_face, m_weights};
   }
 
@@ -326,13 +329,18 @@ private:
       if (d > m_field.maximum) m_is_beyond = true;
       else if (Number_policy<FT>::is_finite(d) && (m_face == no_index || m_distance < d))
       {
-        m_distance = d;
-        m_face = f;
-        m_weights = {FT(0), FT(0), FT(0)};
-        m_weights[k] = FT(1);
+        set_vertex(f, k, d);
         m_search.raise(approximate(d));
       }
     }
+  }
+
+  void set_vertex(Index f, int k, const FT& d)
+  {
+    m_distance = d;
+    m_face = f;
+    m_weights = {FT(0), FT(0), FT(0)};
+    m_weights[k] = FT(1);
   }
 
   // Upper bound of the distances in a face: a corner's distance plus the longer edge there. Infinite if no corner has a
