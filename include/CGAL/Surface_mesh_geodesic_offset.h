@@ -451,7 +451,8 @@ public:
     namespace internal = Geodesic_offset::internal;
     internal::check_named_parameters<internal::Build_parameters, NamedParameters>();
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>>(data().traits);
+    constexpr bool may_search = internal::has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters>;
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, may_search>(data().traits);
     internal::report(fresh->statistics, np);
     return m_field = field_of(fresh);
   }
@@ -482,7 +483,7 @@ public:
     const bool grows = can_grow && sources.extends(b.sources);
     const auto fresh =
       grows ? std::make_shared<Build>(b, sources, r) : std::make_shared<Build>(data().unfolded(), sources, r);
-    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>>(data().traits);
+    fresh->template propagate<internal::Concurrency_tag_of<NamedParameters>, true>(data().traits);
     internal::report(fresh->statistics, np);
     if (!fresh->is_cancelled) m_field = field_of(fresh);
     return m_field;
@@ -543,8 +544,9 @@ public:
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
     if (fresh->is_approximate())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
-    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>>(data(), *fresh, wanted,
-                                                                               internal::Offset_selection(np), f);
+    constexpr bool may_search = internal::has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters>;
+    internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, may_search>(
+      data(), *fresh, wanted, internal::Offset_selection(np), f);
     internal::report(fresh->statistics, np);
     m_field = field_of(fresh);
   }

@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_set.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <CGAL/assertions.h>
+
 #include <chrono>
 #include <optional>
 #include <vector>
@@ -50,54 +52,38 @@ public:
     field.start_from(before.field, initial.start_values);
   }
 
-  // Propagates without a consumer of finalized faces.
-  template <class Concurrency_tag = Sequential_tag>
+  // Propagates without a consumer of finalized faces. `may_search`: false if the request is known to need no farthest point; the
+  // search is not instantiated then.
+  template <class Concurrency_tag = Sequential_tag, bool may_search = false>
   void propagate(const Traits& traits)
   {
     Nothing nothing;
-    run<Concurrency_tag>(traits, nothing);
+    run<Concurrency_tag, may_search>(traits, nothing);
   }
 
   // Propagates and hands finished faces to a consumer: consumer.take(faces, team), and then consumer.settle(distance), where
   // the distances up to `distance` are final. The lists of the faces are there if Consumer::reads_lists.
-  template <class Concurrency_tag, class Consumer>
+  template <class Concurrency_tag, bool may_search = false, class Consumer>
   void run(const Traits& traits, Consumer& consumer)
   {
     const Clock::time_point start = Clock::now();
-    const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
-    typedef typename Concurrency<Concurrency_tag, FT>::Tag Tag;
-    Wavefront<Traits, Tag> front(m_mesh, initial, traits, maximum, kept, Consumer::reads_lists, field, m_request.tolerance);
-    std::size_t next_target = 0;
-    const auto goes_on = [&](const FT& distance, std::size_t passed) {
-      const auto& targets = m_request.targets;
-      while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
-      has_all_targets = !targets.empty() && next_target == targets.size();
-      if (has_all_targets) return false;
-      is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
-      return !is_cancelled;
-    };
-    std::optional<Farthest_point<FT>> search;
-    if (m_request.finds_farthest) search.emplace(m_mesh, initial, field);
-    // An update passes on only the faces that it improves.
-    const bool searches_on_the_way = search && m_first_new == 0;
-    Searching_consumer<Consumer> searching{searches_on_the_way ? &*search : nullptr, consumer};
-    front.run(searching, goes_on, m_first_new);
-    maximum = front.maximum();
-    if (front.merging().is_on()) take_errors(front.merging(), front.merging_counts());
-    else if (front.has_bent_paths()) follow_ways_back();
-    statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
-    statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
-    statistics.windows_created = front.counts().windows_created;
-    statistics.windows_propagated = front.counts().windows_propagated;
-    statistics.windows_peak = field.lists.peak();
-    field.release_front();
-    field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
-    if (search)
+    CGAL_precondition(may_search || !m_request.finds_farthest);
+    if constexpr (may_search)
     {
-      if (!searches_on_the_way) search->add_all();
-      farthest = search->result();
-      statistics.faces_searched = search->number_of_searched_faces();
+      std::optional<Farthest_point<FT>> search;
+      if (m_request.finds_farthest) search.emplace(m_mesh, initial, field);
+      // An update passes on only the faces that it improves.
+      const bool searches_on_the_way = search && m_first_new == 0;
+      Searching_consumer<Consumer> searching{searches_on_the_way ? &*search : nullptr, consumer};
+      run_front<Concurrency_tag>(traits, searching);
+      if (search)
+      {
+        if (!searches_on_the_way) search->add_all();
+        farthest = search->result();
+        statistics.faces_searched = search->number_of_searched_faces();
+      }
     }
+    else run_front<Concurrency_tag>(traits, consumer);
     statistics.kept_bytes = field.kept.bytes();
     statistics.propagation_seconds = seconds_since(start);
     if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);
@@ -126,6 +112,34 @@ private:
   typedef std::chrono::steady_clock Clock;
 
   static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  template <class Concurrency_tag, class Consumer>
+  void run_front(const Traits& traits, Consumer& consumer)
+  {
+    const std::size_t signs = Sign_decisions<FT>::all(), exact_signs = Sign_decisions<FT>::exact();
+    typedef typename Concurrency<Concurrency_tag, FT>::Tag Tag;
+    Wavefront<Traits, Tag> front(m_mesh, initial, traits, maximum, kept, Consumer::reads_lists, field, m_request.tolerance);
+    std::size_t next_target = 0;
+    const auto goes_on = [&](const FT& distance, std::size_t passed) {
+      const auto& targets = m_request.targets;
+      while (next_target < targets.size() && is_final(front, targets[next_target], distance)) ++next_target;
+      has_all_targets = !targets.empty() && next_target == targets.size();
+      if (has_all_targets) return false;
+      is_cancelled = m_request.goes_on && !m_request.goes_on(double(passed) / double(m_mesh.number_of_faces()));
+      return !is_cancelled;
+    };
+    front.run(consumer, goes_on, m_first_new);
+    maximum = front.maximum();
+    if (front.merging().is_on()) take_errors(front.merging(), front.merging_counts());
+    else if (front.has_bent_paths()) follow_ways_back();
+    statistics.sign_decisions = Sign_decisions<FT>::all() - signs;
+    statistics.exact_decisions = Sign_decisions<FT>::exact() - exact_signs;
+    statistics.windows_created = front.counts().windows_created;
+    statistics.windows_propagated = front.counts().windows_propagated;
+    statistics.windows_peak = field.lists.peak();
+    field.release_front();
+    field.path_length = Near_path<FT>(m_mesh, initial, field, !is_approximate()).lengths_at_vertices(maximum);
+  }
 
   // Consumer that ignores finalized faces.
   struct Nothing

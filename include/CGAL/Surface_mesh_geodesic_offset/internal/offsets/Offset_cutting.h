@@ -142,14 +142,14 @@ void cut_all_faces(const Unfolded_mesh<FT>& mesh, const Build& build, const Offs
   extraction.release_all(build.maximum, out);
 }
 
-// Propagates, and calls f(distance, curves) for each level.
-template <class Concurrency_tag, class Surface, class Build, class Function>
+// Propagates, and calls f(distance, curves) for each level. `may_search` as in Geodesic_build::propagate().
+template <class Concurrency_tag, bool may_search = false, class Surface, class Build, class Function>
 void propagate_and_cut(const Geodesic_mesh_data<Surface>& mesh, Build& build,
                        const Offset_levels<typename Surface::Number>& levels, const Offset_selection& selection, Function& f)
 {
   const auto output = make_curve_output(mesh, build, levels, selection, f);
   Level_cutter<typename Surface::Number, std::decay_t<decltype(output)>> cutter(mesh.unfolded(), build, levels, output);
-  build.template run<Concurrency_tag>(mesh.traits, cutter);
+  build.template run<Concurrency_tag, may_search>(mesh.traits, cutter);
   cutter.finish(build.maximum, build.statistics);
   output.finish();
 }
