@@ -24,8 +24,23 @@ namespace test_lower_envelope {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh_geodesic_offset_traits<Kernel, CGAL::Surface_mesh<Kernel::Point_3>> Traits;
 typedef CGAL::Geodesic_offset::internal::Window<double> Window;
-typedef CGAL::Geodesic_offset::internal::Lower_envelope<Traits> Envelope;
 typedef std::vector<Window> Windows;
+
+// Returns copies.
+class Envelope : public CGAL::Geodesic_offset::internal::Lower_envelope<Traits>
+{
+  typedef CGAL::Geodesic_offset::internal::Lower_envelope<Traits> Base;
+
+public:
+  using Base::Base;
+
+  template <class... Arguments>
+  Windows operator()(const Arguments&... arguments)
+  {
+    const auto& envelope = Base::operator()(arguments...);
+    return Windows(envelope.begin(), envelope.end());
+  }
+};
 
 class Random
 {
@@ -268,7 +283,7 @@ void test_gaps()
   const double infinity = std::numeric_limits<double>::infinity();
   Windows list = {point_window(0.5, 0, 0.4999), point_window(0.5 + 2e-10, 0.5001, 1)};
   const auto reduced = [&](double passed) {
-    return Windows(envelope(list.data(), list.data() + list.size(), 1, nullptr, nullptr, Envelope::End(), Envelope::End(), passed));
+    return envelope(list.data(), list.data() + list.size(), 1, nullptr, nullptr, Envelope::End(), Envelope::End(), passed);
   };
   const Windows open = reduced(0.9);
   CHECK(open.size() == 2 && open[0].b1 == 0.4999 && open[1].b0 == 0.5001);
@@ -295,7 +310,7 @@ void test_gaps()
     if (is_propagated) w.set_propagated();
     Envelope::End end;
     end.distance = w.distance_at(0); // that of both ends
-    const auto ends_of = [&](double passed) { return Windows(envelope(&w, &w + 1, 1, nullptr, nullptr, end, end, passed)); };
+    const auto ends_of = [&](double passed) { return envelope(&w, &w + 1, 1, nullptr, nullptr, end, end, passed); };
     CHECK(ends_of(1).size() == 1 && std::abs(envelope.nearest_gap() - end.distance) < 1e-12);
     const Windows whole = ends_of(1.5);
     CHECK(whole.size() == (is_propagated ? 3 : 1));

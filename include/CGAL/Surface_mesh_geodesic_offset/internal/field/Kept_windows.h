@@ -69,8 +69,7 @@ public:
       const Index number = Index((std::min)(at_once, faces.size() - first));
       const auto weight = [](Index) { return std::size_t(1); };
       team.for_each(number, weight, number >= worthwhile, [&](unsigned, Index i) {
-        places[i] = {};
-        this->for_each_kept(face[i], lists, distance, [&places, i](int k, const auto& w) { places[i].count(k, w); });
+        places[i] = this->count(face[i], lists, distance);
       });
       for (Index i = 0; i < number; ++i) make_room(face[i], places[i]);
       team.for_each(number, weight, number >= worthwhile,
@@ -215,31 +214,30 @@ private:
   {
     Index windows[4] = {0, 0, 0, 0}; // begin per halfedge, and end
     Index sigma = 0;
-
-    void count(int k, const Packed&) { ++windows[k]; }
-    void count(int k, const Window& w)
-    {
-      ++windows[k];
-      sigma += Index(w.is_parallel() || w.is_merged()) + Index(w.is_merged());
-    }
+    bool has_outdated = false; // the lists have windows that are not stored
   };
 
-  // Calls f(halfedge of the face, window) for each window to store: those of the list, or the stored ones if there is no list.
-  template <class Function>
-  void for_each_kept(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance, const Function& f) const
+  // The numbers of windows to store: those of the lists, or the stored ones of halfedges without a list.
+  Place count(Index face, const Window_lists<FT>& lists, const std::vector<FT>& distance) const
   {
+    Place p;
     for (int k = 0; k < 3; ++k)
     {
       const Index h = 3 * face + Index(k);
-      if (lists.has(h))
+      if (!lists.has(h))
       {
-        const Window_list<FT>& list = lists.get(h);
-        for (Index i = 0; i < list.processed; ++i)
-          if (!is_outdated(list.data[i], distance)) f(k, list.data[i]);
+        p.windows[k] = last(h) - first(h);
+        continue;
       }
-      else
-        for (Index i = first(h), n = last(h); i < n; ++i) f(k, at(i));
+      const Window_list<FT>& list = lists.get(h);
+      Index outdated = 0;
+      for (const Window *w = list.data, *const end = w + list.processed; w != end; ++w)
+        if (stores_sigma(*w)) p.sigma += 1 + Index(w->is_merged());
+        else outdated += Index(is_outdated(*w, distance));
+      p.windows[k] = list.processed - outdated;
+      p.has_outdated = p.has_outdated || outdated != 0;
     }
+    return p;
   }
 
   void make_room(Index face, Place& p)
@@ -279,7 +277,25 @@ private:
   void put(Index face, const Place& p, const Window_lists<FT>& lists, const std::vector<FT>& distance)
   {
     Index place = p.windows[0], sigma = p.sigma;
-    for_each_kept(face, lists, distance, [&](int, const auto& w) { at(place++) = packed(w, sigma); });
+    Packed *out = nullptr, *page_end = nullptr;
+    const auto next = [&]() -> Packed& {
+      if (out == page_end)
+      {
+        out = &at(place);
+        page_end = out + (page_size - place % page_size);
+      }
+      ++place;
+      return *out++;
+    };
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      if (lists.has(h))
+      {
+        const Window_list<FT>& list = lists.get(h);
+        for (const Window *w = list.data, *const end = w + list.processed; w != end; ++w)
+          if (!(p.has_outdated && is_outdated(*w, distance))) pack(*w, next(), sigma);
+      }
+      else
+        for (Index i = first(h), n = last(h); i < n; ++i) next() = at(i);
     CGAL_assertion(place == p.windows[3]);
     std::copy(p.windows, p.windows + 4, m_begin.begin() + 4 * face);
   }
@@ -313,29 +329,25 @@ private:
 
   static int halfedge_of(const Index* begin, Index i) { return int(i >= begin[1]) + int(i >= begin[2]); }
 
+  static bool stores_sigma(const Window& w) { return w.is_parallel() || w.is_merged(); }
+
   static bool is_outdated(const Window& w, const std::vector<FT>& distance)
   {
-    const Index v = w.is_parallel() || w.is_merged() ? no_index : w.pseudo_source();
-    return v != no_index && w.sigma > distance[v] + Number_policy<FT>::rounding(256) * (std::max)(w.d0, w.d1);
+    const Index v = stores_sigma(w) ? no_index : w.pseudo_source();
+    if (v == no_index || BOOST_LIKELY(w.sigma <= distance[v])) return false; // mostly equal
+    return w.sigma > distance[v] + Number_policy<FT>::rounding(256) * (std::max)(w.d0, w.d1);
   }
 
-  static const Packed& packed(const Packed& p, Index&) { return p; }
-
   // `sigma`: next free index in m_sigma.
-  Packed packed(const Window& w, Index& sigma)
+  void pack(const Window& w, Packed& p, Index& sigma)
   {
-    Packed p{w.x, w.y, w.b0, w.b1, w.source_ref.value, w.bits >> 2 << 1};
-    if (w.is_parallel() || w.is_merged())
-    {
-      p.bits = sigma << 1 | Index(w.is_parallel());
-      m_sigma[sigma++] = w.sigma;
-    }
-    if (w.is_merged())
-    {
-      p.bits |= merged_flag;
-      m_sigma[sigma++] = FT(Merge_error_code::error(w.pseudo_source()));
-    }
-    return p;
+    p = {w.x, w.y, w.b0, w.b1, w.source_ref.value, w.bits >> 2 << 1};
+    if (BOOST_LIKELY(!stores_sigma(w))) return;
+    p.bits = sigma << 1 | Index(w.is_parallel());
+    m_sigma[sigma++] = w.sigma;
+    if (!w.is_merged()) return;
+    p.bits |= merged_flag;
+    m_sigma[sigma++] = FT(Merge_error_code::error(w.pseudo_source()));
   }
 
   Window unpack(const Packed& p, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref) const

@@ -258,6 +258,8 @@ private:
     if (!(d < m_known)) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
+    // Wavefront_state::update_vertex() ignores a path that is longer than 2 x 64 units of the distance and the edges at the apex.
+    if (d + length > m_known + Number_policy<FT>::rounding(256) * (m_known + face.left_length + face.right_length)) return;
     // The direction to the image is more precise than that to the end, also in tiny faces.
     const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
     const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);

@@ -39,7 +39,8 @@ public:
   std::size_t bucket_of(const FT& distance) const
   {
     const double b = CGAL::to_double(distance) * m_scale;
-    return b < 9e15 ? (b > 0 ? std::size_t(b) : 0) : std::size_t(9e15);
+    // the conversion to a signed integer is one instruction
+    return b < 9e15 ? (b > 0 ? std::size_t(std::ptrdiff_t(b)) : 0) : std::size_t(9e15);
   }
 
   std::size_t current() const { return m_current; }

@@ -43,7 +43,7 @@ public:
 
   // Propagates the new windows of a halfedge. Of the list, only flags and the split change. Returns the lower envelope that
   // replaces the windows, valid until the next call; null if the windows stay.
-  const std::vector<Window>* operator()(Index h, Window_list<FT>& list)
+  const Window_sequence<FT>* operator()(Index h, Window_list<FT>& list)
   {
     m_nearest_gap = Number_policy<FT>::infinity();
     const bool may_stay = !m_needs_envelopes && list.processed == 0 && !list.waiting.data;
@@ -59,7 +59,7 @@ public:
     // Processed windows are known by their place in the list; a flag marks them in the envelope.
     for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
     // Merged windows have errors far above those that late gaps avoid, and are fewer if gaps are closed at once.
-    const std::vector<Window>& envelope =
+    const Window_sequence<FT>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
                            end_at(m_mesh.source(h)), end_at(m_mesh.target(h)),
                            m_merging.is_on() ? Number_policy<FT>::infinity() : m_state.passed()));

@@ -134,13 +134,17 @@ public:
 
   // Applies a candidate update. A vertex where shortest paths bend becomes a pending pseudo-source. The direction of a straight
   // path is more precise than that of a bent path of equal length.
-  void update_vertex(Index v, const Update& a)
+  BOOST_FORCEINLINE void update_vertex(Index v, const Update& a)
+  {
+    CGAL_precondition(CGAL::possibly(estimate(a.distance) >= 0));
+    CGAL_precondition(a.back.corner == no_index || mesh.source(a.back.corner) == v);
+    if (BOOST_UNLIKELY(may_change(v, a))) change_vertex(v, a);
+  }
+
+  BOOST_NOINLINE void change_vertex(Index v, const Update& a)
   {
     const FT& d = a.distance;
-    CGAL_precondition(CGAL::possibly(estimate(d) >= 0));
-    CGAL_precondition(a.back.corner == no_index || mesh.source(a.back.corner) == v);
     FT& known = field.distance[v];
-    if (BOOST_LIKELY(!may_change(v, a))) return;
     FT rounding = known * Number_policy<FT>::rounding(64);
     if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // not often
       rounding += Number_policy<FT>::rounding(64) * (mesh[a.back.corner].length + mesh[mesh.previous(a.back.corner)].length);
@@ -315,10 +319,14 @@ public:
 
   // Appends windows to the list of their halfedge, and enqueues the halfedge.
   void append(const Output& output) { append(output, field.lists.arena(0)); }
-  void append(const Output& output, Window_arena<Window>& arena)
+  BOOST_FORCEINLINE void append(const Output& output, Window_arena<Window>& arena)
+  {
+    if (output.size() != 0) append_windows(output, arena);
+  }
+
+  BOOST_NOINLINE void append_windows(const Output& output, Window_arena<Window>& arena)
   {
     const std::size_t n = output.size();
-    if (n == 0) return;
     const Index h = output.halfedge();
     auto& list = field.list(h, arena);
     field.lists.append(h, list, output.begin(), n, arena);

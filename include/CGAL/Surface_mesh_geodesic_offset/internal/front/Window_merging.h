@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_sequence.h>
 
 #include <algorithm>
 #include <vector>
@@ -87,7 +87,7 @@ public:
 
   // Merges the windows of a halfedge, which are sorted and disjoint. Propagated windows stay unchanged. The result is valid
   // until the next call.
-  const std::vector<Window>& operator()(const std::vector<Window>& windows)
+  const Window_sequence<FT>& operator()(const Window_sequence<FT>& windows)
   {
     if constexpr (Number_policy<FT>::is_inexact)
       if (m_is_on) return merged(windows);
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  const std::vector<Window>& merged(const std::vector<Window>& windows)
+  const Window_sequence<FT>& merged(const Window_sequence<FT>& windows)
   {
     m_windows.clear();
     for (std::size_t i = 0, end = 0; i < windows.size(); i = add_longest_run(windows, i, end))
@@ -115,7 +115,7 @@ private:
   }
 
   // Adds window i, merged with as many of its successors before `end` as possible. Returns the first unmerged one.
-  std::size_t add_longest_run(const std::vector<Window>& windows, std::size_t i, std::size_t end)
+  std::size_t add_longest_run(const Window_sequence<FT>& windows, std::size_t i, std::size_t end)
   {
     // Doubles the step after each success, then halves it.
     Window run = windows[i], longer;
@@ -333,7 +333,7 @@ private:
   const Merging_tolerance<FT> m_tolerance;
   const bool m_is_on;
   Merging_counts m_counts;
-  std::vector<Window> m_windows;
+  Window_sequence<FT> m_windows;
 };
 
 } // namespace internal

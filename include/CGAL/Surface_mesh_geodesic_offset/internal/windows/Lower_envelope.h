@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Certain_overlap_split.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
@@ -47,12 +48,13 @@ public:
   // Returns the lower envelope of the windows [first, last) and [more, more_last), in any order, on a halfedge of the given
   // length. It is sorted and disjoint, and valid until the next call. With number types whose order may stay open, neighbours
   // may overlap where either may be nearer. Gaps nearer than `passed`, the distance passed by the front, are closed.
-  const std::vector<Window>& operator()(const Window* first, const Window* last, const FT& length,
+  const Window_sequence<FT>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr,
                                         const End& source = End(), const End& target = End(),
                                         const FT& passed = Number_policy<FT>::infinity())
   {
     m_envelope.clear();
+    m_occupants.clear();
     m_has_closed_gaps = false;
     m_passed = passed;
     m_nearest_gap = Number_policy<FT>::infinity();
@@ -61,9 +63,10 @@ public:
     m_max_gap = max_gap(length);
     m_least_overlap = -m_max_gap;
     if constexpr (Number_policy<FT>::is_inexact) m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
+    m_wide = (std::max)(m_min_width, m_widest_gap);
     m_rounding = Number_policy<FT>::rounding(1);
     m_gap_rounding = Number_policy<FT>::rounding(256); // equals that of pruning_allowance(), by which windows are dropped at ties
-    m_margin = Number_policy<FT>::rounding(16); // above rounding of two distances, below Vertex_sector::margin_surcharge()
+    m_margin = Number_policy<FT>::rounding(roundings_of_margin);
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
     const Window* const* const end = m_order.end();
@@ -116,7 +119,7 @@ public:
       if (int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
       const int is_rare = int(CGAL::abs(FT(a.x - b.x)) <= larger_allowance) | int(b.b0 - a.b1 > largest_rounding) |
                           int(b.b1 - b.b0 < widest);
-      if (BOOST_UNLIKELY(is_rare) && may_change(a, b, rounding, allowance, largest_rounding, widest)) return false;
+      if (BOOST_UNLIKELY(is_rare) && may_change(a, b, rounding, allowance, length, widest)) return false;
     }
     return true;
   }
@@ -125,17 +128,21 @@ private:
   // True if two consecutive windows of a list may be one window, or if a gap between them, or occupied by the second one, may be
   // closed. The arguments are those of is_monotone_list().
   BOOST_NOINLINE static bool may_change(const Window& a, const Window& b, const FT& rounding, const FT& allowance,
-                                        const FT& largest_rounding, const FT& widest)
+                                        const FT& length, const FT& widest)
   {
     const FT gap = b.b0 - a.b1;
-    if (gap > largest_rounding && gap < widest) return true;
-    if (gap >= FT(0) && b.b1 - b.b0 < widest && b.d0 - a.d1 > gap) return true;
+    if (gap > max_gap(length) && gap < widest) return true;
+    if (gap >= FT(0) && b.b1 - b.b0 < widest && is_farther_at_begin(a, b, length)) return true;
     return ((a.bits ^ b.bits) & ~2u) == 0 && CGAL::abs(FT(a.x - b.x)) <= (a.is_parallel() ? rounding : allowance) &&
            CGAL::abs(FT(a.sigma - b.sigma)) <= allowance;
   }
 
   // Gaps between windows of one image are rounding up to this width.
   static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
+
+  // Units of rounding of distances by which a window is farther than its neighbour where they meet: above the rounding of two
+  // distances, below Vertex_sector::margin_surcharge().
+  static constexpr double roundings_of_margin = 16;
 
   // Largest gap beside parallel rays, as a fraction of the distances: 1.2e-10, below the guaranteed error of queries.
   static constexpr double widest_beside_segment = 1. / (1ull << 33);
@@ -220,7 +227,33 @@ private:
     if (gap > m_max_gap && gap < m_widest_gap)
       close_gap(a, w);
     else
-      m_envelope.push_back(w);
+      append(w);
+  }
+
+  // Appends a window. The last window of the envelope is not cut any more, unless by the rest of a window that comes later.
+  BOOST_FORCEINLINE void append(const Window& w)
+  {
+    if (!m_envelope.empty()) is_wide_up_to(m_envelope.back(), w.b0);
+    m_envelope.push_back(w);
+  }
+
+  // Whether the last window m of the envelope is wider than rounding if the next one begins at t. Marks windows that may occupy
+  // a gap between their neighbours.
+  BOOST_FORCEINLINE bool is_wide_up_to(const Window& m, const FT& t)
+  {
+    const FT width = t - m.b0;
+    return BOOST_LIKELY(width > m_wide) || is_wide(width);
+  }
+
+  BOOST_NOINLINE bool is_wide(const FT& width)
+  {
+    const std::size_t last = m_envelope.size() - 1;
+    if (last > 0 && is_farther_at_begin(m_envelope[last - 1], m_envelope[last], m_length))
+    {
+      while (!m_occupants.empty() && m_occupants.back() >= last) m_occupants.pop_back(); // windows that were removed since
+      m_occupants.push_back(last);
+    }
+    return width > m_min_width;
   }
 
   BOOST_NOINLINE void close_gap(const Window& a, const Window& w)
@@ -228,7 +261,7 @@ private:
     const Gap gap = gap_between(a, w);
     if (gap.taker == Gap::SECOND) return push_begun(FT(a.b1), gap.distance, w);
     if (gap.taker == Gap::FIRST) extend_last(w.b0, gap.distance);
-    m_envelope.push_back(w);
+    append(w);
   }
 
   // Extends the last window of the envelope to b1. A propagated window keeps its extent; its new part is separate.
@@ -236,11 +269,7 @@ private:
   {
     m_has_closed_gaps = true;
     Window& w = m_envelope.back();
-    if (w.is_propagated())
-    {
-      m_envelope.push_back(new_part(w, w.b1, w.d1, b1, d1));
-      return;
-    }
+    if (w.is_propagated()) return append(new_part(w, w.b1, w.d1, b1, d1));
     w.b1 = b1;
     w.d1 = d1;
   }
@@ -251,11 +280,11 @@ private:
     m_has_closed_gaps = true;
     if (w.is_propagated())
     {
-      m_envelope.push_back(new_part(w, b0, d0, w.b0, w.d0));
-      m_envelope.push_back(w);
+      append(new_part(w, b0, d0, w.b0, w.d0));
+      append(w);
       return;
     }
-    m_envelope.push_back(part(w, b0, d0, w.b1, w.d1));
+    append(part(w, b0, d0, w.b1, w.d1));
   }
 
   // A gap may contain a window that is farther than both neighbours at its ends by more than the length along the halfedge and
@@ -263,37 +292,37 @@ private:
   // gap is rounding.
   void close_occupied_gaps()
   {
-    for (std::size_t i = next_narrow_window(1); i + 1 < m_envelope.size(); i = next_narrow_window(i + 1))
-    {
-      const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
-      const FT rounding = m_margin * (m.d0 + m_length);
-      if (!(m.d0 - a.d1 > m.b0 - a.b1 + rounding) || !(m.d1 - w.d0 > w.b0 - m.b1 + rounding)) continue;
-      if (w.b0 - a.b1 <= m_max_gap)
+    std::size_t removed = 0;
+    for (const std::size_t place : m_occupants)
+      for (std::size_t i = place - removed; i > 0 && i + 1 < m_envelope.size();) // a change concerns the next window, too
       {
-        m_envelope.erase(m_envelope.begin() + std::ptrdiff_t(i));
-        --i;
+        const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
+        if (!(w.b0 - a.b1 < m_widest_gap) || !is_farther_at_begin(a, m, m_length) || !is_farther_at_end(m, w)) break;
+        if (w.b0 - a.b1 <= m_max_gap)
+        {
+          m_envelope.erase(i);
+          ++removed;
+        }
+        else
+        {
+          const Gap gap = gap_between(a, w);
+          if (gap.taker == Gap::NONE) break;
+          m_envelope[i] =
+            gap.taker == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
+          ++i;
+        }
         m_has_closed_gaps = true;
-        continue;
       }
-      const Gap gap = gap_between(a, w);
-      if (gap.taker == Gap::NONE) continue;
-      m_has_closed_gaps = true;
-      m_envelope[i] =
-        gap.taker == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
-    }
   }
 
-  // The first window from the i-th on, i > 0, whose neighbours are so near to each other that it may occupy a gap; beyond the
-  // last but one if there is none. A loop of its own, as there are few such windows.
-  std::size_t next_narrow_window(std::size_t i) const
+  static bool is_farther_at_begin(const Window& a, const Window& m, const FT& length)
   {
-    const Window* const first = m_envelope.data();
-    const std::size_t n = m_envelope.size();
-    if (i + 1 >= n) return n;
-    const FT widest = m_widest_gap;
-    const Window *before = first + (i - 1), *const last = first + (n - 2);
-    while (before != last && !(before[2].b0 - before->b1 < widest)) ++before;
-    return std::size_t(before - first) + 1;
+    return m.d0 - a.d1 > m.b0 - a.b1 + Number_policy<FT>::rounding(roundings_of_margin) * (m.d0 + length);
+  }
+
+  bool is_farther_at_end(const Window& m, const Window& w) const
+  {
+    return m.d1 - w.d0 > w.b0 - m.b1 + m_margin * (m.d0 + m_length);
   }
 
   // Closes the gaps between the first and last windows and the ends of the halfedge.
@@ -308,7 +337,7 @@ private:
     m_has_closed_gaps = true;
     if (first.is_propagated())
     {
-      m_envelope.insert(m_envelope.begin(), new_part(first, FT(0), d, first.b0, first.d0));
+      m_envelope.push_front(new_part(first, FT(0), d, first.b0, first.d0));
       return;
     }
     first.b0 = FT(0);
@@ -406,7 +435,7 @@ private:
       if (t <= low) return a_ends_first && begin_at(w, tie.at(a, low));
       if (t >= high)
       {
-        if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, tie.at(w, high), next, end);
+        if (a_ends_first && w.b1 - high > m_min_width) append_rest(w, high, tie.at(w, high), next, end);
         return true;
       }
       return false; // t is NaN
@@ -430,7 +459,7 @@ private:
       return begin_at(w, a_low); // the last window of the envelope is farther
     if (at_low == SMALLER && at_high == LARGER && !tie.may_tie_twice(low, high))
     { // the last window of the envelope is nearer
-      if (a_ends_first && w.b1 - high > m_min_width) push_rest(w, high, w_high, next, end);
+      if (a_ends_first && w.b1 - high > m_min_width) append_rest(w, high, w_high, next, end);
       return true;
     }
     return false;
@@ -440,7 +469,7 @@ private:
   BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
                                   const Window* const* end)
   {
-    if (!(t - a.b0 > m_min_width) || !(w.b1 - t > m_min_width)) return false;
+    if (!is_wide_up_to(a, t) || !(w.b1 - t > m_min_width)) return false;
     a.b1 = t;
     a.d1 = d;
     push_rest(w, t, d, next, end);
@@ -451,11 +480,19 @@ private:
   BOOST_FORCEINLINE bool begin_at(const Window& w, const FT& d)
   {
     cut_back(w.b0, d);
-    m_envelope.push_back(w);
+    append(w);
     return true;
   }
 
-  // Keeps the rest of a window behind the last window of the envelope for later.
+  // Appends the rest of a window behind the last window of the envelope, which is not cut.
+  BOOST_FORCEINLINE void append_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
+                                     const Window* const* end)
+  {
+    is_wide_up_to(m_envelope.back(), t);
+    push_rest(w, t, d, next, end);
+  }
+
+  // Appends the rest of a window behind the last window of the envelope, or keeps it for later if another window begins before.
   BOOST_FORCEINLINE void push_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
                                    const Window* const* end)
   {
@@ -474,14 +511,14 @@ private:
   // Keeps the rest of a window behind t, the end of the last window of the envelope, which moves when the envelope grows.
   BOOST_NOINLINE void begin_behind(const Window& w, FT t, const Window* const* next, const Window* const* end)
   {
-    if (w.b1 - t > m_min_width) push_rest(w, t, w.distance_at(t), next, end);
+    if (w.b1 - t > m_min_width) append_rest(w, t, w.distance_at(t), next, end);
   }
 
   // Cuts off the overlap, at most rounding, with a window that begins at t. Returns false without a change if too little
   // remains. The distance at the end changes by less than the overlap, and stays where that is within its rounding.
-  BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap) const
+  BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap)
   {
-    if (!(t - a.b0 > m_min_width)) return !CGAL::is_positive(overlap);
+    if (!is_wide_up_to(a, t)) return !CGAL::is_positive(overlap);
     if (BOOST_UNLIKELY(overlap > m_rounding * a.d1)) a.d1 = a.distance_at(t);
     a.b1 = lesser(a.b1, t);
     return true;
@@ -531,7 +568,7 @@ private:
       else
       {
         cut_back(ties.low(), ties.distance_at_low(true));
-        if (to - from > m_min_width) m_envelope.push_back(part(w, from, d_from, to, d_to));
+        if (to - from > m_min_width) append(part(w, from, d_from, to, d_to));
       }
     }
     const Window& other = a_owns ? a : w; // a_owns was toggled once more
@@ -609,9 +646,10 @@ private:
 
   const std::vector<Index>* m_source_of;
   const Traits& m_traits;
-  std::vector<Window> m_envelope;
+  Window_sequence<FT> m_envelope;
   Window_order<FT, Window> m_order;
-  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_rounding, m_gap_rounding, m_margin, m_passed, m_nearest_gap;
+  std::vector<std::size_t> m_occupants; // places in the envelope, in order, of windows that may occupy a gap
+  FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_wide, m_rounding, m_gap_rounding, m_margin, m_passed, m_nearest_gap;
   bool m_has_closed_gaps = false;
 };
 

@@ -124,8 +124,13 @@ public:
   }
 
   // Replaces all windows of the list of a halfedge.
-  void assign(Index h, List& list, const std::vector<Window>& windows) { assign(h, list, windows, m_arenas.front()); }
-  void assign(Index h, List& list, const std::vector<Window>& windows, Arena& arena)
+  template <class Windows>
+  void assign(Index h, List& list, const Windows& windows)
+  {
+    assign(h, list, windows, m_arenas.front());
+  }
+  template <class Windows>
+  void assign(Index h, List& list, const Windows& windows, Arena& arena)
   {
     count(h, std::ptrdiff_t(windows.size()) - std::ptrdiff_t(list.size + list.waiting.size));
     list.size = 0;

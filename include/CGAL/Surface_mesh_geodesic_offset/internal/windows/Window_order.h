@@ -90,12 +90,17 @@ private:
     return true;
   }
 
-  // Merges a run into the sorted ones from the back; nothing moves if it begins behind them.
+  // Merges a run into the sorted ones: appends it if it begins behind them, else merges from the back.
   const Window** merge(const Window** end, const Window* first, const Window* last) const
   {
+    const Window* const* const begin = m_order.data();
+    if (end == begin || !(first->b0 < end[-1]->b0))
+    {
+      while (first != last) *end++ = first++;
+      return end;
+    }
     const Window** const new_end = end + (last - first);
     const Window** out = new_end;
-    const Window* const* const begin = m_order.data();
     while (first != last)
     {
       const FT& b = last[-1].b0;
