@@ -7,12 +7,14 @@
 //   test_program_files GEODESIC_OFFSET VALIDATE_GEODESIC_DISTANCES
 
 #include "../../examples/Surface_mesh_geodesic_offset/geodesic_offset/output_file.h"
+#include "fuzz/mutation_run.h"
 #include "generated_meshes.h"
 #include "program_runner.h"
 #include "test_check.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -49,6 +51,7 @@ public:
     full_disk();
     numbers_and_memory();
     shared_vertices();
+    crowded_vertices();
   }
 
 private:
@@ -148,8 +151,56 @@ private:
     CHECK((fs::status(path("there/real.vtk")).permissions() & fs::perms::owner_all) ==
           (fs::perms::owner_read | fs::perms::owner_write));
     CHECK(std::distance(fs::directory_iterator(scratch_ / "there"), fs::directory_iterator()) == 1);
-    fs::remove(path("link.vtk"));
+    // also if the target does not exist yet
+    Report::instance().set_context("symbolic links without a file");
+    fs::create_symlink("there/new.vtk", path("dangling.vtk"));
+    fs::create_symlink("dangling.vtk", path("second.vtk"));
+    expect_named_twice("two links to a new file", on_mesh({"--output", path("dangling.vtk"), "--output", path("second.vtk")}),
+                       {path("dangling.vtk"), path("second.vtk")});
+    CHECK(run_program(program_, on_mesh({"--output", path("second.vtk")})).exit_code == 0);
+    CHECK(fs::is_symlink(path("second.vtk")) && read_file(path("there/new.vtk")).find("LINES") != std::string::npos);
+    fs::create_symlink("circle.vtk", path("circle.vtk"));
+    expect_error(1, "a link to itself", run_program(program_, on_mesh({"--output", path("circle.vtk")})),
+                 {path("circle.vtk"), std::strerror(ELOOP)}, scratch_.files());
+    for (const char* name : {"link.vtk", "dangling.vtk", "second.vtk", "circle.vtk"}) fs::remove(path(name));
     fs::remove_all(path("there"));
+  }
+
+  // Reading takes no quadratic time where many faces share a vertex, or an edge.
+  void crowded_vertices()
+  {
+    constexpr int n = 60000;
+    constexpr double most_seconds = 5; // a search around the vertex for each face takes 10 and more
+    std::string cone, fans, book;
+    for (int i = 0; i < n; ++i)
+    {
+      const double angle = 6.28 * i / n;
+      const std::string place = std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + ' ';
+      for (const char* z : {"0\n", "1\n"}) fans += place + z;
+      cone += place + "0\n";
+    }
+    book = cone;
+    for (int i = 0; i < n; ++i)
+    {
+      const std::string face = "3 0 ";
+      cone += face + std::to_string(i + 1) + ' ' + std::to_string((i + 1) % n + 1) + '\n';
+      fans += face + std::to_string(2 * i + 1) + ' ' + std::to_string(2 * i + 2) + '\n';
+      if (i > 0) book += face + "1 " + std::to_string(i + 1) + '\n'; // around one edge
+    }
+    const auto check = [&](const char* name, int vertices, int faces, const std::string& rows) {
+      Report::instance().set_context(name);
+      const std::string file = path("crowded.off");
+      write_file(file, "OFF\n" + std::to_string(vertices) + ' ' + std::to_string(faces) + " 0\n0 0 1\n" + rows);
+      const double start = processor_seconds();
+      const Program_result result = run_program(program_, {file, "--source-vertex", "2", "--maximum-distance", "1e-9", "--quiet"});
+      CHECK_DETAIL(result.exit_code == 0, result.errors);
+      const double seconds = processor_seconds() - start;
+      CHECK_DETAIL(seconds < most_seconds, std::to_string(seconds));
+      fs::remove(file);
+    };
+    check("a cone", n + 1, n, cone);
+    check("fans", 2 * n + 1, n, fans);
+    check("faces around an edge", n + 1, n - 1, book);
   }
 
   // All outputs or none: the second target cannot be replaced.

@@ -16,11 +16,16 @@
 
 namespace geodesic_offset {
 
-// The name without links and dots, also of a new file in an existing folder. Symbolic links are followed.
+// The name without links and dots, also of a new file in an existing folder. Symbolic links are followed, also those to a file
+// that does not exist.
 inline std::filesystem::path canonical_path(const std::string& name)
 {
+  constexpr int most_links = 40; // as Linux allows
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  std::filesystem::path path = std::filesystem::absolute(name, error);
+  for(int i = 0; i < most_links && std::filesystem::is_symlink(path, error); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  path = std::filesystem::weakly_canonical(path, error);
   return error ? std::filesystem::path(name) : path;
 }
 

@@ -4,6 +4,7 @@
 #include "mesh_input.h"
 #include "memory_budget.h"
 #include "mesh_repair.h"
+#include "polygon_links.h"
 #include "polygon_triangles.h"
 #include "soup_reader.h"
 
@@ -220,16 +221,7 @@ bool Mesh_input::make_mesh(Faces& faces)
   for(std::size_t i = 0; i < faces.points.size(); ++i)
     if(used[i])
       faces.vertices[i] = m_mesh.add_vertex(faces.points[i]);
-  std::vector<Vertex> vertices;
-  for(const Polygon& polygon : faces.polygons)
-  {
-    vertices.clear();
-    for(std::uint32_t v : polygon)
-      vertices.push_back(faces.vertices[v]);
-    if(m_mesh.add_face(vertices) == Mesh::null_face())
-      return false;
-  }
-  return !has_shared_vertex(m_mesh);
+  return link_polygons(m_mesh, faces.polygons, faces.vertices) && !has_shared_vertex(m_mesh);
 }
 
 void Mesh_input::drop_repeated_faces(Faces& faces)
@@ -278,22 +270,19 @@ void Mesh_input::merge(const std::vector<Vertex>& double_borders, Faces& faces) 
 
 void Mesh_input::map_vertices(const Faces& faces)
 {
+  std::set<std::pair<std::size_t, Vertex>> known;
   m_first_vertex.assign(m_soup.points.size(), Mesh::null_vertex());
   for(std::size_t i = 0; i < faces.names.size(); ++i)
     for(std::size_t k = 0; k < faces.names[i].size(); ++k)
-      add_vertex_of(faces.names[i][k], faces.vertices[faces.polygons[i][k]]);
-}
-
-void Mesh_input::add_vertex_of(std::size_t file_vertex, Vertex vertex)
-{
-  bool known = false;
-  for_each_vertex_of(file_vertex, [&](Vertex v) { known = known || v == vertex; });
-  if(known)
-    return;
-  if(m_first_vertex[file_vertex] == Mesh::null_vertex())
-    m_first_vertex[file_vertex] = vertex;
-  else
-    m_further_vertices.emplace(file_vertex, vertex);
+    {
+      const std::size_t file_vertex = faces.names[i][k];
+      const Vertex vertex = faces.vertices[faces.polygons[i][k]];
+      Vertex& first = m_first_vertex[file_vertex];
+      if(first == Mesh::null_vertex())
+        first = vertex;
+      else if(first != vertex && known.emplace(file_vertex, vertex).second)
+        m_further_vertices.emplace(file_vertex, vertex);
+    }
 }
 
 void Mesh_input::triangulate(const std::string& path, const Faces& faces)
@@ -352,11 +341,10 @@ void Mesh_input::join(const std::string& path, const Vertex_pairs& copies)
   const std::vector<Vertex> shared = join_vertices(m_mesh, copies, new_vertex);
   renumber_vertices(new_vertex);
   // a vertex of the file may now have the same vertex of the mesh several times
+  std::set<std::pair<std::size_t, Vertex>> known;
   for(auto it = m_further_vertices.begin(); it != m_further_vertices.end();)
   {
-    bool is_known = m_first_vertex[it->first] == it->second;
-    for(auto other = m_further_vertices.lower_bound(it->first); other != it; ++other)
-      is_known = is_known || other->second == it->second;
+    const bool is_known = m_first_vertex[it->first] == it->second || !known.emplace(it->first, it->second).second;
     it = is_known ? m_further_vertices.erase(it) : std::next(it);
   }
   if(shared.empty())

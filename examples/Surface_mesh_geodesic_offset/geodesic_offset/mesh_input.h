@@ -125,8 +125,6 @@ private:
 
   void map_vertices(const Faces& faces);
 
-  void add_vertex_of(std::size_t file_vertex, Vertex vertex);
-
   void triangulate(const std::string& path, const Faces& faces);
 
   // Named by vertices: at this stage faces no longer have their numbers of the file.

@@ -138,9 +138,12 @@ public:
   {
     std::error_code error;
     const std::filesystem::path path(target);
-    if(std::filesystem::is_directory(path, error))
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if(status.type() == std::filesystem::file_type::none) // for example links in a circle
+      fail(target, error.message());
+    if(std::filesystem::is_directory(status))
       fail(target, "it is a directory");
-    if(std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    if(std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
       fail(target, "it exists and is not a regular file");
     const std::filesystem::path folder = canonical_path(target).parent_path();
     if(!std::filesystem::is_directory(folder, error))
