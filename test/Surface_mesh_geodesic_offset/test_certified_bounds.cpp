@@ -344,6 +344,12 @@ void use()
     const Point_3 &p = data.mesh.point(data.vertices[0]), &q = data.mesh.point(v);
     check(enclosure.distance_bounds(v), CGAL::sqrt(CGAL::Gmpfr(CGAL::squared_distance(p, q))));
   }
+  // found by fuzz_offsets: a polyline that repeats a vertex
+  const Face_location corner(data.faces[5], {{1, 0, 0}});
+  enclosure.clear_sources();
+  enclosure.add_source_polyline(std::vector<Face_location>{corner, corner, inside});
+  enclosure.build(CGAL::parameters::keep_windows(true));
+  CHECK(enclosure.distance_bounds(corner).second == 0);
 }
 
 // Three right triangles of a rotated grid: rounding increased the border angle at the second of the three border vertices

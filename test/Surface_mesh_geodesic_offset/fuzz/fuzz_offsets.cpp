@@ -3,12 +3,14 @@
 
 // libFuzzer test of offsets on small meshes, from sources of all kinds, at and near vertex distances: each face is compared
 // with the exact arrangement of ../offset_oracle.h, and no joint is forced, in one pass or from kept windows, on both sides or
-// one. Faces flatter than 2^-30 are skipped.
+// one. Polylines for curves are within their tolerance, and offsets on both sides are certified. Faces flatter than 2^-30 are
+// skipped.
 
 #include "../certified_search.h"
 #include "../locations.h"
 #include "../offset_oracle.h"
 #include "../offset_tools.h"
+#include "../thin_polylines.h"
 #include "fuzz_case.h"
 
 #include <cmath>
@@ -18,6 +20,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,7 +38,7 @@ class Offsets
 {
 public:
   Offsets(test::Fuzz_bytes& bytes, const test::Fuzz_case& fuzz_case)
-    : bytes_(bytes), size_(fuzz_case.size()), data_(soup_of(fuzz_case.certified_case())), geodesic_(data_.mesh)
+    : bytes_(bytes), size_(fuzz_case.size()), flatness_(fuzz_case.flatness()), data_(soup_of(fuzz_case.certified_case())), geodesic_(data_.mesh)
   {
     const test::Certified_case& c = fuzz_case.certified_case();
     for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
@@ -69,10 +72,42 @@ public:
     if (again.statistics().forced_joints > 0) fail("forced joints at the level " + std::to_string(levels[0]));
     if (!std::isfinite(test::total_length(curves) + test::total_length(test::offsets(geodesic_, levels, selection))))
       fail("a curve without a finite length");
+    check_polylines(curves);
+    for (const double level : levels) certify(level);
   }
 
 private:
   typedef std::vector<Geodesic::Face_location> Path;
+  typedef test::Certified_search::Enclosure Enclosure;
+
+  void check_polylines(const test::Offset_curves& curves)
+  {
+    const double tolerance = size_ * std::pow(10, -1. - double(bytes_.index(6)));
+    for (const auto& curve : curves) test::check_thin_polyline(curve, tolerance, size_);
+    if (test::Report::instance().failures() > 0) fail("a polyline for a curve, tolerance " + std::to_string(tolerance));
+  }
+
+  // The tolerance of an offset is rounding, see test_certified_offsets, unless faces are flat.
+  void certify(double level)
+  {
+    constexpr double least_flatness = 0x1p-10, largest_tolerance = 1e-9; // relative to the size
+    if (!(flatness_ > least_flatness)) return;
+    Enclosure enclosure(data_.mesh);
+    enclosure.add_sources(geodesic_.sources());
+    try
+    {
+      enclosure.build(CGAL::parameters::keep_windows(true));
+    }
+    catch (const std::runtime_error&)
+    { // documented for needles
+      return;
+    }
+    const test::Offset_curves curves = test::offsets(geodesic_, std::vector<double>{level});
+    const auto certificate = enclosure.certify_offset(level, curves);
+    if (!certificate.bounds_region) fail("no region at the level " + std::to_string(level));
+    if (!(certificate.tolerance <= largest_tolerance * size_))
+      fail("certified only within 1e-9 times " + std::to_string(1e9 * certificate.tolerance / size_));
+  }
 
   void add_curve()
   {
@@ -153,7 +188,7 @@ private:
   }
 
   test::Fuzz_bytes& bytes_;
-  const double size_;
+  const double size_, flatness_;
   const test::Generated_mesh<test::Surface_mesh> data_;
   test::Cut_geodesic geodesic_;
 };

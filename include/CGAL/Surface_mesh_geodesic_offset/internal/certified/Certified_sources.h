@@ -211,6 +211,7 @@ private:
 
   void add_segment(const Place& p, const Place& q, double start_value)
   {
+    if (p.kind == Place::VERTEX && q.kind == Place::VERTEX && p.element == q.element) return; // a repeated point
     for (Index face : faces_of(m_mesh.unfolded(), p))
     {
       Double_double_2 a, b;
