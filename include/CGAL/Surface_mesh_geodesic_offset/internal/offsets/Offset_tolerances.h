@@ -67,8 +67,8 @@ struct Offset_tolerances
   static FT farther_rounding(const FT& longest_edge) { return unit(5) * longest_edge; }
 
   // Neighbouring pieces are one arc if their images and radii differ by at most this: 2^6 u times the coordinates of the image
-  // and the radius, two errors of an image that was unfolded on two ways. A larger value would move curves, a smaller one
-  // divides arcs.
+  // and the radius, two errors of an image that was unfolded on two ways; for the directions of straight pieces, of their length 1.
+  // A larger value would move curves, a smaller one divides arcs. Binding test: test_offset_search, scaled meshes.
   static FT same_image(const FT& magnitude) { return unit(6) * magnitude; }
 
   // A polyline runs along the border if it is this near to it: 1e-5 of its length, ten times the rounding of coordinates written
