@@ -34,7 +34,7 @@ public:
     geodesic_.build(CGAL::parameters::keep_windows(true));
     face_ = geodesic_.field_index(*mesh_.faces().begin());
     const auto& mesh = geodesic_.mesh();
-    field_.clear(mesh);
+    field_.clear(mesh, {});
     field_.lists = CGAL::Geodesic_offset::internal::Window_lists<double>(mesh.number_of_halfedges());
     for (std::size_t k = 0; k < 3; ++k)
     {

@@ -102,7 +102,7 @@ struct Front
 {
   Front() : soup(torus(60, 40)), mesh(unfolded(soup, links_of(soup))), partition(mesh, false)
   {
-    field.clear(mesh);
+    field.clear(mesh, {});
     state.reset(new Wavefront_state<double>(mesh, infinity, true, field, partition.parts()));
   }
 

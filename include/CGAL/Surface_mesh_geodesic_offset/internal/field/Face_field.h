@@ -172,10 +172,11 @@ private:
   {
     const Index h = 3 * m_face + Index(k), v = m_mesh.source(h);
     const FT& d = m_field.distance[v];
-    // Rays from sources are local windows.
-    if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d) || m_field.back[v].corner == no_index) return;
+    if (CGAL::is_zero(d) || !Number_policy<FT>::is_finite(d)) return;
+    const bool has_direction = m_field.back[v].corner != no_index;
+    if (!has_direction && d == m_field.start_values.of(m_field.source_ref[v])) return; // rays from sources are local windows
     if (!m_mesh.can_be_pseudo_source(v)) return add_cone(k, d, FT(0), FT(0));
-    if (m_mesh.has_several_fans(v)) return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
+    if (m_mesh.has_several_fans(v) || !has_direction) return add_cone(k, d, FT(0), m_frame.edge_length((k + 1) % 3));
     const Vertex_sector<FT> sector(m_mesh);
     const Ray_at_vertex<FT> back = m_field.backtrace_of_sector(v).ray();
     FT left(0), right(0), margin_left(0), margin_right(0);
