@@ -54,6 +54,9 @@ typedef Joined_tags<Path_call_parameters,
                                    internal_np::geodesic_merging_tolerance_t>>
   Distance_call_parameters;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::geodesic_length_unit_t> Writing_parameters;
+typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
+                       internal_np::geodesic_face_band_t, internal_np::geodesic_vertex_distance_t>
+  Splitting_parameters;
 
 // Whether all parameters of a sequence are in a list of tags; not so for what is no sequence.
 template <class>

@@ -27,6 +27,9 @@ CGAL_add_named_parameter(geodesic_end_style_t, geodesic_end_style, end_style)
 CGAL_add_named_parameter(geodesic_chord_tolerance_t, geodesic_chord_tolerance, chord_tolerance)
 CGAL_add_named_parameter(geodesic_length_unit_t, geodesic_length_unit, unit)
 
+CGAL_add_named_parameter(geodesic_face_band_t, geodesic_face_band, face_band_map)
+CGAL_add_named_parameter(geodesic_vertex_distance_t, geodesic_vertex_distance, vertex_distance_map)
+
 #if CGAL_VERSION_NR < 1060000000 // CGAL has this parameter since 6.0
 CGAL_add_named_parameter(concurrency_tag_t, concurrency_tag, concurrency_tag)
 #endif

@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangulates one face with the points on its boundary and the pieces of offset curves in it.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_FACE_TRIANGULATION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_FACE_TRIANGULATION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_points.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A piece of a curve between two points of Split_points, with the index of its level. `arc` is null for a straight piece.
+template <class Piece>
+struct Split_piece
+{
+  std::size_t from, to, level;
+  const Piece* arc;
+};
+
+// A constrained edge in the direction of its curve: the points that are nearer than the level are on its left.
+struct Split_edge
+{
+  std::size_t from, to, level;
+};
+
+// The triangulation is that of exact points, of which those on edges are exactly there, so that the triangles of two faces have
+// the same points on their common edge. Arcs are divided further until no two chords of the face cross.
+template <class Points, class Piece>
+class Face_triangulation
+{
+public:
+  typedef std::size_t Id;
+  typedef typename Points::face_descriptor face_descriptor;
+  typedef Split_piece<Piece> Piece_in_face;
+
+  explicit Face_triangulation(Points& points, double chord_tolerance) : m_points(points), m_tolerance(chord_tolerance) {}
+
+  // Triangulates a face. The result is valid until the next call.
+  void operator()(face_descriptor f, const std::vector<Piece_in_face>& pieces)
+  {
+    m_face = f;
+    m_flat = m_points.flat(f);
+    m_boundary = m_points.boundary(f);
+    // Chords cross only if arcs are closer than the tolerance, or curves closer than the snap distance. These cross for ever.
+    const bool has_arcs = std::any_of(pieces.begin(), pieces.end(), [](const Piece_in_face& p) { return p.arc != nullptr; });
+    const std::size_t most = has_arcs ? most_divisions : 1;
+    for (std::size_t division = 1; !triangulate(pieces, division) && division < most; division *= 2) {}
+    m_triangles.clear();
+    m_edges.clear();
+    name_crossings();
+    for (auto t = m_cdt.finite_faces_begin(); t != m_cdt.finite_faces_end(); ++t)
+      m_triangles.push_back({id(t->vertex(0)), id(t->vertex(1)), id(t->vertex(2))});
+    find_edges();
+  }
+
+  // Points of the boundary, counterclockwise from the first corner.
+  const std::vector<Id>& boundary() const { return m_boundary; }
+  // Counterclockwise triangles.
+  const std::vector<std::array<Id, 3>>& triangles() const { return m_triangles; }
+  // The parts of the pieces that are edges of triangles.
+  const std::vector<Split_edge>& edges() const { return m_edges; }
+
+private:
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+  typedef Exact::Point_2 Exact_point;
+  static constexpr Id no_id = std::numeric_limits<Id>::max();
+  struct Vertex_id
+  {
+    Id value = no_id;
+    bool is_set() const { return value != no_id; }
+  };
+  typedef CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<Vertex_id, Exact>,
+                                               CGAL::Constrained_triangulation_face_base_2<Exact>>
+    Data_structure;
+  typedef CGAL::Constrained_Delaunay_triangulation_2<Exact, Data_structure, CGAL::Exact_intersections_tag> Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  struct Constraint
+  {
+    Vertex_handle from, to;
+    std::size_t level;
+  };
+
+  // Arcs are divided at most 2^10 times further: then chords of arcs at the tolerance are within 2^-20 of it.
+  static constexpr std::size_t most_divisions = 1 << 10;
+
+  // Builds the triangulation, with arcs divided `division` times further than the tolerance asks. Returns false if constraints
+  // cross.
+  bool triangulate(const std::vector<Piece_in_face>& pieces, std::size_t division)
+  {
+    m_cdt.clear();
+    m_vertex_of.clear();
+    m_constraints.clear();
+    m_inner.clear();
+    for (const Id id : m_boundary) vertex(id);
+    for (const Piece_in_face& p : pieces)
+    {
+      Vertex_handle last = vertex(p.from);
+      if (p.arc)
+      {
+        typedef typename Piece::FT FT;
+        const std::size_t n = p.arc->number_of_chords(FT(m_tolerance)) * division;
+        for (std::size_t j = 1; j < n; ++j)
+        {
+          const auto location = p.arc->location(FT(double(j) / double(n)));
+          Flat_face::Weights w;
+          for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(location.second[k]);
+          if (!m_points.is_inside(m_flat, w)) continue;
+          const Vertex_handle v = m_cdt.insert(inside(w));
+          if (!v->info().is_set()) m_inner.push_back({v, w});
+          last = constrain(last, v, p.level);
+        }
+      }
+      constrain(last, vertex(p.to), p.level);
+    }
+    const std::size_t expected = m_cdt.number_of_vertices();
+    for (const Constraint& c : m_constraints) m_cdt.insert_constraint(c.from, c.to);
+    return m_cdt.number_of_vertices() == expected;
+  }
+
+  template <class Handle>
+  static Id id(const Handle& v)
+  {
+    return v->info().value;
+  }
+
+  Vertex_handle constrain(Vertex_handle from, Vertex_handle to, std::size_t level)
+  {
+    if (from != to) m_constraints.push_back({from, to, level});
+    return to;
+  }
+
+  Vertex_handle vertex(Id id)
+  {
+    const auto known = m_vertex_of.find(id);
+    if (known != m_vertex_of.end()) return known->second;
+    const Vertex_handle v = m_cdt.insert(exact(id));
+    if (!v->info().is_set()) v->info().value = id;
+    m_vertex_of[id] = v;
+    return v;
+  }
+
+  Exact_point corner(int k) const { return Exact_point(m_flat.x(k), m_flat.y(k)); }
+
+  Exact_point inside(const Flat_face::Weights& w) const
+  {
+    const Exact::FT a(w[1]), b(w[2]);
+    return Exact_point(a * m_flat.length + b * m_flat.apex_x, b * m_flat.apex_y);
+  }
+
+  Exact_point exact(Id id) const
+  {
+    const auto& p = m_points[id];
+    if (p.place == Points::AT_VERTEX) return corner(m_points.corner_of(m_face, p.vertex));
+    if (p.place == Points::IN_FACE) return inside(p.weights);
+    // both faces have the same parameter
+    const std::pair<int, bool> side = m_points.side_with(m_face, id);
+    const int next = (side.first + 1) % 3;
+    const Exact_point from = corner(side.second ? side.first : next), to = corner(side.second ? next : side.first);
+    return from + Exact::FT(p.part) * (to - from);
+  }
+
+  // Points where chords cross, and inner points of arcs.
+  void name_crossings()
+  {
+    for (const auto& p : m_inner)
+      if (!p.first->info().is_set()) p.first->info().value = m_points.add_inside(m_face, p.second);
+    for (auto v = m_cdt.finite_vertices_begin(); v != m_cdt.finite_vertices_end(); ++v)
+      if (!v->info().is_set())
+      {
+        const double b = CGAL::to_double(v->point().y()) / m_flat.apex_y;
+        const double a = (CGAL::to_double(v->point().x()) - b * m_flat.apex_x) / m_flat.length;
+        v->info().value = m_points.add_inside(m_face, {1 - a - b, a, b});
+      }
+  }
+
+  // Directs the constrained edges as their pieces. A constraint through other points consists of several edges.
+  void find_edges()
+  {
+    for (const Constraint& c : m_constraints)
+    {
+      Vertex_handle at = c.from;
+      while (at != c.to)
+      {
+        const Vertex_handle next = next_towards(at, c.to);
+        CGAL_assertion(next != Vertex_handle());
+        if (next == Vertex_handle()) break;
+        m_edges.push_back({id(at), id(next), c.level});
+        at = next;
+      }
+    }
+  }
+
+  // The neighbour of a vertex on the segment to another one.
+  Vertex_handle next_towards(Vertex_handle at, Vertex_handle to) const
+  {
+    auto first = m_cdt.incident_vertices(at), v = first;
+    do
+      if (Vertex_handle(v) == to) return to;
+    while (++v != first);
+    do
+      if (!m_cdt.is_infinite(v) && CGAL::collinear(at->point(), v->point(), to->point()) &&
+          CGAL::collinear_are_strictly_ordered_along_line(at->point(), v->point(), to->point()))
+        return v;
+    while (++v != first);
+    return Vertex_handle();
+  }
+
+  Points& m_points;
+  const double m_tolerance;
+  face_descriptor m_face;
+  Flat_face m_flat;
+  Triangulation m_cdt;
+  std::map<Id, Vertex_handle> m_vertex_of;
+  std::vector<Constraint> m_constraints;
+  std::vector<std::pair<Vertex_handle, Flat_face::Weights>> m_inner; // points of arcs
+  std::vector<Id> m_boundary;
+  std::vector<std::array<Id, 3>> m_triangles;
+  std::vector<Split_edge> m_edges;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

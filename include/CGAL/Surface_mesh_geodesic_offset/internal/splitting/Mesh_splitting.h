@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Splits the faces of a mesh along offset curves: collects the points of the curves, triangulates the crossed faces, replaces
+// them, and finds the bands between the curves.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_MESH_SPLITTING_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_MESH_SPLITTING_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Face_triangulation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_points.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class TriangleMesh, class VertexPointMap, class Curve>
+class Mesh_splitting
+{
+public:
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Curve::Piece Piece;
+  typedef Split_points<TriangleMesh, VertexPointMap> Points;
+  typedef typename Points::Id Id;
+
+  static constexpr std::size_t no_band = std::numeric_limits<std::size_t>::max();
+
+  // `snap_distance`: points closer than this are one.
+  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double snap_distance, double chord_tolerance)
+    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, snap_distance), m_tolerance(chord_tolerance),
+      m_number_at(get(Face_tag(), tm))
+  {
+    for (const face_descriptor f : faces(tm)) put(m_number_at, f, 0);
+  }
+
+  // `level`: index of the distance of the curve among those of all curves, by increasing distance.
+  void add(const Curve& curve, std::size_t level)
+  {
+    const std::size_t n = curve.number_of_pieces();
+    Id first = 0, last = 0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      m_pieces.push_back(curve.piece(i));
+      const Piece& p = m_pieces.back();
+      if (i == 0) first = last = add(p.start());
+      const Id next = curve.is_closed() && i + 1 == n ? first : add(p.end());
+      faces_with(p.face()).push_back({last, next, level, p.is_arc() ? &p : nullptr});
+      last = next;
+    }
+  }
+
+  // Splits the mesh. Sets the map to true for the new edges of curves.
+  template <class EdgeIsConstrainedMap>
+  void split(EdgeIsConstrainedMap is_constrained)
+  {
+    m_points.merge();
+    for (const auto& e : m_points.edges_with_points()) add_faces_beside(e.halfedge);
+    std::vector<Triangulated_face> triangulated;
+    Face_triangulation<Points, Piece> triangulate(m_points, m_tolerance);
+    for (Face_pieces& f : m_faces)
+    {
+      for (auto& p : f.pieces)
+      {
+        p.from = m_points.merged(p.from);
+        p.to = m_points.merged(p.to);
+      }
+      triangulate(f.face, f.pieces);
+      triangulated.push_back({f.face, m_points[triangulate.boundary()[0]].vertex, triangulate.boundary(),
+                              triangulate.triangles()});
+      m_edges.insert(m_edges.end(), triangulate.edges().begin(), triangulate.edges().end());
+    }
+    // From here on the mesh changes.
+    for (const auto& e : m_points.edges_with_points()) divide(e);
+    for (const Triangulated_face& f : triangulated) replace(f);
+    for (const Split_edge& e : m_edges) put(is_constrained, edge(halfedge_of(e), m_mesh), true);
+  }
+
+  // Writes the band of each face: the number of levels that its points are not nearer than. Faces in components of the surface
+  // without curves have the value of `band_of(face)`.
+  template <class FaceBandMap, class Function>
+  void write_bands(FaceBandMap band_map, const Function& band_of)
+  {
+    for (const face_descriptor f : faces(m_mesh)) put(m_number_at, f, 0); // 1 + band
+    typedef CGAL::dynamic_edge_property_t<bool> Edge_tag;
+    auto is_curve = get(Edge_tag(), m_mesh);
+    for (const auto e : edges(m_mesh)) put(is_curve, e, false);
+    std::deque<face_descriptor> pending;
+    const auto set = [&](halfedge_descriptor h, std::size_t band) {
+      const face_descriptor f = face(h, m_mesh);
+      if (f == Graph_traits::null_face() || get(m_number_at, f) != 0) return;
+      put(m_number_at, f, band + 1);
+      pending.push_back(f);
+    };
+    for (const Split_edge& e : m_edges) put(is_curve, edge(halfedge_of(e), m_mesh), true);
+    // Where curves are closer than the snap distance, an edge belongs to several: the nearest level bounds its left side.
+    std::stable_sort(m_edges.begin(), m_edges.end(), [](const Split_edge& a, const Split_edge& b) { return a.level < b.level; });
+    for (const Split_edge& e : m_edges) set(halfedge_of(e), e.level);
+    for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e) set(opposite(halfedge_of(*e), m_mesh), e->level + 1);
+    const auto spread = [&] {
+      while (!pending.empty())
+      {
+        const face_descriptor f = pending.front();
+        pending.pop_front();
+        for (const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+          if (!get(is_curve, edge(h, m_mesh))) set(opposite(h, m_mesh), get(m_number_at, f) - 1);
+      }
+    };
+    spread();
+    for (const face_descriptor f : faces(m_mesh))
+    {
+      if (get(m_number_at, f) == 0)
+      {
+        set(halfedge(f, m_mesh), band_of(f));
+        spread();
+      }
+      put(band_map, f, get(m_number_at, f) - 1);
+    }
+  }
+
+private:
+  typedef CGAL::dynamic_face_property_t<std::size_t> Face_tag;
+  typedef Split_piece<Piece> Piece_in_face;
+  struct Face_pieces
+  {
+    face_descriptor face;
+    std::vector<Piece_in_face> pieces;
+  };
+  struct Triangulated_face
+  {
+    face_descriptor face;
+    vertex_descriptor first; // source of the first halfedge of the face, before the split
+    std::vector<Id> boundary; // from there on
+    std::vector<std::array<Id, 3>> triangles;
+  };
+
+  template <class Location>
+  Id add(const Location& l)
+  {
+    Flat_face::Weights w;
+    for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(l.second[k]);
+    return m_points.add(l.first, w);
+  }
+
+  std::vector<Piece_in_face>& faces_with(face_descriptor f)
+  {
+    std::size_t number = get(m_number_at, f);
+    if (number == 0)
+    {
+      m_faces.push_back({f, {}});
+      number = m_faces.size();
+      put(m_number_at, f, number);
+    }
+    return m_faces[number - 1].pieces;
+  }
+
+  void add_faces_beside(halfedge_descriptor h)
+  {
+    for (const halfedge_descriptor g : {h, opposite(h, m_mesh)})
+      if (!is_border(g, m_mesh)) faces_with(face(g, m_mesh));
+  }
+
+  // Inserts the points of an edge.
+  void divide(const typename Points::Edge_points& e)
+  {
+    for (const Id id : e.ids)
+    {
+      const vertex_descriptor v = target(CGAL::Euler::split_edge(e.halfedge, m_mesh), m_mesh);
+      put(m_vpm, v, m_points[id].point);
+      m_points.set_vertex(id, v);
+    }
+  }
+
+  // Replaces a face, whose edges are divided, by its triangles.
+  void replace(const Triangulated_face& f)
+  {
+    std::map<std::pair<Id, Id>, halfedge_descriptor> halfedge_between;
+    halfedge_descriptor h = halfedge(f.face, m_mesh);
+    while (source(h, m_mesh) != f.first) h = next(h, m_mesh);
+    for (std::size_t i = 0; i < f.boundary.size(); ++i, h = next(h, m_mesh))
+    {
+      CGAL_assertion(source(h, m_mesh) == m_points[f.boundary[i]].vertex);
+      halfedge_between[{f.boundary[i], f.boundary[(i + 1) % f.boundary.size()]}] = h;
+    }
+    bool is_first = true;
+    for (const std::array<Id, 3>& t : f.triangles)
+    {
+      const face_descriptor g = is_first ? f.face : add_face(m_mesh);
+      is_first = false;
+      std::array<halfedge_descriptor, 3> side;
+      for (std::size_t k = 0; k < 3; ++k) side[k] = between(t[k], t[(k + 1) % 3], halfedge_between);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        set_next(side[k], side[(k + 1) % 3], m_mesh);
+        set_face(side[k], g, m_mesh);
+      }
+      set_halfedge(g, side[0], m_mesh);
+    }
+  }
+
+  halfedge_descriptor between(Id from, Id to, std::map<std::pair<Id, Id>, halfedge_descriptor>& known)
+  {
+    const auto it = known.find({from, to});
+    if (it != known.end()) return it->second;
+    const halfedge_descriptor h = halfedge(add_edge(m_mesh), m_mesh), g = opposite(h, m_mesh);
+    known[{from, to}] = h;
+    known[{to, from}] = g;
+    set_target(h, vertex_at(to, h), m_mesh);
+    set_target(g, vertex_at(from, g), m_mesh);
+    return h;
+  }
+
+  // The vertex of a point; a new one, with the given halfedge, for a point in a face.
+  vertex_descriptor vertex_at(Id id, halfedge_descriptor h)
+  {
+    if (m_points[id].vertex != Graph_traits::null_vertex()) return m_points[id].vertex;
+    const vertex_descriptor v = add_vertex(m_mesh);
+    put(m_vpm, v, m_points[id].point);
+    set_halfedge(v, h, m_mesh);
+    m_points.set_vertex(id, v);
+    return v;
+  }
+
+  halfedge_descriptor halfedge_of(const Split_edge& e) const
+  {
+    const auto h = CGAL::halfedge(m_points[e.from].vertex, m_points[e.to].vertex, m_mesh);
+    CGAL_postcondition(h.second);
+    return h.first;
+  }
+
+  TriangleMesh& m_mesh;
+  const VertexPointMap m_vpm;
+  Points m_points;
+  const double m_tolerance;
+  std::deque<Piece> m_pieces; // the addresses stay
+  std::vector<Face_pieces> m_faces;
+  std::vector<Split_edge> m_edges;
+  typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces; later 1 + band
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

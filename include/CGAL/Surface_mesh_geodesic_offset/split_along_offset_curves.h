@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_SPLIT_ALONG_OFFSET_CURVES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_SPLIT_ALONG_OFFSET_CURVES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Mesh_splitting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/range/value_type.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetFunctions
+
+\brief splits the faces of a mesh along offset curves, so that the curves are polylines of edges.
+
+The new vertices are on the exact curves, and the chords between them nowhere farther from the curves than `chord_tolerance`.
+Crossed faces are replaced by the constrained Delaunay triangulation of their part of the curves; the surface stays the same
+set of points up to rounding, and a closed mesh stays closed. Vertices, edges that no curve crosses, and faces without points of
+curves keep their descriptors.
+
+Points of curves closer to each other, to a vertex or to an edge than 2^-33 of the diagonal of the bounding box, about 1e-10, are
+one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there.
+
+The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. If an
+exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
+
+\tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`
+\tparam OffsetCurves a model of `ConstRange` with `Geodesic_offset_curve` as value type
+\tparam NamedParameters a sequence of named parameters
+\param tm the mesh. Afterwards, curves, fields and geodesic objects of it must not be used any more.
+\param curves offset curves on `tm`, in any order; without curves the mesh stays as it is
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{chord_tolerance}
+    \cgalParamDescription{the largest distance of a chord from its curve}
+    \cgalParamType{a number}
+    \cgalParamDefault{1e-4 of the diagonal of the bounding box}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{receives `true` for each edge on a curve; other values are not written}
+    \cgalParamType{a model of `WritablePropertyMap` with `edge_descriptor` as key and `bool` as value}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_band_map}
+    \cgalParamDescription{receives for each face the number of distances of the curves that its points are not nearer than: 0
+                          for points nearer than all of them}
+    \cgalParamType{a model of `WritablePropertyMap` with `face_descriptor` as key and `std::size_t` as value}
+    \cgalParamDefault{none}
+    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. In components of the surface
+                    that no curve crosses the value is 0, unless `vertex_distance_map` is given.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_distance_map}
+    \cgalParamDescription{the distances of the vertices before the split}
+    \cgalParamType{a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a number as value}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices, with which the curves were computed}
+    \cgalParamType{a model of `ReadWritePropertyMap` with `vertex_descriptor` as key and a 3D point as value}
+    \cgalParamDefault{`get(boost::vertex_point, tm)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre All faces of `tm` are triangles, and the curves are of `tm` with these points.
+\throws std::invalid_argument unless `chord_tolerance > 0`
+\throws std::logic_error if a curve was moved from
+*/
+template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
+void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
+                               const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Geodesic_offset::internal;
+  internal::check_named_parameters<internal::Splitting_parameters, NamedParameters>();
+  typedef typename boost::range_value<OffsetCurves>::type Curve;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::type Vertex_point_map;
+  const Vertex_point_map vpm = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_point), get_property_map(boost::vertex_point, tm));
+
+  std::vector<typename Curve::FT> distances;
+  for (const Curve& c : curves) distances.push_back(c.distance());
+  std::sort(distances.begin(), distances.end());
+  distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
+  const auto index_of = [&](const auto& d) {
+    return std::size_t(std::lower_bound(distances.begin(), distances.end(), d) - distances.begin());
+  };
+
+  const Bbox_3 box = Polygon_mesh_processing::bbox(tm, parameters::vertex_point_map(vpm));
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double tolerance = CGAL::to_double(parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), typename Curve::FT(1e-4 * diagonal)));
+  internal::check_chord_tolerance(tolerance);
+
+  const auto snap_distance = diagonal / double(1ll << 33);
+  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, snap_distance, tolerance);
+  for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));
+  splitting.split(parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
+                                               Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>()));
+  if constexpr (internal::has_parameter<internal_np::geodesic_face_band_t, NamedParameters>)
+    splitting.write_bands(parameters::get_parameter(np, internal_np::geodesic_face_band), [&](auto f) {
+      if constexpr (internal::has_parameter<internal_np::geodesic_vertex_distance_t, NamedParameters>)
+      {
+        // the number of distances that are not greater
+        const auto d = get(parameters::get_parameter(np, internal_np::geodesic_vertex_distance), source(halfedge(f, tm), tm));
+        return std::size_t(std::upper_bound(distances.begin(), distances.end(), d) - distances.begin());
+      }
+      else return (void)f, std::size_t(0);
+    });
+}
+
+} // namespace CGAL
+
+#endif
