@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -243,7 +243,7 @@ private:
 
   halfedge_descriptor halfedge_of(const Split_edge& e) const
   {
-    const auto h = CGAL::halfedge(m_points[e.from].vertex, m_points[e.to].vertex, m_mesh);
+    const auto h = halfedge(m_points[e.from].vertex, m_points[e.to].vertex, m_mesh);
     CGAL_postcondition(h.second);
     return h.first;
   }
