@@ -6,6 +6,7 @@
 // whole offset.
 
 #include "data_meshes.h"
+#include "derivative_check.h"
 #include "generated_meshes.h"
 #include "locations.h"
 #include "offset_integrals.h"
@@ -26,8 +27,9 @@ typedef std::function<void(Geodesic&)> Add_sources;
 
 struct Totals
 {
-  std::size_t distances = 0, at_events = 0, sides = 0, levels = 0;
-  double derivative = 0, side = 0, integral = 0;
+  Derivative_check derivatives;
+  std::size_t sides = 0, levels = 0;
+  double side = 0, integral = 0;
 };
 Totals totals;
 
@@ -66,15 +68,7 @@ void derivatives_and_sides(const std::string& name, const Surface_mesh& mesh, st
     for (std::size_t i = 0; i < count; ++i)
     {
       const double d = uniform(random, 0.02, 0.98) * integrals.largest_distance();
-      Coarea coarea;
-      ++totals.distances;
-      if (!integrals.derivative_at(d, coarea)) ++totals.at_events;
-      else
-      {
-        totals.derivative = (std::max)(totals.derivative, coarea.relative_difference());
-        CHECK_DETAIL(coarea.relative_difference() <= 1e-9,
-                     "at " + std::to_string(d) + ", " + values(coarea.area, coarea.integral));
-      }
+      totals.derivatives(integrals, d);
       if (!has_sides) continue;
       const Lengths_by_side lengths = lengths_by_side(geodesic, d);
       ++totals.sides;
@@ -155,8 +149,8 @@ void integrals_over_all_levels()
 // Only few distances are at events, where nothing is compared.
 void few_events()
 {
-  CHECK_DETAIL(totals.at_events * 20 <= totals.distances,
-               std::to_string(totals.at_events) + " of " + std::to_string(totals.distances));
+  CHECK_DETAIL(totals.derivatives.at_events * 20 <= totals.derivatives.distances,
+               std::to_string(totals.derivatives.at_events) + " of " + std::to_string(totals.derivatives.distances));
 }
 
 } // namespace test_offset_integrals
@@ -177,8 +171,8 @@ GEODESIC_OFFSET_TEST(test_offset_integrals)
                                                       {data_case, data}};
   const int result = run_tests("test_offset_integrals", tests);
   std::cout.precision(3);
-  std::cout << totals.distances << " distances, " << totals.at_events << " of them at events; derivatives off by at most "
-            << totals.derivative << "; " << totals.sides << " levels by sides, off by " << totals.side << "; "
-            << totals.levels << " levels for integrals, off by " << totals.integral << " of the area" << std::endl;
+  std::cout << totals.derivatives.distances << " distances, " << totals.derivatives.at_events
+            << " of them at events; derivatives off by at most " << totals.derivatives.worst << "; " << totals.sides
+            << " levels by sides, off by " << totals.side << "; " << totals.levels << " levels for integrals, off by " << totals.integral << " of the area" << std::endl;
   return result;
 }

@@ -6,6 +6,7 @@
 // where a source lies in the region of another one. Offsets are checked by integrals, and against those of the same source
 // without a start value.
 
+#include "derivative_check.h"
 #include "generated_meshes.h"
 #include "offset_integrals.h"
 #include "path_tools.h"
@@ -32,8 +33,9 @@ typedef Source_set::Kind Kind;
 
 struct Totals
 {
-  std::size_t points = 0, ties = 0, dominated = 0, paths = 0, levels = 0, at_events = 0;
-  double distance = 0, path = 0, derivative = 0, width = 0, certified = 0;
+  std::size_t points = 0, ties = 0, dominated = 0, paths = 0;
+  Derivative_check derivatives;
+  double distance = 0, path = 0, width = 0, certified = 0;
 };
 Totals totals;
 
@@ -276,15 +278,7 @@ private:
     for (int i = 0; i < 4; ++i)
     {
       const double d = least + uniform(random, 0.02, 0.98) * (integrals.largest_distance() - least);
-      Coarea coarea;
-      ++totals.levels;
-      if (!integrals.derivative_at(d, coarea)) ++totals.at_events;
-      else
-      {
-        totals.derivative = (std::max)(totals.derivative, coarea.relative_difference());
-        CHECK_DETAIL(coarea.relative_difference() <= 1e-9,
-                     "at " + std::to_string(d) + ", " + values(coarea.area, coarea.integral));
-      }
+      totals.derivatives(integrals, d);
     }
   }
 
@@ -345,13 +339,7 @@ void restarts()
       if (b <= limit) CHECK_DETAIL(std::abs(a - b) <= tolerance(b, size), values(a, b));
     }
     Offset_integrals integrals(second, data.mesh);
-    for (const double part : {0.3, 0.5, 0.7})
-    {
-      Coarea coarea;
-      ++totals.levels;
-      if (!integrals.derivative_at(part * integrals.largest_distance(), coarea)) ++totals.at_events;
-      else CHECK_DETAIL(coarea.relative_difference() <= 1e-9, values(coarea.area, coarea.integral));
-    }
+    for (const double part : {0.3, 0.5, 0.7}) totals.derivatives(integrals, part * integrals.largest_distance());
   }
 }
 
@@ -482,8 +470,8 @@ GEODESIC_OFFSET_TEST(test_start_values)
   const auto& t = test_start_values::totals;
   std::cout.precision(3);
   std::cout << t.points << " points, distances off by " << t.distance << ", " << t.ties << " ties, " << t.dominated
-            << " sources inside the region of another one, " << t.paths << " paths off by " << t.path << ", " << t.levels
-            << " levels, " << t.at_events << " of them at events, derivatives off by " << t.derivative
+            << " sources inside the region of another one, " << t.paths << " paths off by " << t.path << ", " << t.derivatives.distances
+            << " levels, " << t.derivatives.at_events << " of them at events, derivatives off by " << t.derivatives.worst
             << ", certified bounds apart by " << t.width << ", offsets certified within " << t.certified << std::endl;
   return result;
 }

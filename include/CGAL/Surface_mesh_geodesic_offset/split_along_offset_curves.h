@@ -82,7 +82,6 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
 
 \pre All faces of `tm` are triangles, and the curves are of `tm` with these points.
 \throws std::invalid_argument unless `chord_tolerance > 0`
-\throws std::logic_error if a curve was moved from
 */
 template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
 void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
@@ -106,12 +105,12 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
 
   const Bbox_3 box = Polygon_mesh_processing::bbox(tm, parameters::vertex_point_map(vpm));
   const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const typename Curve::FT default_tolerance(internal::default_chord_tolerance * diagonal);
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), typename Curve::FT(1e-4 * diagonal)));
+    parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));
   internal::check_chord_tolerance(tolerance);
 
-  const auto snap_distance = diagonal / double(1ll << 33);
-  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, snap_distance, tolerance);
+  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, diagonal, tolerance);
   for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));
   splitting.split(parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>()));

@@ -110,7 +110,7 @@ private:
       for (std::size_t i = 0; i < curve.number_of_pieces(); ++i)
         box += bbox(coordinates(curve.point(curve.piece(i).start()))) + bbox(coordinates(curve.point(curve.piece(i).end())));
     const double size = std::hypot(box.x_span(), box.y_span(), box.z_span());
-    return std::isfinite(size) && size > 0 ? 1e-4 * size : 1;
+    return std::isfinite(size) && size > 0 ? Geodesic_offset::internal::default_chord_tolerance * size : 1;
   }
 
   const CurveRange& m_curves;

@@ -14,6 +14,9 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// The default, as a part of the diagonal of a bounding box: not visible in pictures of the whole.
+constexpr double default_chord_tolerance = 1e-4;
+
 template <class FT>
 void check_chord_tolerance(const FT& tolerance)
 {

@@ -23,7 +23,6 @@
 #include <array>
 #include <cstddef>
 #include <deque>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -44,11 +43,9 @@ public:
   typedef Split_points<TriangleMesh, VertexPointMap> Points;
   typedef typename Points::Id Id;
 
-  static constexpr std::size_t no_band = std::numeric_limits<std::size_t>::max();
-
-  // `snap_distance`: points closer than this are one.
-  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double snap_distance, double chord_tolerance)
-    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, snap_distance), m_tolerance(chord_tolerance),
+  // `diagonal`: of the bounding box of the mesh.
+  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance)
+    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance),
       m_number_at(get(Face_tag(), tm))
   {
     for (const face_descriptor f : faces(tm)) put(m_number_at, f, 0);
@@ -77,6 +74,7 @@ public:
     m_points.merge();
     for (const auto& e : m_points.edges_with_points()) add_faces_beside(e.halfedge);
     std::vector<Triangulated_face> triangulated;
+    std::vector<Split_edge> edges;
     Face_triangulation<Points, Piece> triangulate(m_points, m_tolerance);
     for (Face_pieces& f : m_faces)
     {
@@ -88,12 +86,16 @@ public:
       triangulate(f.face, f.pieces);
       triangulated.push_back({f.face, m_points[triangulate.boundary()[0]].vertex, triangulate.boundary(),
                               triangulate.triangles()});
-      m_edges.insert(m_edges.end(), triangulate.edges().begin(), triangulate.edges().end());
+      edges.insert(edges.end(), triangulate.edges().begin(), triangulate.edges().end());
     }
     // From here on the mesh changes.
     for (const auto& e : m_points.edges_with_points()) divide(e);
     for (const Triangulated_face& f : triangulated) replace(f);
-    for (const Split_edge& e : m_edges) put(is_constrained, edge(halfedge_of(e), m_mesh), true);
+    for (const Split_edge& e : edges)
+    {
+      m_edges.push_back({halfedge_of(e), e.level});
+      put(is_constrained, edge(m_edges.back().halfedge, m_mesh), true);
+    }
   }
 
   // Writes the band of each face: the number of levels that its points are not nearer than. Faces in components of the surface
@@ -112,11 +114,11 @@ public:
       put(m_number_at, f, band + 1);
       pending.push_back(f);
     };
-    for (const Split_edge& e : m_edges) put(is_curve, edge(halfedge_of(e), m_mesh), true);
+    for (const Curve_edge& e : m_edges) put(is_curve, edge(e.halfedge, m_mesh), true);
     // Where curves are closer than the snap distance, an edge belongs to several: the nearest level bounds its left side.
-    std::stable_sort(m_edges.begin(), m_edges.end(), [](const Split_edge& a, const Split_edge& b) { return a.level < b.level; });
-    for (const Split_edge& e : m_edges) set(halfedge_of(e), e.level);
-    for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e) set(opposite(halfedge_of(*e), m_mesh), e->level + 1);
+    std::stable_sort(m_edges.begin(), m_edges.end(), [](const Curve_edge& a, const Curve_edge& b) { return a.level < b.level; });
+    for (const Curve_edge& e : m_edges) set(e.halfedge, e.level);
+    for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e) set(opposite(e->halfedge, m_mesh), e->level + 1);
     const auto spread = [&] {
       while (!pending.empty())
       {
@@ -145,6 +147,11 @@ private:
   {
     face_descriptor face;
     std::vector<Piece_in_face> pieces;
+  };
+  struct Curve_edge // of the split mesh, in the direction of its curve
+  {
+    halfedge_descriptor halfedge;
+    std::size_t level;
   };
   struct Triangulated_face
   {
@@ -254,7 +261,7 @@ private:
   const double m_tolerance;
   std::deque<Piece> m_pieces; // the addresses stay
   std::vector<Face_pieces> m_faces;
-  std::vector<Split_edge> m_edges;
+  std::vector<Curve_edge> m_edges;
   typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces; later 1 + band
 };
 

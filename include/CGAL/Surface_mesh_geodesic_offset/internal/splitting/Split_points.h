@@ -96,8 +96,14 @@ public:
     std::vector<Id> ids;
   };
 
-  Split_points(TriangleMesh& tm, const VertexPointMap& vpm, double snap_distance)
-    : m_mesh(tm), m_vpm(vpm), m_snap(snap_distance), m_id_at(get(Vertex_tag(), tm)), m_number_at(get(Edge_tag(), tm))
+  // Points closer than this part of the diagonal of the bounding box are one: 2^-33, about 1e-10. That is far above the rounding
+  // and the level shift (2^-42), so that no thin triangles are left beside vertices and edges on a level, and a tenth of the
+  // 1e-9 by which a vertex may be off its level. Binding test: test_splitting.
+  static constexpr double snap_part = 1. / (1ull << 33);
+
+  // `diagonal`: of the bounding box.
+  Split_points(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal)
+    : m_mesh(tm), m_vpm(vpm), m_snap(snap_part * diagonal), m_id_at(get(Vertex_tag(), tm)), m_number_at(get(Edge_tag(), tm))
   {
     for (const vertex_descriptor v : vertices(tm)) put(m_id_at, v, 0);
     for (const auto e : edges(tm)) put(m_number_at, e, 0);
