@@ -101,6 +101,7 @@ public:
   }
 
   // Number of elements in the current bucket.
+  std::size_t number_of_faces() const { return m_ring[m_begin].faces.size(); }
   std::size_t number_of_halfedges() const { return m_ring[m_begin].halfedges.size(); }
   std::size_t number_of_vertices() const { return m_ring[m_begin].vertices.size(); }
 

@@ -79,8 +79,8 @@ public:
     for (Index i = 0; i < m_part.size(); ++i)
       if (m_waiting[i].first <= m_state.current() || has_bit(m_recipients | m_gives_up, i)) m_turns.push_back({i, 1});
     m_gives_up = 0;
-    round(m_turns.size() >= worthwhile_faces,
-          [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
+    round<&Bucket_queue::number_of_faces>(
+      m_turns.size() >= worthwhile_faces, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
     for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
   }
 
@@ -104,17 +104,20 @@ public:
       const bool is_recipient = m_recipients != 0 && (m_tells_vertices || first_message() <= m_state.current());
       if (const std::size_t halfedges = find_turns(&Waiting::halfedges, m_pending); halfedges > 0 || is_recipient)
       {
-        round(halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->process_halfedges(i, worker); });
+        round<&Bucket_queue::number_of_halfedges>(
+          halfedges >= worthwhile_halfedges, [this](unsigned worker, Index i) { this->process_halfedges(i, worker); });
         m_tells_vertices = false;
       }
       else if (const std::size_t vertices = find_turns(&Waiting::vertices, 0); vertices > 0)
       {
-        round(vertices >= worthwhile_vertices, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
+        round<&Bucket_queue::number_of_vertices>(
+          vertices >= worthwhile_vertices, [this, &spreading](unsigned, Index i) { this->spread(i, spreading); });
         m_tells_vertices = true;
       }
       else
-        return;
+        break;
     }
+    CGAL_postcondition(is_bucket_processed());
   }
 
   // The threads, free for other work between rounds.
@@ -186,8 +189,15 @@ private:
     return sum;
   }
 
-  // A turn of a part: reads messages and releases lists before f, and takes the snapshot after it.
-  template <class Function>
+  // False if a part is left in this bucket, or before it. Then the front would never end, as no later round has a turn for it.
+  bool is_bucket_processed() const
+  {
+    return std::all_of(m_waiting.begin(), m_waiting.end(), [this](const Waiting& w) { return w.first > m_state.current(); });
+  }
+
+  // A turn of a part: reads messages and releases lists before f, and takes the snapshot after it. f processes all elements of
+  // the bucket that `number` counts.
+  template <std::size_t (Bucket_queue::*number)() const, class Function>
   void take_turn(Index i, unsigned worker, const Function& f)
   {
     Part& part = m_part[i];
@@ -196,6 +206,7 @@ private:
     give_up(part, worker);
     receive(i, worker);
     f(worker, i);
+    CGAL_postcondition((m_state.part(i).queue.*number)() == 0);
     look_at(i);
     Waiting& w = m_waiting[i];
     w.recipients = part.sender.recipients();
@@ -204,13 +215,13 @@ private:
     w.has_shared_arrivals = !part.sender.shared_updates().empty();
   }
 
-  template <class Function>
+  template <std::size_t (Bucket_queue::*number)() const, class Function>
   void round(bool is_worth_help, const Function& f)
   {
     ++m_round;
     m_team.for_each(
       Index(m_turns.size()), [this](Index k) { return this->m_turns[k].work; }, is_worth_help && m_turns.size() > 1,
-      [this, &f](unsigned worker, Index k) { this->take_turn(this->m_turns[k].part, worker, f); });
+      [this, &f](unsigned worker, Index k) { this->template take_turn<number>(this->m_turns[k].part, worker, f); });
     deliver();
     m_state.field.lists.note_number(number_of_windows());
     if ((m_round & 15u) == 0) m_state.field.lists.balance_arenas();
