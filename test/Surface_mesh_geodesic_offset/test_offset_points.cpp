@@ -11,6 +11,7 @@
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
 
@@ -22,6 +23,7 @@
 #include <iterator>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -261,6 +263,71 @@ void circles_in_faces()
     }
 }
 
+// Writes a curve to a file of each format; returns whether all of them are refused, and write nothing.
+template <class Exception>
+bool is_refused_by_writers(const Curves& curves, double tolerance)
+{
+  bool result = true;
+  for (const auto format : {CGAL::IO::Offset_file_format::VTK, CGAL::IO::Offset_file_format::OBJ,
+                            CGAL::IO::Offset_file_format::DXF, CGAL::IO::Offset_file_format::POLYLINES})
+  {
+    std::ostringstream os;
+    const auto is_refused = [&](const auto& write) {
+      try
+      {
+        write();
+      }
+      catch (const Exception&)
+      {
+        return os.str().empty();
+      }
+      return false;
+    };
+    result &= is_refused(
+      [&] { CGAL::IO::write_offset_curves(os, format, curves, CGAL::parameters::chord_tolerance(tolerance)); });
+  }
+  return result;
+}
+
+// Tolerances without a limit: the angle of chords has a minimum, and curves with too many chords are refused at once.
+void tiny_tolerances()
+{
+  Report::instance().set_context("tiny tolerances");
+  using CGAL::Geodesic_offset::internal::least_chord_angle;
+  const Surface_mesh mesh = mesh_of(random_rectangle(4, 3, 5, 2, 3));
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(geodesic.locate(Point_3(2, 1.5, 0)));
+  Curves curves;
+  geodesic.build_with_offset_curves(1., std::back_inserter(curves)); // a circle: 62,831,854 chords
+  if (!CHECK(curves.size() == 1)) return;
+  double sum = 0;
+  for (const auto& piece : curves[0].pieces())
+  {
+    const double angle = piece.angle();
+    for (const double tolerance : {1e-25, 1e-300, std::numeric_limits<double>::denorm_min()})
+      CHECK(double(piece.number_of_chords(tolerance)) == std::ceil(angle / least_chord_angle));
+    sum += angle;
+    // the largest tolerance for which chords have the least angle, and a larger one
+    const double height = 2 * piece.radius() * std::pow(std::sin(least_chord_angle / 4), 2);
+    CHECK(double(piece.number_of_chords(1.1 * height)) < angle / least_chord_angle);
+    // the height of a chord is the rounding of points of the arc
+    CHECK(height <= 12 * std::numeric_limits<double>::epsilon() / 2 * piece.radius());
+  }
+  CHECK(std::abs(sum - 2 * CGAL_PI) < 1e-12);
+  for (const double tolerance : {1e-16, 1e-300, std::numeric_limits<double>::denorm_min()})
+  {
+    Polyline_3 points;
+    CHECK_THROWS(curves[0].points(tolerance, std::back_inserter(points)), std::length_error);
+    CHECK(points.empty() && is_refused_by_writers<std::length_error>(curves, tolerance));
+  }
+  for (const double tolerance : {0., -1e-300, std::nan("")}) CHECK(is_refused_by_writers<std::invalid_argument>(curves, tolerance));
+  // the arcs of SVG files need no chords
+  std::ostringstream os;
+  CHECK(CGAL::IO::write_offset_curves(os, CGAL::IO::Offset_file_format::SVG, curves,
+                                      CGAL::parameters::chord_tolerance(1e-300)));
+  CHECK(!os.str().empty());
+}
+
 // Closed curves smaller than the tolerance remain triangles.
 void small_curves()
 {
@@ -336,6 +403,7 @@ GEODESIC_OFFSET_TEST(test_offset_points)
                                                                {"true arcs", true_arcs},
                                                                {"turn back", turn_back},
                                                                {"circles in faces", circles_in_faces},
+                                                               {"tiny tolerances", tiny_tolerances},
                                                                {"small curves", small_curves},
                                                                {"values of points", values_of_points},
                                                                {"generated meshes", generated},

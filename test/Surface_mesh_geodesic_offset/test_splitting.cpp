@@ -254,6 +254,7 @@ void other_meshes()
                                std::back_inserter(curves));
   const std::size_t before = num_faces(mesh);
   CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(0.)), std::invalid_argument);
+  CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(1e-300)), std::length_error);
   CHECK(num_faces(mesh) == before);
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
   CGAL::geodesic_distances(mesh, std::vector<Polyhedron::Vertex_handle>{*vertices(mesh).first}, distance);

@@ -104,9 +104,9 @@ public:
   /// \name Measure and Points
   /// `length()`, and points at a given arc length, take time linear in the number of pieces. `discretize()` and
   /// `face_locations()` divide the curve piece by piece, for callers who need to know where the curve is on the surface; they
-  /// take time linear in the number of points, which grows without a bound as the tolerance goes to 0. `points()` writes as few
-  /// points as the tolerance allows, for all other purposes; it takes time \f$ O(n \log n) \f$ for \f$ n \f$ points of
-  /// `discretize()`.
+  /// take time linear in the number of points, which is bounded by `Piece::number_of_chords()` for each piece as the tolerance
+  /// goes to 0. `points()` writes as few points as the tolerance allows, for all other purposes; it takes time
+  /// \f$ O(n \log n) \f$ for \f$ n \f$ points of `discretize()`.
   /// @{
 
   /// the length of the curve itself, with arcs as arcs, not of a polyline.
@@ -141,6 +141,8 @@ public:
   /// \f$ r \f$ is divided into equal parts of an angle \f$ s \f$ such that the height of the arc over its chord,
   /// \f$ 2 r \sin^2 (s/4) \f$, is at most the tolerance; an arc and its chords lie in the plane of one face. All points are on
   /// the curve. A closed curve repeats its first point at the end.
+  ///
+  /// Rounding limits the tolerance: it has no effect below 1.25e-15 of the radius, see `Piece::number_of_chords()`.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
   template <class Function>
   void discretize(const FT& chord_tolerance, const Function& f) const
@@ -177,6 +179,8 @@ public:
   /// of a closed curve has three different vertices at least, however large the tolerance. Where a level is the distance of a
   /// ridge up to rounding, a closed curve may lie on one line: then there are two or three points.
   /// \throws std::invalid_argument unless `chord_tolerance > 0`
+  /// \throws std::length_error if the curve has more than 20,000,000 chords in `discretize()`, before any output. The points
+  ///         need up to 200 bytes of memory per chord.
   /// \param chord_tolerance a length
   /// \param out an output iterator for `Point_3`
   template <class OutputIterator>

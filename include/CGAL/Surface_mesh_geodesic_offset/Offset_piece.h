@@ -146,7 +146,8 @@ public:
   /// the point at the parameter `t` as a point in space; see `point_2()`.
   Point_3 point(const FT& t) const { return m_context->surface->point(location(t)); }
 
-  /// the number of chords of equal length that are nowhere farther than `tolerance` from the piece.
+  /// the number of chords of equal length that are nowhere farther than `tolerance` from the piece. A chord spans an angle of
+  /// 1e-7 at least, where the height of the arc is 1.25e-15 of the radius, its rounding. So the number is bounded by 31415927.
   /// \throws std::invalid_argument unless `tolerance > 0`
   std::size_t number_of_chords(const FT& tolerance) const { return number_of_chords(tolerance, angle()); }
 
@@ -210,7 +211,7 @@ private:
     // The height of an arc of radius r and angle s over its chord is r (1 - cos(s / 2)) = 2 r sin^2(s / 4).
     const double sine = std::sqrt(CGAL::to_double(tolerance) / (2 * CGAL::to_double(m_piece->radius)));
     const double largest = 4 * std::asin((std::min)(sine, 1.));
-    const double n = std::ceil(CGAL::to_double(angle) / (std::max)(largest, 1e-7));
+    const double n = std::ceil(CGAL::to_double(angle) / (std::max)(largest, Geodesic_offset::internal::least_chord_angle));
     return n > 1 ? std::size_t(n) : 1;
   }
 

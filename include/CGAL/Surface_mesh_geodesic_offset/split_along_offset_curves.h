@@ -81,7 +81,8 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
 \cgalNamedParamsEnd
 
 \pre All faces of `tm` are triangles, and the curves are of `tm` with these points.
-\throws std::invalid_argument unless `chord_tolerance > 0`
+\throws std::invalid_argument unless `chord_tolerance > 0`; then the mesh is unchanged
+\throws std::length_error as `Geodesic_offset_curve::points()`; then the mesh is unchanged
 */
 template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
 void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
@@ -108,7 +109,7 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   const typename Curve::FT default_tolerance(internal::default_chord_tolerance * diagonal);
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));
-  internal::check_chord_tolerance(tolerance);
+  internal::check_all_numbers_of_chords(curves, tolerance);
 
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, diagonal, tolerance);
   for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));

@@ -189,13 +189,14 @@ named `offset_` and the distance. One unit of the file is one unit of the mesh.
 \param unit the unit of the mesh, for `$INSUNITS`; without one, the file is unitless
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_DXF(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance,
                       Length_unit unit = Length_unit::NONE)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before any output
+  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
   std::vector<std::string> layers;
   std::map<std::string, std::size_t> layer_of;
   std::vector<internal::Dxf_polyline> polylines;

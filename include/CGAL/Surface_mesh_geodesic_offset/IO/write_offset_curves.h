@@ -74,6 +74,7 @@ class Offset_curves_writer
 {
 public:
   // \throws std::invalid_argument if the curves cannot be written in this format, or if the tolerance is not positive
+  // \throws std::length_error if it is so small that a curve has too many chords
   template <class NamedParameters>
   Offset_curves_writer(Offset_file_format format, const CurveRange& curves, const NamedParameters& np)
     : m_curves(curves), m_format(format),
@@ -85,8 +86,9 @@ public:
     using namespace Geodesic_offset::internal;
     check_named_parameters<Writing_parameters, NamedParameters>();
     if (!has_parameter<internal_np::geodesic_chord_tolerance_t, NamedParameters>) m_tolerance = default_tolerance();
-    Geodesic_offset::internal::check_chord_tolerance(m_tolerance);
+    check_chord_tolerance(m_tolerance);
     if (format == Offset_file_format::SVG) Plane_of_curves<CurveRange>{curves};
+    else check_all_numbers_of_chords(curves, m_tolerance);
   }
 
   bool write(std::ostream& os) const
@@ -151,6 +153,7 @@ private:
 \return whether the stream is still good.
 \throws std::invalid_argument if the chord tolerance is not positive, or if the format is SVG and the curves do not lie in one
         plane; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()`, unless the format is SVG; then nothing has been written
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_curves(std::ostream& os, Offset_file_format format, const OffsetCurveRange& curves,
@@ -172,6 +175,7 @@ bool write_offset_curves(std::ostream& os, Offset_file_format format, const Offs
 
 \return `false` if the file cannot be opened, or if writing fails.
 \throws std::invalid_argument as `offset_file_format()` and the overload for streams; then the file is unchanged
+\throws std::length_error as the overload for streams; then the file is unchanged
 */
 template <class OffsetCurveRange, class NamedParameters = parameters::Default_named_parameters>
 bool write_offset_curves(const std::string& file_name, const OffsetCurveRange& curves,

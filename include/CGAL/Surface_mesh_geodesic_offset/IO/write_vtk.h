@@ -81,12 +81,13 @@ to colour the curves.
 \param chord_tolerance the largest distance of a line from its curve; positive
 \return whether the stream is still good.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
 */
 template <class OffsetCurveRange, class FT>
 bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before any output
+  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
   const internal::Full_precision precision(os);
 
   // the total number of points precedes the points

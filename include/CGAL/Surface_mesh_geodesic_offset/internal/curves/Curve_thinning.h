@@ -67,9 +67,10 @@ class Curve_thinning
 
 public:
   // \throws std::invalid_argument unless the tolerance is positive
+  // \throws std::length_error if there are too many candidates
   Curve_thinning(const Curve& curve, const FT& tolerance) : m_curve(curve), m_tolerance(tolerance)
   {
-    check_chord_tolerance(tolerance);
+    check_number_of_chords(curve, tolerance);
   }
 
   // Points of the whole curve. A closed curve may start at any end of a piece, and ends with its first point. is_kept(i):

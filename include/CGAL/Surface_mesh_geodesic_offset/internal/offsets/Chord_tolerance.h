@@ -1,14 +1,17 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Check of the tolerance of functions that replace arcs by chords.
+// Checks of the tolerance of functions that replace arcs by chords.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CHORD_TOLERANCE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_CHORD_TOLERANCE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <cstddef>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -17,11 +20,37 @@ namespace internal {
 // The default, as a part of the diagonal of a bounding box: not visible in pictures of the whole.
 constexpr double default_chord_tolerance = 1e-4;
 
+// Least angle of a chord, in radians. The height of the arc over this chord is 1.25e-15 = 11 u of the radius, for the rounding
+// unit u; points of the arc are rotated about its center with errors of this order.
+constexpr double least_chord_angle = 1e-7;
+
+// Largest number of chords of a curve for a polyline. Candidates of Curve_thinning need 200 bytes per chord: 4 GB.
+constexpr std::size_t most_chords_of_curve = 20000000;
+
 template <class FT>
 void check_chord_tolerance(const FT& tolerance)
 {
   if (!(tolerance > FT(0)))
     throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
+}
+
+template <class Curve>
+void check_number_of_chords(const Curve& curve, const typename Curve::FT& tolerance)
+{
+  check_chord_tolerance(tolerance);
+  std::size_t chords = 0;
+  for (const auto& piece : curve.pieces()) chords += piece.number_of_chords(tolerance);
+  if (chords > most_chords_of_curve)
+    throw std::length_error("Surface_mesh_geodesic_offset: a curve has more than " + std::to_string(most_chords_of_curve) +
+                            " chords within the chord tolerance");
+}
+
+template <class Curves, class FT>
+void check_all_numbers_of_chords(const Curves& curves, const FT& tolerance)
+{
+  check_chord_tolerance(tolerance);
+  for (const auto& curve : curves)
+    check_number_of_chords(curve, typename std::decay<decltype(curve)>::type::FT(tolerance));
 }
 
 } // namespace internal
