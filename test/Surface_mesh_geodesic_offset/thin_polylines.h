@@ -194,6 +194,18 @@ Polyline_3 piecewise_points(const Curve& curve, double tolerance)
   return points;
 }
 
+/// Whether all points are within a tolerance of the line through the first point and the point farthest from it.
+inline bool is_on_line(const Polyline_3& points, double tolerance)
+{
+  const Point_3& p = points.front();
+  Vector_3 direction(0, 0, 0);
+  for (const Point_3& q : points)
+    if ((q - p).squared_length() > direction.squared_length()) direction = q - p;
+  for (const Point_3& q : points)
+    if (CGAL::cross_product(q - p, direction).squared_length() > tolerance * tolerance * direction.squared_length()) return false;
+  return true;
+}
+
 /// Checks that the polyline of a curve and the curve are within the tolerance of each other, by samples, and so is their
 /// Frechet distance; that the points of the polyline are on the curve; that it has the ends of an open curve, and closes a
 /// closed one; and that it has no more points than the polyline with a point at each end of a piece. `size`: of the
@@ -210,12 +222,14 @@ void check_thin_polyline(const Curve& curve, double tolerance, double size)
     Polyline_3 distinct(points.begin(), points.end() - 1);
     std::sort(distinct.begin(), distinct.end());
     const bool has_copies = std::adjacent_find(distinct.begin(), distinct.end()) != distinct.end();
-    CHECK_DETAIL(distinct.size() >= 3 && !has_copies, std::to_string(distinct.size()) + " distinct points");
+    const bool has_triangle = distinct.size() >= 3 || is_on_line(piecewise, rounding);
+    CHECK_DETAIL(has_triangle && !has_copies, std::to_string(distinct.size()) + " distinct points");
   }
   else CHECK(points.front() == piecewise.front() && points.back() == piecewise.back());
   CHECK_DETAIL(points.size() <= (std::max)(piecewise.size(), std::size_t(curve.is_closed() ? 4 : 2)),
                std::to_string(points.size()) + " points, piece by piece " + std::to_string(piecewise.size()));
-  CHECK(polyline_length(points) <= curve.length() * (1 + 1e-9));
+  // each segment is longer than its part of the curve by the rounding of its ends at most
+  CHECK(polyline_length(points) <= curve.length() * (1 + 1e-9) + double(points.size()) * rounding);
 
   // height of the curve over the chords of `samples`, relative to the tolerance
   const double part = tolerance > 1e-5 * size ? 1. / 1024 : 1. / 64;

@@ -253,6 +253,10 @@ public:
   /// Points of polylines are classified as sources are, and joined by straight segments in their faces. Offset curves are taken
   /// as arcs; where pieces are a rounding apart, the tolerance includes it.
   ///
+  /// A face is divided into at most \f$ 2^{16} \f$ triangles, which bound the part of the region in it. So in a region that is a
+  /// strip thinner than \f$ 2^{-12} \f$ of its face, as at a tiny distance from a long source, the tolerance may be as large as
+  /// \f$ 2^{-12} \f$ of the face.
+  ///
   /// Takes time linear in the size of the mesh, plus, for each piece of a curve, time linear in the number of windows of its
   /// face, and more near the ends of pieces and where a local maximum of the distance is close to the offset.
   ///
