@@ -217,11 +217,28 @@ private:
     return (b.starts_at_point_of_face() || b.is_in_cone(p)) && b.excess(p) < -m_tolerances.cover;
   }
 
+  // True if arc a between two points lies along a bounding ray of b up to the error, and is longer than the smallest cell.
+  bool runs_along_ray(const Arc& b, const Arc& a, const Point& from, const Point& to) const
+  {
+    const FT& error = m_tolerances.error;
+    return a.advance(from, to) > m_tolerances.smallest_cell && !(a.largest_value(b.left(), from, to) > error) &&
+           !(a.largest_value(b.right(), from, to) > error);
+  }
+
+  // True if the distance of p, on a bounding ray of b up to the error, is less than the level: an arc along a ray that two
+  // windows share may lie outside both. Distances are 1-Lipschitz.
+  bool covers_beside(const Arc& b, const Point& p) const
+  {
+    return !(b.outside_cone(p) > m_tolerances.error) && b.excess(p) < -FT(2) * m_tolerances.cover;
+  }
+
   // Overload for one other arc b. The ends of the parts in its disk and its cone divide the arc into parts that are covered
   // wholly or not at all; their middle points decide.
   bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
   {
-    if (!b.starts_at_point_of_face() && (is_beyond(b.left(), a, from, to) || is_beyond(b.right(), a, from, to))) return false;
+    const bool is_beside =
+      !b.starts_at_point_of_face() && (is_beyond(b.left(), a, from, to) || is_beyond(b.right(), a, from, to));
+    if (is_beside && !runs_along_ray(b, a, from, to)) return false;
     Point end[10];
     int n = 0;
     const auto add = [&](const Point& p) {
@@ -256,7 +273,7 @@ private:
       const Point& q = k < n ? end[k] : to;
       // Parts as short as a tie are rounding of the rays.
       const bool is_part = a.advance(p, q) > m_tolerances.tie || !Number_policy<FT>::is_inexact;
-      if (is_part && covers(b, a.middle(p, q)))
+      if (is_part && (covers(b, a.middle(p, q)) || (is_beside && covers_beside(b, a.middle(p, q)))))
       {
         to = p;
         return true;

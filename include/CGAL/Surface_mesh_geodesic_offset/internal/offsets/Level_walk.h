@@ -264,8 +264,7 @@ private:
     bool is_known = false;
     m_arcs.for_each_through(start, none, [&](std::size_t j) { is_known = is_known || this->is_followed(j, start); });
     if (is_known) return true;
-    std::size_t nearest;
-    if (m_arcs.field().distance(start, nearest) < m_arcs.level() - tie) return true;
+    if (is_covered_in_cell(start)) return true;
     const std::size_t first = m_pieces.size(), first_followed = m_followed.size();
     Run run = run_of(i, start, false);
     if (!run.is_valid() || run.gate != none) return true;
@@ -303,6 +302,21 @@ private:
       if (!run.is_valid() || run.gate != none) return is_nothing();
     }
     return is_nothing();
+  }
+
+  // True if the distance at p is less than the level by more than a tie. A source on a side of the cell has no paths to a point
+  // that rounding puts behind it, so the distance is that of a point in the cell; distances are 1-Lipschitz.
+  bool is_covered_in_cell(const Point& p) const
+  {
+    const FT& error = m_arcs.tolerances().error;
+    Point inside = p;
+    for (int k = 0; k < 3; ++k)
+    {
+      const FT missing = error - m_cell->height(k, inside);
+      if (CGAL::is_positive(missing)) inside = inside + missing * m_cell->inwards(k);
+    }
+    std::size_t nearest;
+    return m_arcs.field().distance(inside, nearest) + length(inside - p) < m_arcs.level() - m_arcs.tolerances().tie;
   }
 
   void forget_followed(std::size_t first)
