@@ -28,6 +28,7 @@ struct Search_options
   double seconds = 1e9; // no case starts later
   std::size_t levels = 16;      // per mesh
   std::string kind;             // of meshes; all if empty
+  std::size_t sources = 0;      // if not 0: sources of up to so many kinds, and some meshes jittered
   double level = 0; // if nonzero, the only level
   std::size_t validate = 10; // period of validations by Offset_validation; 0: none
   std::size_t printed = 100; // maximum number of printed failures
@@ -127,7 +128,9 @@ private:
     ++counts.meshes;
     try
     {
-      const Generated_mesh<Surface_mesh> data(kinds[kind].second(random));
+      Soup soup = kinds[kind].second(random);
+      if (options_.sources > 0 && uniform(random) < 0.3) jitter(soup, random);
+      const Generated_mesh<Surface_mesh> data(soup);
       run_mesh(data.mesh, seed, random, counts);
     }
     catch (const std::exception& e)
@@ -140,7 +143,8 @@ private:
   void run_mesh(const Surface_mesh& mesh, unsigned seed, Random& random, Search_counts& counts)
   {
     Open_geodesic geodesic(mesh);
-    const Search_sources sources = Source_drawing(mesh, geodesic, random)();
+    Source_drawing drawing(mesh, geodesic, random);
+    const Search_sources sources = options_.sources > 0 ? drawing.several(options_.sources) : drawing();
     name_ += " of " + std::to_string(mesh.number_of_faces()) + " faces, " + sources.kind;
     sources.add_to(geodesic);
     geodesic.build(CGAL::parameters::keep_windows(true));

@@ -70,6 +70,18 @@ inline Soup tube(std::size_t n, std::size_t m, double radius, double height)
   return soup;
 }
 
+/// Multiplies each coordinate by a number within 1e-15 to 1e-7 of 1: edges of a grid then tie up to rounding.
+inline void jitter(Soup& soup, Random& random)
+{
+  const double size = log_uniform(random, -15, -7);
+  const auto moved = [&](double x) { return x * (1 + size * uniform(random, -1, 1)); };
+  for (Point_3& p : soup.points)
+  {
+    const double x = moved(p.x()), y = moved(p.y());
+    p = Point_3(x, y, moved(p.z()));
+  }
+}
+
 /// Meshes of the search, by kind.
 class Search_meshes
 {
@@ -338,6 +350,17 @@ public:
     return sources;
   }
 
+  /// Sources of up to `most` kinds, rings around vertices among them.
+  Search_sources several(std::size_t most)
+  {
+    Search_sources sources;
+    const std::size_t n = 1 + uniform_index(random_, most);
+    for (std::size_t i = 0; i < n || sources.empty(); ++i)
+      if (uniform(random_) < 0.2) add_ring(sources);
+      else add(sources);
+    return sources;
+  }
+
 private:
   void add(Search_sources& sources)
   {
@@ -402,6 +425,23 @@ private:
       }
     }
     sources.kind += (sources.kind.empty() ? "" : ", ") + std::string(kind);
+  }
+
+  // A closed polyline around a vertex: through its neighbours, or across its edges, all at one fraction or each at its own.
+  void add_ring(Search_sources& sources)
+  {
+    const auto v = vertex();
+    if (mesh_.is_border(v)) return;
+    const std::size_t kind = uniform_index(random_, 3);
+    const double fraction = kind == 0 ? 1 : uniform(random_) < 0.5 ? 0.5 : log_uniform(random_, -6, 0);
+    Geodesic::Polyline ring;
+    ring.is_closed = true;
+    for (const auto h : CGAL::halfedges_around_source(v, mesh_))
+      ring.locations.push_back(
+        locations_.on_edge(h, kind == 2 && uniform(random_) < 0.5 ? uniform(random_, 0.1, 0.9) : fraction));
+    if (uniform(random_) < 0.5) std::reverse(ring.locations.begin(), ring.locations.end());
+    sources.polylines.push_back(ring);
+    sources.kind += sources.kind.empty() ? "ring" : ", ring";
   }
 
   Surface_mesh::Vertex_index vertex()

@@ -30,6 +30,8 @@ all of them.
   --seconds S    no case starts later than this (1e9)
   --levels N     levels per mesh, at most (16)
   --kind NAME    kind of all meshes: KINDS (all of them)
+  --sources N    each case has sources of up to N kinds, and a third of the meshes is jittered; 0: one source or two, of one
+                 kind each (0)
   --level D      cut only this level
   --validate N   pass every N-th mesh to a second validator; 0: none (10)
   --printed N    print at most N wrong cases (100)
@@ -118,6 +120,7 @@ int run(int argc, char** argv)
     else if (name == "--meshes") options.meshes = static_cast<std::size_t>(number());
     else if (name == "--seconds") options.seconds = number();
     else if (name == "--levels") options.levels = static_cast<std::size_t>(number());
+    else if (name == "--sources") options.sources = static_cast<std::size_t>(number());
     else if (name == "--level") options.level = number();
     else if (name == "--validate") options.validate = static_cast<std::size_t>(number());
     else if (name == "--printed") options.printed = static_cast<std::size_t>(number());

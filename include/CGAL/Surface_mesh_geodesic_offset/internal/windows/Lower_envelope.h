@@ -144,8 +144,8 @@ private:
   // distances, below Vertex_sector::margin_surcharge().
   static constexpr double roundings_of_margin = 16;
 
-  // Largest gap beside parallel rays, as a fraction of the distances: 1.2e-10, below the guaranteed error of queries.
-  static constexpr double widest_beside_segment = 1. / (1ull << 33);
+  // Largest difference of the directions of one strip on an edge: 2^-33, far above their rounding.
+  static constexpr double strip_turn = 1. / (1ull << 33);
 
   // Largest length of a short edge, as a fraction of the distance: 2^28 u, 2^-24. Distances tie along much of such an edge.
   static constexpr double short_edge = 1. / (1 << 24);
@@ -355,14 +355,12 @@ private:
   }
 
   // True if a window may fill a gap beside it, with distances of d and more, and of the given size. Parallel rays then extend
-  // beyond their segment, so they fill narrow gaps only: a path would name the wrong part, and near the segment, or behind it,
-  // distances would be too short by more than rounding. Beyond the end of the segment by g, they are too short by g^2 / (2 d) at
-  // most.
+  // beyond their segment. Where they end beyond it by g, distances are too short by g^2 / (2 d), which must be rounding.
   bool may_take_over(const Window& w, const FT& gap, const FT& d, const FT& size) const
   {
     if (!w.is_parallel()) return true;
     const FT beyond = -w.y * gap;
-    return beyond <= FT(widest_beside_segment) * size && beyond * beyond <= FT(2) * m_gap_rounding * size * d;
+    return beyond * beyond <= FT(2) * m_gap_rounding * size * d;
   }
 
   struct Gap
@@ -378,7 +376,7 @@ private:
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
     const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.source_ref == w.source_ref &&
-                                 CGAL::abs(FT(a.x - w.x)) <= FT(widest_beside_segment);
+                                 CGAL::abs(FT(a.x - w.x)) <= FT(strip_turn);
     const auto takes = [&](const Window& x, const FT& d, const FT& other) {
       return (is_of_one_strip || may_take_over(x, gap, (std::min)({d, a.d1, w.d0}), size)) && CGAL::abs(FT(d - other)) <= allowance;
     };

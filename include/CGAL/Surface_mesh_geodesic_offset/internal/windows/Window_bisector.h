@@ -120,10 +120,11 @@ public:
   }
 
 private:
+  // Every third step halves the bracket, so the loop ends: at the latest when no number is between u and v.
   BOOST_NOINLINE Place iterate(FT u, FT gu, FT v, FT gv) const
   {
     Place p;
-    for (int i = 0; i < 80; ++i)
+    for (int i = 0;; ++i)
     {
       FT& t = p.t;
       t = i % 3 == 2 ? FT(0.5) * (u + v) : FT(u + (v - u) * (gu / (gu - gv)));
@@ -146,16 +147,17 @@ private:
     return p;
   }
 
-  // point / point, with k = sigma_b - sigma_a:   |t - A| - |t - B| = k
-  //   k = 0: linear.  Otherwise (m t + n)^2 = 4 k^2 |t - B|^2 with m t + n = |t - A|^2 - |t - B|^2 - k^2.
-  // point / parallel:    (c - u t)^2 = |t - A|^2     parallel / parallel: linear
+  // With the origin of t below a point image (b of two), so that squares are of the size of the result:
+  //   point / point, with k = sigma_b - sigma_a:   |t - A| - |t - B| = k
+  //     k = 0: linear.  Otherwise (m t + n)^2 = 4 k^2 |t - B|^2 with m t + n = |t - A|^2 - |t - B|^2 - k^2.
+  //   point / parallel, with c = sigma of the rays - sigma of the point:   (c - u t)^2 = |t - A|^2
+  //   parallel / parallel: linear
   BOOST_FORCEINLINE bool closed_form(const FT& u, const FT& v, FT& t) const
   {
     const bool pa = m_a.is_parallel(), pb = m_b.is_parallel();
-    FT qa, qb, qc; // qa t^2 + 2 qb t + qc = 0
+    FT qa(0), qb, qc, disc, origin(0); // qa t^2 + 2 qb t + qc = 0; a quarter of its discriminant
     if (pa && pb)
     {
-      qa = FT(0);
       qb = (m_b.x - m_a.x) / 2;
       qc = m_a.sigma - m_b.sigma;
     }
@@ -163,51 +165,49 @@ private:
     {
       const Window& l = pa ? m_a : m_b;
       const Window& p = pa ? m_b : m_a;
-      const FT c = l.sigma - p.sigma;
-      qa = 1 - l.x * l.x;
-      qb = c * l.x - p.x;
-      qc = p.x * p.x + p.y * p.y - c * c;
+      origin = p.x;
+      const FT c = l.sigma - l.x * p.x - p.sigma;
+      qa = l.y * l.y;
+      qb = c * l.x;
+      qc = (p.y - c) * (p.y + c);
+      disc = (c - l.y * p.y) * (c + l.y * p.y);
     }
     else
     {
-      const FT k = m_b.sigma - m_a.sigma;
-      const FT m = -2 * (m_a.x - m_b.x);
-      const FT n0 = (m_a.x - m_b.x) * (m_a.x + m_b.x) + (m_a.y - m_b.y) * (m_a.y + m_b.y);
+      origin = m_b.x;
+      const FT k = m_b.sigma - m_a.sigma, x = m_a.x - m_b.x, m = -2 * x;
+      const FT n0 = x * x + (m_a.y - m_b.y) * (m_a.y + m_b.y);
       if (CGAL::is_zero(k))
       {
-        qa = FT(0);
         qb = m / 2;
         qc = n0;
       }
       else
       {
-        const FT n = n0 - k * k, k4 = 4 * k * k;
-        qa = m * m - k4;
-        qb = m * n + k4 * m_b.x;
-        qc = n * n - k4 * (m_b.x * m_b.x + m_b.y * m_b.y);
+        const FT n = n0 - k * k, k2 = 2 * k;
+        qa = (m - k2) * (m + k2);
+        qb = m * n;
+        qc = (n - k2 * m_b.y) * (n + k2 * m_b.y);
+        disc = qb * qb - qa * qc;
       }
     }
+    const auto is_between = [&](const FT& t) { return u < t && t < v; };
     if (CGAL::is_zero(qa))
     {
       if (CGAL::is_zero(qb)) return false;
-      t = -qc / (2 * qb);
-      return u < t && t < v;
+      t = origin - qc / (2 * qb);
+      return is_between(t);
     }
-    const FT disc = qb * qb - qa * qc;
     if (CGAL::is_negative(disc)) return false;
     const FT q = CGAL::is_negative(qb) ? FT(-qb + square_root<FT>(disc)) : FT(-qb - square_root<FT>(disc));
     if (CGAL::is_zero(q)) return false;
-    const FT t1 = q / qa, t2 = qc / q;
-    const bool in1 = u < t1 && t1 < v, in2 = u < t2 && t2 < v;
+    const FT t1 = origin + q / qa, t2 = origin + qc / q;
+    const bool in1 = is_between(t1), in2 = is_between(t2);
     if (in1 && in2)
       t = CGAL::abs(FT(at(m_a, t1) - at(m_b, t1))) <= CGAL::abs(FT(at(m_a, t2) - at(m_b, t2))) ? t1 : t2;
-    else if (in1)
-      t = t1;
-    else if (in2)
-      t = t2;
     else
-      return false;
-    return true;
+      t = in1 ? t1 : t2;
+    return in1 || in2;
   }
 
   const Window& m_a;
