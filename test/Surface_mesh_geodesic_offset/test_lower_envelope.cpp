@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_offset_traits.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Lower_envelope.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -360,6 +361,41 @@ void test_gaps_beside_segments(double slope, double gap, double away, bool is_cl
   CHECK(to_target.size() == 1 && (to_target.front().b1 == 1) == is_closed && to_target.front().d1 > -rounding);
 }
 
+// Ties with an image that is 1e-13 to 1e-2 of the length away from the halfedge, against a strip or another image as near, on the
+// whole halfedge: both distances agree there up to the rounding of coordinates. Squares of coordinates would lose ties within
+// 1e-8 of the length of such an image.
+void test_ties_near_images(unsigned seed)
+{
+  using namespace CGAL::Geodesic_offset::internal;
+  Random random(seed);
+  const double length = std::pow(10, random(-3, 3));
+  const auto away = [&] { return length * std::pow(10, random(-13, -2)); };
+  const double x = length * random(0.1, 0.9);
+  Window a = point_window(x, 0, length);
+  a.y = -away();
+  set_interval(a, 0, length);
+  Window b;
+  if (seed % 2 == 0) // distance at x: more than that of a
+    b = parallel_window(random(-1, 1) * a.y / length, 0, 0, length, 0);
+  else
+  {
+    b = point_window(x + (random.below(2) ? away() : -away()), 0, length);
+    b.y = -away();
+  }
+  b.sigma = 0;
+  b.sigma = a.distance_at(x) - b.distance_at(x) + random(0.1, 1) * a.distance_at(x);
+  set_interval(b, 0, length);
+
+  const CGAL::Geodesic_offset::internal::Window_bisector<Traits> ties(Traits(), a, b);
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() / 2 * (length + std::abs(b.sigma));
+  CHECK(seed % 2 != 0 || ties.number() == 2);
+  for (int i = 0; i < ties.number(); ++i)
+  {
+    CHECK(std::abs(a.distance_at(ties[i]) - b.distance_at(ties[i])) <= rounding);
+    CHECK(std::abs(a.distance_at(ties[i]) - ties.distance(i)) <= rounding);
+  }
+}
+
 } // namespace test_lower_envelope
 
 GEODESIC_OFFSET_TEST(test_lower_envelope)
@@ -369,6 +405,7 @@ GEODESIC_OFFSET_TEST(test_lower_envelope)
     test::Report::instance().set_context("seed " + std::to_string(seed));
     test_random(seed);
     test_rows(seed);
+    test_ties_near_images(seed);
   }
   test_gaps();
   // gaps wider than rounding: behind the segment by 4.5e-14, and beside its end
@@ -378,5 +415,7 @@ GEODESIC_OFFSET_TEST(test_lower_envelope)
   test_gaps_beside_segments(0, 8e-11, 0, false);
   test_gaps_beside_segments(0, 8e-11, 1e-8, false);
   test_gaps_beside_segments(0, 8e-11, 1e-3, true);
+  test_gaps_beside_segments(0, 4e-8, 1, true); // 8e-16
+  test_gaps_beside_segments(0, 1e-6, 1, false); // 5e-13
   return test::Report::instance().finish("test_lower_envelope");
 }
