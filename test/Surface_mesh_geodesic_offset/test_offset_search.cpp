@@ -332,6 +332,21 @@ void search()
   options.validate = 25;
   options.printed = 20;
   check_search(options);
+  options.seed = 1000;
+  options.sources = 4;
+  check_search(options);
+}
+
+void check_case(unsigned seed, std::size_t sources)
+{
+  Report::instance().set_context("seed " + std::to_string(seed));
+  Search_options options;
+  options.seed = seed;
+  options.sources = sources;
+  options.meshes = 1;
+  options.validate = 1;
+  options.printed = 20;
+  check_search(options);
 }
 
 // Cases of the search that had wrong curves or forced joints.
@@ -342,16 +357,9 @@ void found_cases()
         402016u,  501193u,  501415u,  503432u,  504628u,  602188u,  602639u,  609499u,  612007u,  613591u,  614000u,
         701615u,  707841u,  709253u,  714755u,  805966u,  806458u,  810966u,  900332u,  903804u,  904756u,  1003096u,
         1005083u, 1102184u, 1109149u, 1202347u, 1214103u, 1214975u, 1308347u, 1311193u, 1513758u, 1711018u,
-        2003022u, 2008893u, 2210632u, 2212989u, 2219517u, 2914345u, 3004703u})
-  {
-    Report::instance().set_context("seed " + std::to_string(seed));
-    Search_options options;
-    options.seed = seed;
-    options.meshes = 1;
-    options.validate = 1;
-    options.printed = 20;
-    check_search(options);
-  }
+        2003022u, 2008893u, 2210632u, 2212989u, 2219517u, 2914345u, 3004703u, 3407098u})
+    check_case(seed, 0);
+  for (const unsigned seed : {1766u, 3775u}) check_case(seed, 4);
 }
 
 } // namespace test_offset_search
