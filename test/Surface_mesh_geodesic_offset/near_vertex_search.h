@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge. Point sources are compared with the
-// reference of reference_distances.h, polylines on flat convex meshes with distances in the plane.
+// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge, and from polylines that turn around a vertex
+// of a graded mesh. Sources are compared with the reference of reference_distances.h, polylines on flat convex meshes with
+// distances in the plane.
 
 #ifndef GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
 #define GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
 
 #include "generated_flat_meshes.h"
 #include "geodesic_types.h"
+#include "locations.h"
 #include "reference_distances.h"
 
 #include <algorithm>
@@ -27,7 +29,8 @@ namespace test {
 struct Near_vertex_counts
 {
   std::size_t meshes = 0, queries = 0, wrong = 0, wrong_meshes = 0;
-  double worst = 0; // error relative to distance plus longest edge
+  double worst = 0;      // error relative to distance plus longest edge
+  double worst_near = 0; // error relative to distance plus longest edge of the triangle or at the vertex
 };
 
 class Near_vertex_search
@@ -35,11 +38,14 @@ class Near_vertex_search
 public:
   typedef Reference_distances::Location Location;
 
+  /// BESIDE: sources beside vertices and edges. AROUND: polylines around vertices of graded meshes.
+  enum Sources { BESIDE, AROUND };
+
   static constexpr double tolerance = 1e-11; // relative to distance plus longest edge
 
   /// Writes up to `printed` wrong distances to `log`.
-  Near_vertex_search(std::ostream& log, std::size_t printed, std::size_t queries)
-    : log_(log), printed_(printed), queries_(queries)
+  Near_vertex_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources = BESIDE)
+    : log_(log), printed_(printed), queries_(queries), sources_(sources)
   {}
 
   /// Runs the case of a seed.
@@ -47,6 +53,7 @@ public:
   {
     random_.seed(seed);
     for (int i = 0; i < 8; ++i) random_();
+    if (sources_ == AROUND) return run_around(seed);
     const std::size_t kind = uniform_index(random_, 5);
     const Soup soup = make_mesh(kind, seed);
     const bool is_polyline = kind == 0;
@@ -60,10 +67,134 @@ public:
     counts.wrong_meshes += counts.wrong > before ? 1 : 0;
   }
 
+  /// Compares the distances from a polyline with the reference.
+  void run(const std::string& name, const Soup& soup, const std::vector<Location>& polyline, bool is_closed)
+  {
+    const Generated_mesh<Surface_mesh> data(soup);
+    Geodesic geodesic(data.mesh);
+    std::vector<Face_location> locations;
+    for (const Location& l : polyline) locations.push_back(location(soup, data, l));
+    ++counts_[name].meshes;
+    compare_polyline(soup, data, geodesic, locations, is_closed, counts_[name], 0);
+  }
+
   const std::map<std::string, Near_vertex_counts>& counts() const { return counts_; }
+
+  /// Faces with edges of length 100 beside some of 1e-3 to 1. The shortest paths from polylines around vertex 4 to vertex 8 bend at
+  /// vertex 6.
+  static Soup large_beside_small_faces()
+  {
+    Soup soup;
+    soup.points = {Point_3(0, 0, 0), Point_3(73.6, 59, 0), Point_3(0, 1, 0), Point_3(0.1, 0.057, -0.02), Point_3(0.2, 0.164, -0.065),
+                   Point_3(0.04, 0.03, 0), Point_3(0.023, 0.0197, -0.0072), Point_3(0.004, 0.002, 0), Point_3(0.007, 0.002, 0)};
+    static const std::array<std::size_t, 3> triangles[] = {{0, 4, 1}, {2, 0, 5}, {0, 2, 6}, {1, 4, 6}, {0, 3, 7},
+                                                           {3, 0, 8}, {1, 6, 2}, {4, 0, 6}, {3, 5, 7}, {5, 0, 7}};
+    for (const auto& t : triangles) soup.add_triangle(t);
+    return soup;
+  }
 
 private:
   typedef Geodesic::Face_location Face_location;
+
+  void run_around(unsigned seed)
+  {
+    const std::size_t kind = uniform_index(random_, 5);
+    static const char* const names[5] = {"graded discs", "graded cones", "graded saddles", "bent graded discs", "large beside small"};
+    Soup soup = kind == 4 ? changed(large_beside_small_faces()) : make_graded_mesh(kind, seed);
+    for (auto& t : soup.triangles) // the first corner is the origin of coordinates in the face
+      std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
+    Near_vertex_counts& counts = counts_[names[kind]];
+    ++counts.meshes;
+    const std::size_t before = counts.wrong;
+    const Generated_mesh<Surface_mesh> data(soup);
+    const auto v = data.vertices[kind == 4 ? 4 : uniform_index(random_, soup.points.size())];
+    check_polyline_around(soup, data, v, counts, seed);
+    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+  }
+
+  /// Moves the points of a mesh by up to a tenth of their coordinates.
+  Soup changed(Soup soup)
+  {
+    const double most = std::pow(10, uniform(random_, -3, -1));
+    const auto other = [&](double x) { return x * uniform(random_, 1 - most, 1 + most); };
+    for (Point_3& p : soup.points) p = Point_3(other(p.x()), other(p.y()), other(p.z()));
+    return soup;
+  }
+
+  /// Disc with edges of very different lengths; the height of its points makes it a cone, a saddle, or bends it everywhere.
+  Soup make_graded_mesh(std::size_t kind, unsigned seed)
+  {
+    const double decades = uniform(random_, 0, 6), slope = std::pow(10, uniform(random_, -3, 0.5)), bending = kind == 0 ? 0 : std::pow(10, uniform(random_) < 0.3 ? uniform(random_, -6, -1) : uniform(random_, -1, 0.3));
+    const std::size_t number = 7 + uniform_index(random_, uniform(random_) < 0.3 ? 24 : 8), waves = 2 + uniform_index(random_, 2);
+    Soup soup = uniform(random_) < 0.3 ? graded_disc(number, decades, bending, seed) : graded_corner(number, bending);
+    flip_edges(soup, uniform_index(random_, 3 * number));
+    std::vector<Point_3>& points = soup.points;
+    for (Point_3& p : points)
+    {
+      const double r = std::hypot(p.x(), p.y()), angle = std::atan2(p.y(), p.x());
+      const double height = kind == 1 ? slope * r : kind == 2 ? slope * r * std::cos(double(waves) * angle) : 0;
+      p = Point_3(p.x(), p.y(), p.z() + height);
+    }
+    return soup;
+  }
+
+  /// Square whose triangles are split, mostly at its first corner and near to it: thin triangles, with short edges beside long ones.
+  Soup graded_corner(std::size_t splits, double bending)
+  {
+    const double weight = std::pow(10, uniform(random_, 0, 1.5));
+    std::vector<Point_3> points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0)};
+    std::vector<std::array<std::size_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+    for (std::size_t i = 0; i < splits; ++i)
+    {
+      std::vector<std::size_t> candidates;
+      const bool is_at_corner = uniform(random_) < 0.7;
+      for (std::size_t f = 0; f < triangles.size(); ++f)
+        if (!is_at_corner || std::count(triangles[f].begin(), triangles[f].end(), std::size_t(0))) candidates.push_back(f);
+      const std::size_t f = candidates[uniform_index(random_, candidates.size())], v = points.size();
+      const std::array<std::size_t, 3> t = triangles[f];
+      Vector_3 sum(0, 0, 0);
+      double weights = 0;
+      for (const std::size_t c : t)
+      {
+        const double w = uniform(random_, 0.05, 1.05) + (c == 0 ? weight : 0);
+        sum = sum + w * (points[c] - CGAL::ORIGIN);
+        weights += w;
+      }
+      points.push_back(CGAL::ORIGIN + sum / weights);
+      triangles[f] = {t[0], t[1], v};
+      triangles.push_back({t[1], t[2], v});
+      triangles.push_back({t[2], t[0], v});
+    }
+    Soup soup;
+    for (const Point_3& p : points)
+      soup.points.push_back(Point_3(p.x(), p.y(), bending * std::hypot(p.x(), p.y()) * uniform(random_, -1, 1)));
+    for (const auto& t : triangles) soup.add_triangle(t);
+    return soup;
+  }
+
+  /// Flips random edges whose two triangles form a convex quadrilateral in the plane: long edges at vertices of short ones.
+  void flip_edges(Soup& soup, std::size_t attempts)
+  {
+    const auto is_left_turn = [&](std::size_t p, std::size_t q, std::size_t r) {
+      const Point_3 &a = soup.points[p], &b = soup.points[q], &c = soup.points[r];
+      const double area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+      return area > 1e-3 * std::hypot(b.x() - a.x(), b.y() - a.y()) * std::hypot(c.x() - a.x(), c.y() - a.y());
+    };
+    for (std::size_t i = 0; i < attempts; ++i)
+    {
+      std::array<std::size_t, 3>& t = soup.triangles[uniform_index(random_, soup.triangles.size())];
+      const std::size_t k = uniform_index(random_, 3), a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+      for (std::array<std::size_t, 3>& s : soup.triangles)
+        for (std::size_t j = 0; j < 3; ++j)
+        {
+          const std::size_t d = s[(j + 2) % 3];
+          if (s[j] != b || s[(j + 1) % 3] != a || !is_left_turn(c, a, d) || !is_left_turn(c, d, b)) continue;
+          t = {c, a, d};
+          s = {c, d, b};
+          j = 3;
+        }
+    }
+  }
 
   Soup make_mesh(std::size_t kind, unsigned seed)
   {
@@ -157,20 +288,44 @@ private:
     return result;
   }
 
-  static double longest_edge(const Soup& soup)
+  /// Longest edge of the triangles for which f(triangle) is true.
+  template <class Function>
+  static double longest_edge(const Soup& soup, const Function& f)
   {
     double result = 0;
     for (const auto& t : soup.triangles)
-      for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3 && f(t); ++k)
         result = (std::max)(result, std::sqrt(CGAL::squared_distance(soup.points[t[k]], soup.points[t[(k + 1) % 3]])));
     return result;
   }
 
-  void compare(double distance, double expected, double size, Near_vertex_counts& counts, unsigned seed, std::size_t query)
+  /// Compares the distances of queries and vertices with those expected.
+  template <class Of_query, class Of_vertex>
+  void compare(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const Geodesic& geodesic, const std::vector<Location>& queries,
+               const Of_query& of_query, const Of_vertex& of_vertex, Near_vertex_counts& counts, unsigned seed)
+  {
+    typedef std::array<std::size_t, 3> Triangle;
+    const double size = longest_edge(soup, [](const Triangle&) { return true; });
+    for (std::size_t q = 0; q < queries.size(); ++q)
+    {
+      const Triangle& triangle = soup.triangles[queries[q].triangle];
+      const double near = longest_edge(soup, [&](const Triangle& t) { return t == triangle; });
+      compare(geodesic.distance_to_sources(location(soup, data, queries[q])), of_query(q), size, near, counts, seed, q);
+    }
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
+    {
+      const double near = longest_edge(soup, [v](const Triangle& t) { return t[0] == v || t[1] == v || t[2] == v; });
+      compare(geodesic.distance_to_sources(data.vertices[v]), of_vertex(v), size, near, counts, seed, queries.size() + v);
+    }
+  }
+
+  /// `near`: longest edge next to the point.
+  void compare(double distance, double expected, double size, double near, Near_vertex_counts& counts, unsigned seed, std::size_t query)
   {
     ++counts.queries;
     const double error = std::abs(distance - expected) / (expected + size);
     if (!(error <= counts.worst)) counts.worst = error;
+    counts.worst_near = (std::max)(counts.worst_near, error * (expected + size) / (expected + near));
     if (error <= tolerance) return;
     ++counts.wrong;
     if (printed_ == 0) return;
@@ -192,11 +347,110 @@ private:
     Geodesic geodesic(data.mesh);
     for (const Location& s : sources) geodesic.add_source_point(location(soup, data, s));
     geodesic.build(CGAL::parameters::keep_windows(true));
-    const double size = longest_edge(soup);
-    for (std::size_t q = 0; q < queries.size(); ++q)
-      compare(geodesic.distance_to_sources(location(soup, data, queries[q])), double(reference.of_query(q)), size, counts, seed, q);
-    for (std::size_t v = 0; v < soup.points.size(); ++v)
-      compare(geodesic.distance_to_sources(data.vertices[v]), double(reference.of_vertex(v)), size, counts, seed, queries.size() + v);
+    compare(soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },
+            [&](std::size_t v) { return double(reference.of_vertex(v)); }, counts, seed);
+  }
+
+  /// A polyline in the faces around a vertex: through points of consecutive edges or faces, at 1e-8 to 1 of their length from the
+  /// vertex.
+  std::vector<Face_location> polyline_around(const Generated_mesh<Surface_mesh>& data, Surface_mesh::Vertex_index v)
+  {
+    const bool is_equal = uniform(random_) < 0.3, is_on_edges = uniform(random_) < 0.7;
+    const double size = std::pow(10, uniform(random_, -8, -0.3));
+    std::vector<Face_location> result;
+    const Locations<Surface_mesh> locations(data.mesh);
+    const auto start = [&] {
+      for (auto h : CGAL::halfedges_around_source(v, data.mesh))
+        if (data.mesh.is_border(data.mesh.opposite(h))) return h; // the first clockwise
+      return data.mesh.opposite(data.mesh.halfedge(v));
+    }();
+    auto h = start; // leaves v
+    do
+    {
+      const double t = is_equal ? size : uniform(random_) < 0.5 ? uniform(random_) : std::pow(10, uniform(random_, -8, -0.3)), part = uniform(random_);
+      if (uniform(random_) < 0.05) result.push_back(locations.at_vertex(v));
+      if (data.mesh.is_border(h)) // the last edge
+      {
+        const auto g = data.mesh.opposite(h);
+        result.push_back(locations.on_edge(g, 1 - t));
+        break;
+      }
+      if (is_on_edges || uniform(random_) < 0.5) result.push_back(locations.on_edge(h, t));
+      if (!is_on_edges)
+      {
+        Face_location l(data.mesh.face(h), {0, 0, 0});
+        const auto c = locations.corners(l.first);
+        for (std::size_t k = 0; k < 3; ++k) l.second[k] = c[k] == v ? 1 - t : c[k] == data.mesh.target(h) ? t * part : t * (1 - part);
+        // neighbours in one face, or with a point of the edge between
+        if (!result.empty() && locations.common_face(result.back(), l) == Surface_mesh::null_face()) result.push_back(locations.on_edge(h, t));
+        result.push_back(l);
+      }
+      if (uniform(random_) < 0.05) result.push_back(result.back());
+      h = data.mesh.opposite(data.mesh.prev(h));
+    } while (h != start);
+    if (result.size() > 2 && uniform(random_) < 0.4)
+    { // a part of it
+      const std::size_t first = uniform_index(random_, result.size() - 1);
+      result.erase(result.begin(), result.begin() + std::ptrdiff_t(first));
+      result.resize(2 + uniform_index(random_, result.size() - 1));
+    }
+    if (uniform(random_) < 0.5) std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+  void check_polyline_around(const Soup& soup, const Generated_mesh<Surface_mesh>& data, Surface_mesh::Vertex_index v,
+                             Near_vertex_counts& counts, unsigned seed)
+  {
+    const Locations<Surface_mesh> locations(data.mesh);
+    Geodesic geodesic(data.mesh);
+    std::vector<Face_location> polyline = polyline_around(data, v);
+    bool is_closed = locations.common_face(polyline.front(), polyline.back()) != Surface_mesh::null_face() && uniform(random_) < 0.6;
+    if (uniform(random_) < 0.2)
+    { // joined to a point elsewhere
+      polyline.push_back(location(soup, data, {uniform_index(random_, soup.triangles.size()), anywhere()}));
+      const Geodesic::Polyline joined = geodesic.join_polyline(polyline, is_closed);
+      polyline = joined.locations;
+      is_closed = joined.is_closed;
+    }
+    compare_polyline(soup, data, geodesic, polyline, is_closed, counts, seed);
+  }
+
+  void compare_polyline(const Soup& soup, const Generated_mesh<Surface_mesh>& data, Geodesic& geodesic,
+                        const std::vector<Face_location>& polyline, bool is_closed, Near_vertex_counts& counts, unsigned seed)
+  {
+    const Locations<Surface_mesh> locations(data.mesh);
+    std::vector<Location> sources;
+    std::vector<Reference_distances::Segment> segments;
+    const auto of_triangle = [&](Surface_mesh::Face_index f, const std::array<double, 3>& weights) {
+      const std::size_t triangle = data.face_numbers.at(f);
+      const auto c = locations.corners(f);
+      std::array<double, 3> result;
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t j = 0; j < 3; ++j)
+          if (data.vertices[soup.triangles[triangle][j]] == c[k]) result[j] = weights[k];
+      return Location{triangle, result};
+    };
+    for (std::size_t i = 0; i < polyline.size(); ++i)
+    {
+      sources.push_back(of_triangle(polyline[i].first, polyline[i].second));
+      if (i + 1 == polyline.size() && !is_closed) break;
+      const Face_location &a = polyline[i], &b = polyline[(i + 1) % polyline.size()];
+      const auto f = locations.common_face(a, b);
+      std::array<double, 3> u, v;
+      locations.express(a, f, u);
+      locations.express(b, f, v);
+      const Location first = of_triangle(f, u), second = of_triangle(f, v);
+      segments.push_back({first.triangle, first.weights, second.weights});
+    }
+    const std::vector<Location> queries = make_queries(soup, sources);
+    std::vector<Reference_distances::Point> points;
+    for (const Point_3& p : soup.points) points.push_back({p.x(), p.y(), p.z()});
+    Reference_distances reference(points, soup.triangles);
+    reference.solve({}, sources, queries, segments);
+    geodesic.add_source_polyline(polyline, is_closed);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    compare(soup, data, geodesic, queries, [&](std::size_t q) { return double(reference.of_query(q)); },
+            [&](std::size_t v) { return double(reference.of_vertex(v)); }, counts, seed);
   }
 
   struct Planar
@@ -245,24 +499,21 @@ private:
     Geodesic geodesic(data.mesh);
     geodesic.add_source_polyline(polyline);
     geodesic.build(CGAL::parameters::keep_windows(true));
-    const double size = longest_edge(soup);
     const auto expected = [&](const Planar& p) {
       long double d = infinity();
       for (std::size_t i = 1; i < placed.size(); ++i)
         d = (std::min)(d, distance_to_segment(p, placed[i - 1], placed[i]));
       return double(d);
     };
-    for (std::size_t q = 0; q < queries.size(); ++q)
-      compare(geodesic.distance_to_sources(location(soup, data, queries[q])), expected(in_plane(soup, queries[q])), size, counts, seed, q);
-    for (std::size_t v = 0; v < soup.points.size(); ++v)
-      compare(geodesic.distance_to_sources(data.vertices[v]), expected({soup.points[v].x(), soup.points[v].y()}), size, counts, seed,
-              queries.size() + v);
+    compare(soup, data, geodesic, queries, [&](std::size_t q) { return expected(in_plane(soup, queries[q])); },
+            [&](std::size_t v) { return expected({soup.points[v].x(), soup.points[v].y()}); }, counts, seed);
   }
 
   static long double infinity() { return std::numeric_limits<long double>::infinity(); }
 
   std::ostream& log_;
   std::size_t printed_, queries_;
+  Sources sources_;
   Random random_;
   std::map<std::string, Near_vertex_counts> counts_;
 };

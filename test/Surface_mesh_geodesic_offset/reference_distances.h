@@ -7,7 +7,7 @@
 // A shortest path is a sequence of straight pieces between vertices and sources. Each piece crosses a sequence of distinct
 // faces and is a straight segment in the plane into which these faces are unfolded. So from each start the search unfolds
 // all such sequences with the cone of directions visible through all crossed edges, and records the vertices and query
-// points in the cone. Dijkstra's algorithm joins the pieces.
+// points in the cone. Dijkstra's algorithm joins the pieces. From a segment, the directions are a strip perpendicular to it.
 //
 // Numbers have 113 bits: unfolding is exact to about 1e-32 of the size of the faces.
 
@@ -48,6 +48,13 @@ public:
     std::array<double, 3> weights;
   };
 
+  /// Segment in a triangle, by weights of its ends.
+  struct Segment
+  {
+    std::size_t triangle;
+    std::array<double, 3> first, second;
+  };
+
   /// Distance of unreachable vertices.
   static Number infinity() { return Number(std::numeric_limits<double>::max()); }
 
@@ -71,9 +78,9 @@ public:
       }
   }
 
-  /// Computes the distances of all vertices and queries from the nearest source.
+  /// Computes the distances of all vertices and queries from the nearest source. The ends of `segments` are among the sources.
   void solve(const std::vector<std::size_t>& source_vertices, const std::vector<Location>& sources,
-             const std::vector<Location>& queries)
+             const std::vector<Location>& queries, const std::vector<Segment>& segments = {})
   {
     queries_.clear();
     for (const Location& q : queries) queries_.push_back({q.triangle, in_plane(q)});
@@ -82,6 +89,7 @@ public:
     for (std::size_t v : source_vertices) distances_[v] = 0;
     bound_edges(source_vertices, sources);
     for (const Location& s : sources) leave(s);
+    for (const Segment& s : segments) leave(s);
     for (;;)
     {
       std::size_t nearest = number_of_vertices_;
@@ -273,6 +281,63 @@ private:
     visited_[f] = true;
     for (int k = 0; k < 3; ++k)
       if (exits & 1u << k) cross_side(f, k, corners[k], corners[(k + 1) % 3], corners[k], corners[(k + 1) % 3]);
+    visited_[f] = false;
+  }
+
+  // Straight pieces from inside a segment, to both sides.
+  void leave(const Segment& s)
+  {
+    start_ = 0;
+    visited_.assign(triangles_.size(), false);
+    const std::array<Number, 3> first = in_plane({s.triangle, s.first}), second = in_plane({s.triangle, s.second});
+    const std::array<Planar, 3> corners = placed(s.triangle, 0, {0, 0}, {sides_[s.triangle][0].length, 0});
+    for (const bool is_reversed : {false, true})
+    {
+      const Planar a = at(corners, is_reversed ? second : first), b = at(corners, is_reversed ? first : second);
+      Planar along = {b.x - a.x, b.y - a.y};
+      const Number size = length(along);
+      if (!(size > Number(0))) continue;
+      along = {along.x / size, along.y / size};
+      // with the segment on the x axis, from the origin; the pieces have the direction of the y axis
+      const auto turned = [&](const Planar& p) {
+        const Planar u = {p.x - a.x, p.y - a.y};
+        return Planar{u.x * along.x + u.y * along.y, cross(along, u)};
+      };
+      std::array<Planar, 3> c;
+      for (int k = 0; k < 3; ++k) c[k] = turned(corners[k]);
+      reach_in_strip(s.triangle, c, Number(0), size);
+      visited_[s.triangle] = true;
+      for (int k = 0; k < 3; ++k) cross_side_in_strip(s.triangle, k, c[k], c[(k + 1) % 3], Number(0), size);
+      visited_[s.triangle] = false;
+    }
+  }
+
+  // Corners and queries of a triangle in the strip [low, high] x [0, infinity), which includes points on the segment up to 1e-30 of
+  // the sides of the triangle.
+  void reach_in_strip(std::size_t f, const std::array<Planar, 3>& corners, const Number& low, const Number& high)
+  {
+    const Number rounding = Number(1e-30) * (sides_[f][0].length + sides_[f][1].length + sides_[f][2].length);
+    const auto reach = [&](const Planar& p, Number& distance) {
+      if (low <= p.x && p.x <= high && p.y >= -rounding) lower(distance, (std::max)(p.y, Number(0)));
+    };
+    for (int k = 0; k < 3; ++k) reach(corners[k], distances_[triangles_[f][k]]);
+    for (std::size_t q = 0; q < queries_.size(); ++q)
+      if (queries_[q].triangle == f) reach(at(corners, queries_[q].weights), distances_[number_of_vertices_ + q]);
+  }
+
+  // Crosses side k, which runs from a to b, within the strip. The pieces cross it outward if b is on the left of a.
+  void cross_side_in_strip(std::size_t from, int k, const Planar& a, const Planar& b, Number low, Number high)
+  {
+    low = (std::max)(low, b.x);
+    high = (std::min)(high, a.x);
+    const auto [f, side] = sides_[from][k].beyond;
+    if (!(low < high) || f == no_triangle || visited_[f] || (std::min)(a.y, b.y) > farthest_) return;
+    const std::array<Planar, 3> corners = placed(f, side, b, a);
+    const Planar& c = corners[(side + 2) % 3];
+    reach_in_strip(f, corners, low, high);
+    visited_[f] = true;
+    cross_side_in_strip(f, (side + 1) % 3, a, c, low, high);
+    cross_side_in_strip(f, (side + 2) % 3, c, b, low, high);
     visited_[f] = false;
   }
 

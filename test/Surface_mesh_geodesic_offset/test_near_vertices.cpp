@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from points and corners of polylines close to vertices and edges: cases with former errors, and a bounded run
-// of the search (benchmark/Surface_mesh_geodesic_offset/Robustness/near_vertex_search.cpp is the long run).
+// Distances from points and corners of polylines close to vertices and edges, and from polylines around vertices: cases with
+// former errors, and bounded runs of the search (benchmark/Surface_mesh_geodesic_offset/Robustness/near_vertex_search.cpp is
+// the long run).
 
 #include "near_vertex_search.h"
 #include "test_check.h"
@@ -34,9 +35,35 @@ void known_cases()
   check(other);
 }
 
+// A polyline turns around vertex 4, between edges of length 0.3 and 100. The path to vertex 8 bends at vertex 6, which the
+// polyline's second point reaches straight and, up to the rounding of the large face, around the end of a strip.
+void polyline_from_large_to_small_faces()
+{
+  const Soup soup = Near_vertex_search::large_beside_small_faces();
+  Near_vertex_search search(std::cout, 20, 100);
+  for (const double t : {0., 1e-8, 1e-7, 1e-6, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5})
+    for (const double u : {0.01, 0.143, 0.3, 0.6})
+      for (const bool is_closed : {false, true})
+      {
+        const Near_vertex_search::Location first{0, {0, 1 - t, t}}, second{7, {u, 1 - u, 0}}, third{3, {0, 0.5, 0.5}};
+        search.run("from large to small faces", soup, {first, second, third}, is_closed);
+        search.run("with duplicates", soup, {first, first, second, second, third, third}, is_closed);
+        search.run("backwards", soup, {third, second, first}, is_closed);
+      }
+  check(search);
+}
+
 void search()
 {
   Near_vertex_search search(std::cout, 20, 200);
+  for (unsigned seed = 1; seed <= 500; ++seed) search.run(seed);
+  CHECK(search.counts().size() == 5);
+  check(search);
+}
+
+void search_around()
+{
+  Near_vertex_search search(std::cout, 20, 20, Near_vertex_search::AROUND);
   for (unsigned seed = 1; seed <= 500; ++seed) search.run(seed);
   CHECK(search.counts().size() == 5);
   check(search);
@@ -46,6 +73,9 @@ void search()
 
 GEODESIC_OFFSET_TEST(test_near_vertices)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"known cases", known_cases}, {"search", search}};
+  const std::pair<const char*, void (*)()> tests[] = {{"known cases", known_cases},
+                                                      {"polyline from large to small faces", polyline_from_large_to_small_faces},
+                                                      {"search", search},
+                                                      {"search around vertices", search_around}};
   return run_tests("test_near_vertices", tests);
 }

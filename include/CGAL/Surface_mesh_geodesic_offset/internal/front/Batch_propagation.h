@@ -252,22 +252,35 @@ private:
     return !is_exact ? BOTH : at_b0 == ZERO ? FROM_APEX : at_b1 == ZERO ? UP_TO_APEX : BOTH;
   }
 
-  // Updates the apex by the path around the end b of a window, at distance d.
+  // Updates the apex by the path around the end b of a window, at distance d. If this path is longer than the straight one from
+  // the image by no more than rounding, the apex may belong to the window, and the direction to the image is more precise than
+  // that to the end, also in tiny faces. Otherwise the path is a detour: shortest only if rays are missing, or if it bends at a
+  // vertex or a source, which update the apex themselves.
   void update_apex_around_end(Index h, const Window_propagation<Traits>& face, const Window& w, const FT& b, const FT& d)
   {
     if (!(d < m_known)) return;
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
+    const FT around = d + length;
     // Wavefront_state::update_vertex() ignores a path that is longer than 2 x 64 units of the distance and the edges at the apex.
-    if (d + length > m_known + Number_policy<FT>::rounding(256) * (m_known + face.left_length + face.right_length)) return;
-    // The direction to the image is more precise than that to the end, also in tiny faces.
+    if (around > m_known + Number_policy<FT>::rounding(256) * (m_known + face.left_length + face.right_length)) return;
+    if (around - face.distance_at_apex(w) > Number_policy<FT>::rounding(roundings_of_straight_path) * around)
+      return update_apex(h, face, around + detour_surcharge(), bx, by, w, true);
     const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
     const FT off = CGAL::abs(FT(ix * by - iy * bx)), away = w.is_parallel() ? FT(1) : square_root<FT>(ix * ix + iy * iy);
     const bool is_bent = off > away * (length * Number_policy<FT>::rounding(1 << 20) + d * Number_policy<FT>::rounding(64));
     const bool is_in_corner = !CGAL::is_positive(FT(iy * face.apex_x - ix * face.apex_y)) &&
                               !CGAL::is_negative(FT(iy * (face.apex_x - face.length) - ix * face.apex_y));
-    update_apex(h, face, d + length, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
+    update_apex(h, face, around, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
   }
+
+  // Units of rounding of a path around the end of a window by which it may exceed the straight path from the image: as many as
+  // prune windows. The directions of the two paths then differ by at most 2^-21.5, less than Vertex_sector::margin_angle().
+  static constexpr double roundings_of_straight_path = 256;
+
+  // Surcharge on detours, so that they lose ties: 8 u L, where ends of windows are rounded to 2 u L. On graded meshes, L, the
+  // longest edge, may be much longer than the edges of the face, if the window or its source has crossed large faces.
+  FT detour_surcharge() const { return Number_policy<FT>::rounding(8) * m_mesh.longest_edge(); }
 
   // (bx, by): vector from the apex toward the source, in the frame of h.
   void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by,
