@@ -9,7 +9,7 @@ rows
 
     | `` arguments `` | code | `` message `` |                a command line
     | `` name `` | `` content `` | code | `` message `` |     a file, with the escapes of Python in its content
-    | `` name `` | `` content `` |                            a file that other rows name
+    | `` name `` | `` content `` |                            a file that other rows name; `-> file`: a symbolic link
 """
 
 import os
@@ -26,6 +26,9 @@ FILE = re.compile(r"^\| %s \| %s \| (\d*) \| %s \|$" % (CELL, CELL, CELL))
 
 
 def write(folder, name, content):
+    if content.startswith("-> "):
+        os.symlink(content[3:], os.path.join(folder, name))
+        return
     with open(os.path.join(folder, name), "wb") as file:
         file.write(content.encode("latin-1").decode("unicode_escape").encode("latin-1"))
 
@@ -33,7 +36,7 @@ def write(folder, name, content):
 def run(programs, folder, command):
     """Exit code and message of a command, which leaves the files of the folder as they are."""
     def files():
-        return {name: os.stat(os.path.join(folder, name)).st_mtime_ns for name in os.listdir(folder)}
+        return {name: os.lstat(os.path.join(folder, name)).st_mtime_ns for name in os.listdir(folder)}
     before = files()
     words = shlex.split(command)
     result = subprocess.run([programs[words[0]]] + words[1:], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
