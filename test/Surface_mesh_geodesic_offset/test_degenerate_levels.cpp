@@ -242,6 +242,56 @@ void maxima()
   }
 }
 
+// A vertex whose distance is the level of cutting up to rounding: the loop around it has a length of 1e-16, and the sign of its
+// area is rounding (found by fuzz_offsets).
+void loop_of_no_length()
+{
+  Report::instance().set_context("a loop of no length");
+  Soup soup;
+  soup.points = {Point_3(0.85459625715664111, 0.48961079763599757, 0.082817991654030101),
+                 Point_3(0.74293586867707939, 0.37604553983712274, 0.1791003706979194),
+                 Point_3(2.0769866616424384, 0.31243695283002076, -0.10447725916641061),
+                 Point_3(1.9069271087835697, -0.1266585680891979, 0.015638252960078928),
+                 Point_3(-0.1818180394780427, 0.29095576560230474, -0.12257133273196981),
+                 Point_3(0.11328554534055844, 0.093383690615230178, 0.17985715046900569),
+                 Point_3(0.55892313522386594, -0.14255317657701472, 0.0051118501830388838),
+                 Point_3(0.044588462981084119, 0.8005002414629625, 0.11723486090610373),
+                 Point_3(0.10689101751613582, 1.0376091989496485, 0.013958002711501568),
+                 Point_3(1.844238403240998, 1.1195207461229482, 0.022027086815492796),
+                 Point_3(0.94201841966585032, 0.98255271106578301, -0.018635343884693123),
+                 Point_3(2.0854687878986651, 0.43892048459079552, 0.038474281504684418),
+                 Point_3(1.1177671692717377, 1.0829337376793959, 0.00015126356655764146)};
+  for (const auto& t : std::vector<std::array<std::size_t, 3>>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}, {7, 8, 4}, {9, 10, 0}, {1, 4, 6},
+                                                               {9, 0, 11}, {12, 8, 7}, {3, 1, 6}, {12, 10, 8}, {1, 7, 4},
+                                                               {1, 0, 7}, {11, 2, 3}, {11, 0, 2}, {0, 12, 7}, {0, 10, 12}})
+    soup.add_triangle(t);
+  const Data data(soup);
+  const Locations<test::Surface_mesh> locations(data.mesh);
+  const auto add_path = [&](Geodesic& g, const std::vector<std::size_t>& path) {
+    std::vector<Face_location> points;
+    for (std::size_t i : path) points.push_back(locations.at_vertex(data.vertices[i]));
+    g.add_source_polyline(points, false);
+  };
+  for (const std::vector<std::size_t>& triangle : {std::vector<std::size_t>{1, 7, 0, 1}, {7, 1, 0, 7}})
+  {
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_point(data.vertices[8]);
+    add_path(geodesic, {11, 2, 0});
+    add_path(geodesic, triangle);
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const double d = geodesic.distance_to_sources(data.vertices[12]);
+    CHECK_DETAIL(std::abs(d - 0.65431248505429129) <= 1e-15, values(d, 0.65431248505429129));
+    std::vector<double> levels = {0.65431248505444006, d, level_cut_at(d)};
+    for (int i = -8; i <= 8; ++i) levels.push_back(level_cut_at(d) * (1 + i * 0x1p-53));
+    for (const double level : levels)
+    {
+      Offset_curves curves;
+      geodesic.offset_curves(std::vector<double>{level}, std::back_inserter(curves));
+      for (const auto& curve : curves) CHECK_DETAIL(curve.length() > 1e-13, values(curve.length(), level));
+    }
+  }
+}
+
 // Saddle vertex on the level: the curve behind it is an arc around it.
 void saddle_vertex()
 {
@@ -457,6 +507,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_levels)
   saddles();
   touching_fronts();
   maxima();
+  loop_of_no_length();
   saddle_vertex();
   points_beside_edges();
   corners_beside_edges();
