@@ -178,7 +178,7 @@ public:
       if (to.corner != no_index) f(Ray(), to, first);
     }
     // If the total angle is 2 pi up to rounding, the two limits may be reversed: then there is no sector.
-    else if (!comes_first(back.corner, from.corner, to.corner))
+    else if (exist(from, to) && !comes_first(back.corner, from.corner, to.corner))
       f(from, to, from.corner);
   }
 
@@ -198,8 +198,9 @@ public:
     if (!CGAL::is_positive(angle)) return;
     const Index first = m_mesh->first_on_border(back.corner);
     const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
-    if (before.corner != no_index) f(before, turn_ccw(back, 2), first);
-    if (behind.corner != no_index) f(turn_cw(back, 2), behind, first);
+    const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
+    if (before.corner != no_index && (first != no_index || exist(from, behind))) f(before, from, first);
+    if (behind.corner != no_index && (first != no_index || exist(before, to))) f(to, behind, first);
   }
 
   // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46, which may be several corners of
@@ -247,6 +248,10 @@ public:
   }
 
 private:
+  // False for a vertex inside the mesh whose total angle is so small that a half turn passes more corners than the mesh has
+  // halfedges: rays without a corner stand for the border elsewhere.
+  static bool exist(const Ray& a, const Ray& b) { return a.corner != no_index && b.corner != no_index; }
+
   // Whether a sector, with arguments as in for_each_corner(), lies in one corner and is at most as wide as a small angle.
   bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
   {
