@@ -140,7 +140,7 @@ private:
     const FT rounding = Number_policy<FT>::rounding(roundings_of_distance) * size;
     for (FT* const d : {&w.d0, &w.d1})
       if (*d < s && s - *d <= rounding) *d = s;
-    if (w.d0 >= s && w.d1 >= s) return w.d0 > s || w.d1 > s;
+    if (w.d0 >= s && w.d1 >= s) return true; // also for a segment along the edge up to rounding
     if (w.d0 <= s && w.d1 <= s) return false;
     const FT b = w.b0 + ((w.d0 - s) / (w.d0 - w.d1)) * (w.b1 - w.b0);
     (w.d0 < s ? w.b0 : w.b1) = b;
