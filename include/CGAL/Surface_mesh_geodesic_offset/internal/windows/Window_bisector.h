@@ -44,7 +44,7 @@ public:
 
   Bisector_crossing(const Traits& traits, const Window& a, const Window& b)
     : m_a(a), m_b(b), m_compare(traits.compare_distance_2_object()), m_distance(traits.compute_distance_2_object()),
-      m_scale(a.d1 + b.d0)
+      m_scale(CGAL::abs(a.d1) + CGAL::abs(b.d0)) // on a source, rounding may make distances negative
   {
   }
 
