@@ -76,7 +76,7 @@ public:
     // Add the ends of a source segment as points too: rounding may leave a perpendicular edge at an end beside its strips.
     if (w.origin >= STARTS_IN_FACE)
       for (const Point& end : {w.left, w.right}) add_disk(end, FT(m_level - w.start_value), o, u, reversed, FT(0), m_length);
-    add_cone(w, o, u, FT(0), [&](FT lo, FT hi) {
+    cut_cone(w, o, u, [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
       {
@@ -93,11 +93,10 @@ public:
         add(lo, hi, d_lo, d_hi, depth([&] { return FT(m_level - lowest()); }), reversed);
       }
     });
-    // A ray may run along the segment. Within the slack beside the cone, paths bend at the end of the chord; the straight one
-    // is not valid, and much shorter than they are in a narrow corner.
-    add_cone(w, o, u, Offset_tolerances<FT>::ray_slack(m_length), [&](const FT& from, const FT& to) {
-      for (const Point& bend : {w.left, w.right}) add_disk(bend, FT(m_level - w.distance_at(bend)), o, u, reversed, from, to);
-    });
+    // Paths that bend at an end of the chord are valid in the whole face. They close gaps beside the cone: a ray may run along the
+    // segment, or its direction may be lost to rounding where the image is next to the chord.
+    for (const Point& bend : {w.left, w.right})
+      add_disk(bend, FT(m_level - w.distance_at(bend)), o, u, reversed, FT(0), m_length);
   }
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length, alternately from far to
@@ -209,15 +208,15 @@ private:
     return cut_near_part(false, dot(v, u), cross(u, v), r, lo, hi);
   }
 
-  // Calls f(lo, hi) for the part of the segment reached by a window's rays, or passed within the slack. A source along the
-  // segment is in front of it up to rounding.
+  // Calls f(lo, hi) for the part of the segment reached by a window's rays. A source along the segment is in front of it up to
+  // rounding.
   template <class Function>
-  void add_cone(const Face_window<FT>& w, const Point& o, const Point& u, const FT& slack, const Function& f) const
+  void cut_cone(const Face_window<FT>& w, const Point& o, const Point& u, const Function& f) const
   {
     FT lo(0), hi = m_length;
     const Point l = w.ray_direction(w.left), r = w.ray_direction(w.right);
-    if (!clip(-cross(l, o - w.left), -cross(l, u), slack * internal::length(l), lo, hi)) return;
-    if (!clip(cross(r, o - w.right), cross(r, u), slack * internal::length(r), lo, hi)) return;
+    if (!clip(-cross(l, o - w.left), -cross(l, u), FT(0), lo, hi)) return;
+    if (!clip(cross(r, o - w.right), cross(r, u), FT(0), lo, hi)) return;
     if (w.is_parallel() && (is_inexact || w.origin == STARTS_IN_FACE))
     { // in front of the source or chord; by rounding, rays along the chord pass points behind it
       const FT nearest = w.origin == STARTS_IN_FACE ? w.start_value : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
