@@ -651,6 +651,71 @@ void polyline_over_tiny_faces()
   }
 }
 
+// The location of a face with the given coordinates of its vertices.
+Face_location location_by_vertices(const Data& data, std::size_t face, const std::map<std::size_t, double>& coordinates)
+{
+  Face_location l(data.faces[face], {{0, 0, 0}});
+  std::size_t k = 0;
+  for (const auto v : CGAL::vertices_around_face(halfedge(l.first, data.mesh), data.mesh))
+  { // from the source of the halfedge of the face
+    const auto found = coordinates.find(std::size_t(v));
+    l.second[(k++ + 1) % 3] = found == coordinates.end() ? 0 : found->second;
+  }
+  return l;
+}
+
+// A point source near the tip of a spike: a half turn about the tip passes more corners than the mesh has halfedges.
+void source_near_tip_of_spike()
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, 18), Point_3(1, 0.4, 0), Point_3(0, 1, 0), Point_3(0, 1, -1), Point_3(-1, 0, 0),
+                 Point_3(-1, 0, -0.1), Point_3(0, -1, 2), Point_3(0, -1, 0), Point_3(1, 0, 0), Point_3(2, 0, 0),
+                 Point_3(-1, -1, 0), Point_3(0, -2, 0), Point_3(1, -1, 0)};
+  const std::vector<std::array<std::size_t, 3>> triangles = {
+    {{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 7}}, {{6, 10, 11}}, {{0, 7, 8}},
+    {{7, 12, 8}}, {{7, 11, 12}}, {{0, 8, 1}}, {{8, 9, 1}}, {{8, 12, 9}}};
+  for (const auto& t : triangles) soup.add_triangle(t);
+  const Data data(std::move(soup));
+  for (const double off : {1e-4, 1e-5, 1e-7, 1e-9})
+  {
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_point(location_by_vertices(data, 3, {{0, 1 - off}, {4, off / 2}, {5, off / 2}}));
+    geodesic.build();
+    for (auto v : data.vertices) CHECK(std::isfinite(geodesic.distance_to_sources(v)));
+    CHECK(geodesic.distance_to_sources(data.vertices[0]) <= 19 * off);
+  }
+}
+
+// A planar mesh. Of the polyline's three segments in a face, the second one runs along an edge, and the others cross. On the edge,
+// rounding makes a distance of its strip negative.
+void segment_along_edge_and_others()
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, 0), Point_3(0.3, 0, 0), Point_3(0.7, 0, 0), Point_3(1, 0, 0), Point_3(0, 0.3, 0),
+                 Point_3(0.4, 0.3, 0), Point_3(0.7, 0.3, 0), Point_3(1, 0.2, 0), Point_3(0, 0.5, 0),
+                 Point_3(0.4, 0.5, 0), Point_3(0.6, 0.5, 0), Point_3(1, 0.5, 0), Point_3(0, 0.69091473391618885, 0),
+                 Point_3(0.4, 0.7, 0), Point_3(0.7, 0.7, 0), Point_3(1, 0.7, 0), Point_3(0, 1, 0),
+                 Point_3(0.30261762537297282, 1, 0), Point_3(0.6, 1, 0), Point_3(1, 1, 0)};
+  const std::vector<std::array<std::size_t, 3>> triangles = {
+    {{0, 1, 4}}, {{1, 5, 4}}, {{1, 2, 6}}, {{1, 6, 5}}, {{2, 3, 6}}, {{3, 7, 6}}, {{4, 5, 8}}, {{5, 9, 8}},
+    {{5, 6, 10}}, {{5, 10, 9}}, {{6, 7, 11}}, {{6, 11, 10}}, {{8, 9, 13}}, {{8, 13, 12}}, {{9, 10, 13}},
+    {{10, 14, 13}}, {{10, 11, 15}}, {{10, 15, 14}}, {{17, 12, 13}}, {{17, 16, 12}}, {{13, 14, 18}}, {{13, 18, 17}},
+    {{14, 15, 18}}, {{15, 19, 18}}};
+  for (const auto& t : triangles) soup.add_triangle(t);
+  const std::size_t face = 19, a = 17, b = 16, c = 12;
+  const Data data(std::move(soup));
+  Geodesic geodesic(data.mesh);
+  geodesic.add_source_polyline(std::vector<Face_location>{
+    location_by_vertices(data, face, {{b, 0.01}, {c, 0.99}}), location_by_vertices(data, face, {{a, 0.5}, {c, 0.5}}),
+    location_by_vertices(data, face, {{a, 0.10784529595969239}, {c, 0.89215470404030761}}),
+    location_by_vertices(data, face, {{a, 0.96712473359644213}, {b, 0.032875266403557923}})});
+  geodesic.build();
+  const Point_3 p = data.mesh.point(data.vertices[c]), q = data.mesh.point(data.vertices[a]), r = data.mesh.point(data.vertices[9]);
+  const double x = q.x() - p.x(), y = q.y() - p.y();
+  const double expected = std::abs(x * (r.y() - p.y()) - y * (r.x() - p.x())) / std::hypot(x, y); // from the edge's line
+  CHECK(std::abs(geodesic.distance_to_sources(data.vertices[9]) - expected) <= 1e-14);
+}
+
 // NaN in coordinates of a source is rejected.
 void not_a_number()
 {
@@ -687,6 +752,8 @@ GEODESIC_OFFSET_TEST(test_field_regressions)
     {"vertices hidden by rounding", vertices_hidden_by_rounding},
     {"paths over graded meshes", paths_over_graded_meshes},
     {"polyline over tiny faces", polyline_over_tiny_faces},
+    {"source near the tip of a spike", source_near_tip_of_spike},
+    {"segment along an edge and others", segment_along_edge_and_others},
     {"not a number", not_a_number}};
   for (const auto& test : tests)
   {

@@ -12,6 +12,8 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -311,6 +313,38 @@ void float_grid()
   open_curves(mesh, add, 5, 3, 4.9583, 1e-4);
 }
 
+// A strip of four faces with a segment 2e-18 beside an edge. In the face behind, the direction of its end's bounding ray is lost.
+void segment_beside_edge()
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 6.4805305388921464e-06, 0), Point_3(1, 5.2487576626785136e-06, 0),
+                 Point_3(0, 1.122224522664797e-05, 0), Point_3(1, 1.122224522664797e-05, 0)};
+  const std::vector<std::array<std::size_t, 3>> triangles = {{{2, 1, 3}}, {{1, 2, 0}}, {{5, 4, 2}}, {{5, 2, 3}}};
+  for (const auto& t : triangles) soup.add_triangle(t);
+  const Generated_mesh<Surface_mesh> data(soup);
+  const Locations<Surface_mesh> locations(data.mesh);
+  const auto location = [&](double at_5, double at_2, double at_3) {
+    Face_location l = locations.at_vertex(data.vertices[5]);
+    l.first = data.faces[3];
+    const auto corners = locations.corners(l.first);
+    for (std::size_t k = 0; k < 3; ++k)
+      l.second[k] = corners[k] == data.vertices[5] ? at_5 : corners[k] == data.vertices[2] ? at_2 : at_3;
+    return l;
+  };
+  Geodesic geodesic(data.mesh);
+  geodesic.add_source_polyline(
+    std::vector<Face_location>{location(0.73509718806044289, 0.26490281193916065, 3.9650925279781651e-13),
+                               location(9.6641851401110045e-08, 0.99999990335775213, 3.9650925279781651e-13)});
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const double level = 3.8977497754521197e-06;
+  const Offset_curves curves = offsets(geodesic, level);
+  CHECK(curves.size() == 2);
+  for (const Offset_curve& c : curves)
+    for (const Offset_piece& p : c.pieces())
+      for (int i = 0; i <= 4; ++i)
+        CHECK(std::abs(geodesic.distance_to_sources(p.location(i / 4.)) - level) <= 1e-13);
+}
+
 void check_search(const Search_options& options)
 {
   Offset_search search(options);
@@ -371,6 +405,7 @@ GEODESIC_OFFSET_TEST(test_offset_search)
                                                       {"the judge finds a missing loop", judge_finds_missing_loop},
                                                       {"noisy grid", noisy_grid},
                                                       {"float grid", float_grid},
+                                                      {"segment beside an edge", segment_beside_edge},
                                                       {"search", search},
                                                       {"found cases", found_cases}};
   return run_tests("test_offset_search", tests);
