@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge, and from polylines that turn around a vertex
-// of a graded mesh. Sources are compared with the reference of reference_distances.h, polylines on flat convex meshes with
+// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge, also of needles, and from polylines that turn
+// around a vertex of a graded mesh. Sources are compared with the reference of reference_distances.h, polylines on flat convex meshes with
 // distances in the plane.
 
 #ifndef GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
@@ -38,8 +38,9 @@ class Near_vertex_search
 public:
   typedef Reference_distances::Location Location;
 
-  /// BESIDE: sources beside vertices and edges. AROUND: polylines around vertices of graded meshes.
-  enum Sources { BESIDE, AROUND };
+  /// BESIDE: sources beside vertices and edges. AROUND: polylines around vertices of graded meshes. IN_NEEDLES: sources beside
+  /// edges of needles.
+  enum Sources { BESIDE, AROUND, IN_NEEDLES };
 
   static constexpr double tolerance = 1e-11; // relative to distance plus longest edge
 
@@ -54,6 +55,7 @@ public:
     random_.seed(seed);
     for (int i = 0; i < 8; ++i) random_();
     if (sources_ == AROUND) return run_around(seed);
+    if (sources_ == IN_NEEDLES) return run_in_needles(seed);
     const std::size_t kind = uniform_index(random_, 5);
     const Soup soup = make_mesh(kind, seed);
     const bool is_polyline = kind == 0;
@@ -110,6 +112,79 @@ private:
     const auto v = data.vertices[kind == 4 ? 4 : uniform_index(random_, soup.points.size())];
     check_polyline_around(soup, data, v, counts, seed);
     counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+  }
+
+  void run_in_needles(unsigned seed)
+  {
+    const std::size_t kind = uniform_index(random_, 4);
+    static const char* const names[4] = {"flat bands of needles", "bent bands of needles", "flat fans of needles", "bent fans of needles"};
+    Soup soup = kind < 2 ? needle_bands(kind == 1) : needle_fan(kind == 3);
+    for (auto& t : soup.triangles)
+      std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
+    Near_vertex_counts& counts = counts_[names[kind]];
+    ++counts.meshes;
+    const std::size_t before = counts.wrong;
+    check_points(soup, Generated_mesh<Surface_mesh>(soup), counts, seed);
+    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+  }
+
+  /// Columns of points at distances of 1e-8 to 1e-5, joined by needles of length 1. The outline of flat bands is a rectangle.
+  Soup needle_bands(bool is_bent)
+  {
+    const std::size_t bands = 1 + uniform_index(random_, 4), rows = 1 + uniform_index(random_, 8);
+    const double step = std::pow(10, uniform(random_, -8, -5));
+    Soup soup;
+    for (std::size_t i = 0; i <= bands; ++i)
+      for (std::size_t j = 0; j <= rows; ++j)
+      {
+        const bool is_inside = i > 0 && i < bands, is_between = j > 0 && j < rows;
+        const double out = is_inside || is_bent ? std::pow(10, uniform(random_, -9, -1)) * (is_bent ? step : 1) : 0;
+        const double along = is_between ? uniform(random_, -0.3, 0.3) : 0, height = is_bent ? step * uniform(random_, -0.3, 0.3) : 0;
+        soup.points.push_back(Point_3(double(i) + out, step * (double(j) + along), height));
+      }
+    for (std::size_t i = 0; i < bands; ++i)
+      for (std::size_t j = 0; j < rows; ++j)
+      {
+        const std::size_t a = i * (rows + 1) + j, b = a + rows + 1;
+        if (uniform(random_) < 0.5)
+        {
+          soup.add_triangle({a, b, b + 1});
+          soup.add_triangle({a, b + 1, a + 1});
+        }
+        else
+        {
+          soup.add_triangle({a, b, a + 1});
+          soup.add_triangle({b, b + 1, a + 1});
+        }
+      }
+    return soup;
+  }
+
+  /// Needles of length 1 around a corner. Behind their bases, there is a second row, a point at distance 1, or both, or nothing.
+  Soup needle_fan(bool is_bent)
+  {
+    const std::size_t n = 2 + uniform_index(random_, 10), rows = 1 + uniform_index(random_, 2);
+    const double step = std::pow(10, uniform(random_, -8, -4)), bend = is_bent ? step : 0;
+    Soup soup;
+    soup.points.push_back(Point_3(0, 0, 0));
+    for (std::size_t i = 1; i <= rows; ++i)
+      for (std::size_t j = 0; j <= n; ++j)
+      {
+        const double r = double(i) * (1 + (uniform(random_) < 0.5 ? 0 : std::pow(10, uniform(random_, -9, -1))));
+        const double angle = step * (double(j) + uniform(random_, -0.3, 0.3));
+        soup.points.push_back(Point_3(r * std::cos(angle), r * std::sin(angle), bend * uniform(random_, -0.3, 0.3)));
+      }
+    const std::size_t last = (rows - 1) * (n + 1) + 1, behind = soup.points.size();
+    for (std::size_t j = 1; j <= n; ++j) soup.add_triangle({0, j, j + 1});
+    for (std::size_t j = 1; j <= n && rows == 2; ++j)
+    {
+      soup.add_triangle({j, j + n + 1, j + n + 2});
+      soup.add_triangle({j, j + n + 2, j + 1});
+    }
+    if (uniform(random_) < 0.5) return soup;
+    soup.points.push_back(Point_3(double(rows) + 1, step * double(n) * uniform(random_), 0));
+    for (std::size_t j = last; j < last + n; ++j) soup.add_triangle({j + 1, j, behind});
+    return soup;
   }
 
   /// Moves the points of a mesh by up to a tenth of their coordinates.
@@ -222,13 +297,13 @@ private:
   /// 1e-16 to 1e-6.
   double small_size() { return std::pow(10, uniform(random_, -16, -6)); }
 
-  /// Weights with sum 1, within a small size of a corner or a side of a triangle.
-  std::array<double, 3> near_boundary()
+  /// Weights with sum 1, within a small size of a corner of a triangle, with the given probability, or of a side.
+  std::array<double, 3> near_boundary(double at_corner = 0.7)
   {
     const double size = small_size();
     std::array<double, 3> w;
     const std::size_t k = uniform_index(random_, 3);
-    if (uniform(random_) < 0.7)
+    if (uniform(random_) < at_corner)
     {
       w[(k + 1) % 3] = size * uniform(random_, 0, 1);
       w[(k + 2) % 3] = uniform(random_) < 0.2 ? 0 : size * uniform(random_, 0, 1);
@@ -338,7 +413,7 @@ private:
   {
     std::vector<Location> sources;
     for (std::size_t i = 0, n = 1 + uniform_index(random_, 2); i < n; ++i)
-      sources.push_back({uniform_index(random_, soup.triangles.size()), near_boundary()});
+      sources.push_back({uniform_index(random_, soup.triangles.size()), near_boundary(sources_ == IN_NEEDLES ? 0.2 : 0.7)});
     const std::vector<Location> queries = make_queries(soup, sources);
     std::vector<Reference_distances::Point> points;
     for (const Point_3& p : soup.points) points.push_back({p.x(), p.y(), p.z()});

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from points and corners of polylines close to vertices and edges, and from polylines around vertices: cases with
-// former errors, and bounded runs of the search (benchmark/Surface_mesh_geodesic_offset/Robustness/near_vertex_search.cpp is
-// the long run).
+// Distances from points and corners of polylines close to vertices and edges, also of needles, and from polylines around
+// vertices: cases with former errors, and bounded runs of the search
+// (benchmark/Surface_mesh_geodesic_offset/Robustness/near_vertex_search.cpp is the long run).
 
 #include "near_vertex_search.h"
 #include "test_check.h"
@@ -69,6 +69,15 @@ void search_around()
   check(search);
 }
 
+// Sources so near to an edge that positions in the frame of a face may lie on the other side.
+void search_in_needles()
+{
+  Near_vertex_search search(std::cout, 20, 40, Near_vertex_search::IN_NEEDLES);
+  for (unsigned seed = 1; seed <= 2000; ++seed) search.run(seed);
+  CHECK(search.counts().size() == 4);
+  check(search);
+}
+
 } // namespace test_near_vertices
 
 GEODESIC_OFFSET_TEST(test_near_vertices)
@@ -76,6 +85,7 @@ GEODESIC_OFFSET_TEST(test_near_vertices)
   const std::pair<const char*, void (*)()> tests[] = {{"known cases", known_cases},
                                                       {"polyline from large to small faces", polyline_from_large_to_small_faces},
                                                       {"search", search},
-                                                      {"search around vertices", search_around}};
+                                                      {"search around vertices", search_around},
+                                                      {"search in needles", search_in_needles}};
   return run_tests("test_near_vertices", tests);
 }

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Search for wrong distances from sources within 1e-16 to 1e-6 edge lengths of vertices and edges (beside), or from polylines
-// around vertices of graded meshes (around), that is, wrong by more than 1e-11 of the distance plus the longest edge.
+// Search for wrong distances from sources within 1e-16 to 1e-6 edge lengths of vertices and edges (beside), also in needles
+// (needles), or from polylines around vertices of graded meshes (around), that is, wrong by more than 1e-11 of the distance plus
+// the longest edge.
 //
-//   near_vertex_search [beside|around] [--seed N] [--meshes N] [--queries N] [--printed N]
+//   near_vertex_search [beside|needles|around] [--seed N] [--meshes N] [--queries N] [--printed N]
 //
 // Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case.
 //
@@ -26,8 +27,9 @@ int run(int argc, char** argv)
   unsigned seed = 1;
   std::size_t meshes = 1000, queries = 200, printed = 50;
   const std::string kind = argc > 1 ? argv[1] : "";
-  const bool is_around = kind == "around";
-  for (int i = is_around || kind == "beside" ? 2 : 1; i < argc; i += 2)
+  typedef test::Near_vertex_search Search;
+  const Search::Sources sources = kind == "around" ? Search::AROUND : kind == "needles" ? Search::IN_NEEDLES : Search::BESIDE;
+  for (int i = sources != Search::BESIDE || kind == "beside" ? 2 : 1; i < argc; i += 2)
   {
     const std::string name = argv[i];
     if (i + 1 == argc) throw std::invalid_argument(name + " needs a value, or is unknown");
@@ -38,8 +40,7 @@ int run(int argc, char** argv)
     else if (name == "--printed") printed = value;
     else throw std::invalid_argument("unknown option " + name);
   }
-  test::Near_vertex_search search(std::cout, printed, queries,
-                                  is_around ? test::Near_vertex_search::AROUND : test::Near_vertex_search::BESIDE);
+  Search search(std::cout, printed, queries, sources);
   for (std::size_t i = 0; i < meshes; ++i) search.run(seed + static_cast<unsigned>(i));
   std::printf("| kind | meshes | queries | wrong | in meshes | worst | near |\n|---|---|---|---|---|---|---|\n");
   std::size_t wrong = 0;

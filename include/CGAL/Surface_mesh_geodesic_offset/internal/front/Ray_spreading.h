@@ -104,8 +104,8 @@ private:
     Window w{local.x, local.y, local.sigma, FT(0), m_mesh[g].length, FT(0), FT(0), local.source_ref, local.bits};
     const Point_in_face<FT>&origin = frame.corner((k + 1) % 3), &direction = frame.direction(k);
     change_frame(m_traits, w, origin.x, origin.y, FT(-direction.x), FT(-direction.y)); // to that of the twin
-    // Rays along the edge do not leave through it, whatever the rounding of their direction.
-    if (!(w.y < (w.is_parallel() ? FT(-Number_policy<FT>::rounding(64)) : FT(0)))) return;
+    // Parallel rays along the edge do not leave through it, whatever the rounding of their direction.
+    if (w.is_parallel() ? !(w.y < FT(-Number_policy<FT>::rounding(64))) : !put_before_edge(frame, w)) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
     const auto towards = [&](const Point_in_face<FT>& c) {
       return w.is_parallel() ? Point_in_face<FT>{-w.x, -w.y} : Point_in_face<FT>{c.x - w.x, c.y - w.y};
@@ -125,6 +125,16 @@ private:
     // the terms of the distances, in the frame of the face and in that of the edge
     const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
     if (in_front(local.start_value, size, w)) m_state.add(g, w);
+  }
+
+  // Rays leave through an edge only if they start before it (see Initial_windows). Moves an image that the rounding of positions
+  // in the face has put on the edge or behind: before the edge, by that rounding error. Returns false if the image stays there,
+  // for exact numbers.
+  static bool put_before_edge(const Face_frame<FT>& frame, Window& w)
+  {
+    if constexpr (Number_policy<FT>::is_inexact)
+      if (!(w.y < FT(0))) w.y = -Initial_windows<FT>::rounding_of_height(frame);
+    return w.y < FT(0);
   }
 
   // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.

@@ -187,6 +187,13 @@ public:
     else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
   }
 
+  // Rounding error of the height of a point of a face over an edge: half a unit of the longest edge for the product, and for the
+  // sum, of a coordinate. A point inside the face that is nearer to an edge may seem to lie on or behind it.
+  static FT rounding_of_height(const Face_frame<FT>& frame)
+  {
+    return Number_policy<FT>::rounding(1) * frame.longest_edge();
+  }
+
   // Adds seeds at the corners of the faces of a point inside a face or an edge. source_ref_of(v): source reference for a corner
   // at v, relative to p, in the frame of the point's face or halfedge.
   template <class Function>
@@ -219,7 +226,7 @@ private:
     const Face_frame<FT> frame(m_mesh, face);
     for (int k = 0; k < 3; ++k)
     {
-      if (k == entry || !CGAL::is_positive(frame.height(k, p))) continue;
+      if (k == entry || !is_before(frame, k, p)) continue;
       // Seen from p, the right end of the edge is its source.
       const Point source = frame.corner(k), target = frame.corner((k + 1) % 3);
       Point right = source, left = target;
@@ -243,6 +250,14 @@ private:
   }
 
   bool is_border_edge(Index face, int k) const { return m_mesh.twin(3 * face + Index(k)) == no_index; }
+
+  // False if p lies on or behind halfedge k by more than rounding.
+  static bool is_before(const Face_frame<FT>& frame, int k, const Point& p)
+  {
+    const FT height = frame.height(k, p);
+    if constexpr (!Number_policy<FT>::is_inexact) return CGAL::is_positive(height);
+    else return height > -rounding_of_height(frame);
+  }
 
   // Adds the rays from p, in the frame of a face, that cross its halfedge k between the directions `from` and `to`.
   void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Source_ref source_ref)
