@@ -225,8 +225,8 @@ private:
            !(a.largest_value(b.right(), from, to) > error);
   }
 
-  // True if the distance of p, on a bounding ray of b up to the error, is less than the level: an arc along a ray that two
-  // windows share may lie outside both. Distances are 1-Lipschitz.
+  // True if p, on a bounding ray of b up to the error, is covered: an arc along a ray that two windows share may lie outside
+  // both. The way to the ray and the difference of the distances of p and its foot are an error each, together one cover.
   bool covers_beside(const Arc& b, const Point& p) const
   {
     return !(b.outside_cone(p) > m_tolerances.error) && b.excess(p) < -FT(2) * m_tolerances.cover;

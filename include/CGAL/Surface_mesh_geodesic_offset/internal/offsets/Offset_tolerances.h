@@ -46,7 +46,8 @@ struct Offset_tolerances
   // dropped only at an end of the edge that is on the level up to rounding, but not nearer.
   static FT longest_shallow_interval(const FT& magnitude) { return unit(26) * magnitude; }
 
-  // The bounding rays of a source on an edge are within 2^8 u times the length of the edge of it.
+  // A source or chord along a segment is in front of its points up to this: 2^8 u times the length of the segment, some
+  // coordinates in the frames of two faces.
   static FT ray_slack(const FT& edge_length) { return unit(8) * edge_length; }
 
   // A curve up to this length may be a loop around a maximum that equals the level up to rounding (Shallow_loop): 2^26 u times
