@@ -262,8 +262,8 @@ private:
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
     const FT around = d + length;
-    // Wavefront_state::update_vertex() ignores a path that is longer than 2 x 64 units of the distance and the edges at the apex.
-    if (around > m_known + Number_policy<FT>::rounding(256) * (m_known + face.left_length + face.right_length)) return;
+    if (around > m_known + Number_policy<FT>::rounding(roundings_of_useless_path) * (m_known + face.left_length + face.right_length))
+      return;
     if (around - face.distance_at_apex(w) > Number_policy<FT>::rounding(roundings_of_straight_path) * around)
       return update_apex(h, face, around + detour_surcharge(), bx, by, w, true);
     const FT ix = w.is_parallel() ? w.x : FT(w.x - face.apex_x), iy = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
@@ -273,6 +273,10 @@ private:
                               !CGAL::is_negative(FT(iy * (face.apex_x - face.length) - ix * face.apex_y));
     update_apex(h, face, around, is_in_corner ? ix : bx, is_in_corner ? iy : by, w, is_bent);
   }
+
+  // Units of rounding, of the distance and the edges at the apex, by which a path is longer and certainly of no use: twice as many
+  // as make Wavefront_state::update_vertex() ignore it, 64 of the distance and 64 of the edges.
+  static constexpr double roundings_of_useless_path = 256;
 
   // Units of rounding of a path around the end of a window by which it may exceed the straight path from the image: as many as
   // prune windows. The directions of the two paths then differ by at most 2^-21.5, less than Vertex_sector::margin_angle().

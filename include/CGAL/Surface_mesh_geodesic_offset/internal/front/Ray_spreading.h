@@ -105,7 +105,7 @@ private:
     const Point_in_face<FT>&origin = frame.corner((k + 1) % 3), &direction = frame.direction(k);
     change_frame(m_traits, w, origin.x, origin.y, FT(-direction.x), FT(-direction.y)); // to that of the twin
     // Parallel rays along the edge do not leave through it, whatever the rounding of their direction.
-    if (w.is_parallel() ? !(w.y < FT(-Number_policy<FT>::rounding(64))) : !put_before_edge(frame, w)) return;
+    if (w.is_parallel() ? !(w.y < -Number_policy<FT>::rounding(roundings_of_direction)) : !put_before_edge(frame, w)) return;
     const Point_in_face<FT> left = frame.to_twin(k, local.left), right = frame.to_twin(k, local.right);
     const auto towards = [&](const Point_in_face<FT>& c) {
       return w.is_parallel() ? Point_in_face<FT>{-w.x, -w.y} : Point_in_face<FT>{c.x - w.x, c.y - w.y};
@@ -136,6 +136,10 @@ private:
       if (!(w.y < FT(0))) w.y = -Initial_windows<FT>::rounding_of_height(frame);
     return w.y < FT(0);
   }
+
+  // Units of rounding of the direction of parallel rays in the frame of an edge, which comes from two differences of coordinates
+  // in the face and two turns of the frame, of some 2^4 units each.
+  static constexpr double roundings_of_direction = 64;
 
   // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.
   static constexpr double roundings_of_distance = 4;

@@ -199,8 +199,9 @@ public:
     const Index first = m_mesh->first_on_border(back.corner);
     const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
     const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
-    if (before.corner != no_index && (first != no_index || exist(from, behind))) f(before, from, first);
-    if (behind.corner != no_index && (first != no_index || exist(before, to))) f(to, behind, first);
+    if (first == no_index && !(exist(before, from) && exist(to, behind))) return;
+    if (before.corner != no_index) f(before, from, first);
+    if (behind.corner != no_index) f(to, behind, first);
   }
 
   // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46, which may be several corners of

@@ -191,7 +191,7 @@ private:
         disc = qb * qb - qa * qc;
       }
     }
-    const auto is_between = [&](const FT& t) { return u < t && t < v; };
+    const auto is_between = [&](const FT& x) { return u < x && x < v; };
     if (CGAL::is_zero(qa))
     {
       if (CGAL::is_zero(qb)) return false;
