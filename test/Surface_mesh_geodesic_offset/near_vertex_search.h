@@ -354,13 +354,7 @@ private:
   // of the corner with the number k in the triangle
   static Face_location location(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const Location& l)
   {
-    const auto f = data.faces[l.triangle];
-    Face_location result(f, {0, 0, 0});
-    auto h = halfedge(f, data.mesh);
-    for (std::size_t i = 0; i < 3; ++i, h = next(h, data.mesh))
-      for (std::size_t k = 0; k < 3; ++k)
-        if (data.vertices[soup.triangles[l.triangle][k]] == source(h, data.mesh)) result.second[i] = l.weights[k];
-    return result;
+    return Locations<Surface_mesh>(data.mesh).in_triangle(data, soup, l.triangle, l.weights);
   }
 
   /// Longest edge of the triangles for which f(triangle) is true.

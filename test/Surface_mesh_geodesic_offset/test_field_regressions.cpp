@@ -651,19 +651,6 @@ void polyline_over_tiny_faces()
   }
 }
 
-// The location of a face with the given coordinates of its vertices.
-Face_location location_by_vertices(const Data& data, std::size_t face, const std::map<std::size_t, double>& coordinates)
-{
-  Face_location l(data.faces[face], {{0, 0, 0}});
-  std::size_t k = 0;
-  for (const auto v : CGAL::vertices_around_face(halfedge(l.first, data.mesh), data.mesh))
-  { // from the source of the halfedge of the face
-    const auto found = coordinates.find(std::size_t(v));
-    l.second[(k++ + 1) % 3] = found == coordinates.end() ? 0 : found->second;
-  }
-  return l;
-}
-
 // A point source near the tip of a spike: a half turn about the tip passes more corners than the mesh has halfedges.
 void source_near_tip_of_spike()
 {
@@ -675,11 +662,12 @@ void source_near_tip_of_spike()
     {{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 7}}, {{6, 10, 11}}, {{0, 7, 8}},
     {{7, 12, 8}}, {{7, 11, 12}}, {{0, 8, 1}}, {{8, 9, 1}}, {{8, 12, 9}}};
   for (const auto& t : triangles) soup.add_triangle(t);
-  const Data data(std::move(soup));
+  const Data data(soup);
+  const Locations locations(data.mesh);
   for (const double off : {1e-4, 1e-5, 1e-7, 1e-9})
   {
     Geodesic geodesic(data.mesh);
-    geodesic.add_source_point(location_by_vertices(data, 3, {{0, 1 - off}, {4, off / 2}, {5, off / 2}}));
+    geodesic.add_source_point(locations.in_triangle(data, soup, 3, {{1 - off, off / 2, off / 2}}));
     geodesic.build();
     for (auto v : data.vertices) CHECK(std::isfinite(geodesic.distance_to_sources(v)));
     CHECK(geodesic.distance_to_sources(data.vertices[0]) <= 19 * off);
@@ -702,15 +690,18 @@ void segment_along_edge_and_others()
     {{10, 14, 13}}, {{10, 11, 15}}, {{10, 15, 14}}, {{17, 12, 13}}, {{17, 16, 12}}, {{13, 14, 18}}, {{13, 18, 17}},
     {{14, 15, 18}}, {{15, 19, 18}}};
   for (const auto& t : triangles) soup.add_triangle(t);
-  const std::size_t face = 19, a = 17, b = 16, c = 12;
-  const Data data(std::move(soup));
+  const std::size_t face = 19; // with the vertices 17, 16 and 12
+  const Data data(soup);
+  const Locations locations(data.mesh);
   Geodesic geodesic(data.mesh);
-  geodesic.add_source_polyline(std::vector<Face_location>{
-    location_by_vertices(data, face, {{b, 0.01}, {c, 0.99}}), location_by_vertices(data, face, {{a, 0.5}, {c, 0.5}}),
-    location_by_vertices(data, face, {{a, 0.10784529595969239}, {c, 0.89215470404030761}}),
-    location_by_vertices(data, face, {{a, 0.96712473359644213}, {b, 0.032875266403557923}})});
+  std::vector<Face_location> polyline;
+  for (const std::array<double, 3>& weights :
+       {std::array<double, 3>{{0, 0.01, 0.99}}, {{0.5, 0, 0.5}}, {{0.10784529595969239, 0, 0.89215470404030761}},
+        {{0.96712473359644213, 0.032875266403557923, 0}}})
+    polyline.push_back(locations.in_triangle(data, soup, face, weights));
+  geodesic.add_source_polyline(polyline);
   geodesic.build();
-  const Point_3 p = data.mesh.point(data.vertices[c]), q = data.mesh.point(data.vertices[a]), r = data.mesh.point(data.vertices[9]);
+  const Point_3 p = data.mesh.point(data.vertices[12]), q = data.mesh.point(data.vertices[17]), r = data.mesh.point(data.vertices[9]);
   const double x = q.x() - p.x(), y = q.y() - p.y();
   const double expected = std::abs(x * (r.y() - p.y()) - y * (r.x() - p.x())) / std::hypot(x, y); // from the edge's line
   CHECK(std::abs(geodesic.distance_to_sources(data.vertices[9]) - expected) <= 1e-14);

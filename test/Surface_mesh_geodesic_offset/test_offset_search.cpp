@@ -323,18 +323,11 @@ void segment_beside_edge()
   for (const auto& t : triangles) soup.add_triangle(t);
   const Generated_mesh<Surface_mesh> data(soup);
   const Locations<Surface_mesh> locations(data.mesh);
-  const auto location = [&](double at_5, double at_2, double at_3) {
-    Face_location l = locations.at_vertex(data.vertices[5]);
-    l.first = data.faces[3];
-    const auto corners = locations.corners(l.first);
-    for (std::size_t k = 0; k < 3; ++k)
-      l.second[k] = corners[k] == data.vertices[5] ? at_5 : corners[k] == data.vertices[2] ? at_2 : at_3;
-    return l;
-  };
   Geodesic geodesic(data.mesh);
   geodesic.add_source_polyline(
-    std::vector<Face_location>{location(0.73509718806044289, 0.26490281193916065, 3.9650925279781651e-13),
-                               location(9.6641851401110045e-08, 0.99999990335775213, 3.9650925279781651e-13)});
+    std::vector<Face_location>{
+      locations.in_triangle(data, soup, 3, {{0.73509718806044289, 0.26490281193916065, 3.9650925279781651e-13}}),
+      locations.in_triangle(data, soup, 3, {{9.6641851401110045e-08, 0.99999990335775213, 3.9650925279781651e-13}})});
   geodesic.build(CGAL::parameters::keep_windows(true));
   const double level = 3.8977497754521197e-06;
   const Offset_curves curves = offsets(geodesic, level);

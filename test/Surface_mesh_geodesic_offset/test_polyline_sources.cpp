@@ -5,6 +5,7 @@
 // (1e-12 relative), and converges to that of the section as the sampling is refined. Polylines in the faces of planar grids against
 // distances in the plane.
 
+#include "closed_forms.h"
 #include "data_meshes.h"
 #include "flat_paths.h"
 #include "generated_meshes.h"
@@ -152,17 +153,12 @@ void run_in_faces_of_grid(unsigned seed)
       segments.emplace_back(locations.point(polyline[k - 1]), locations.point(polyline[k]));
     geodesic.add_source_polyline(polyline);
   }
+  const auto in_plane = [](const Point_3& p) { return Point_2(p.x(), p.y()); };
   const auto expected = [&](const Point_3& p) {
-    long double least = std::numeric_limits<long double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
     for (const auto& s : segments)
-    {
-      const long double ux = (long double)(s.second.x()) - s.first.x(), uy = (long double)(s.second.y()) - s.first.y();
-      const long double px = (long double)(p.x()) - s.first.x(), py = (long double)(p.y()) - s.first.y();
-      const long double uu = ux * ux + uy * uy;
-      const long double t = uu > 0 ? (std::max)(0.L, (std::min)((ux * px + uy * py) / uu, 1.L)) : 0;
-      least = (std::min)(least, std::hypot(px - t * ux, py - t * uy));
-    }
-    return double(least);
+      least = (std::min)(least, segment_distance(in_plane(p), in_plane(s.first), in_plane(s.second)));
+    return least;
   };
   geodesic.build(CGAL::parameters::keep_windows(true));
   double worst = 0;
