@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge, also of needles, and from polylines that turn
-// around a vertex of a graded mesh. Sources are compared with the reference of reference_distances.h, polylines on flat convex meshes with
-// distances in the plane.
+// Distances from sources at 1e-16 to 1e-6 edge lengths from a vertex or an edge, also of needles, from polylines that turn
+// around a vertex of a graded mesh, and from segments beside a vertex, perpendicular to an edge there. Sources are compared with
+// the reference of reference_distances.h, polylines on flat convex meshes with distances in the plane.
 
 #ifndef GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
 #define GEODESIC_OFFSET_TEST_NEAR_VERTEX_SEARCH_H
@@ -39,8 +39,8 @@ public:
   typedef Reference_distances::Location Location;
 
   /// BESIDE: sources beside vertices and edges. AROUND: polylines around vertices of graded meshes. IN_NEEDLES: sources beside
-  /// edges of needles.
-  enum Sources { BESIDE, AROUND, IN_NEEDLES };
+  /// edges of needles. PERPENDICULAR: segments from beside a vertex, perpendicular to an edge there.
+  enum Sources { BESIDE, AROUND, IN_NEEDLES, PERPENDICULAR };
 
   static constexpr double tolerance = 1e-11; // relative to distance plus longest edge
 
@@ -56,6 +56,7 @@ public:
     for (int i = 0; i < 8; ++i) random_();
     if (sources_ == AROUND) return run_around(seed);
     if (sources_ == IN_NEEDLES) return run_in_needles(seed);
+    if (sources_ == PERPENDICULAR) return run_perpendicular(seed);
     const std::size_t kind = uniform_index(random_, 5);
     const Soup soup = make_mesh(kind, seed);
     const bool is_polyline = kind == 0;
@@ -126,6 +127,97 @@ private:
     const std::size_t before = counts.wrong;
     check_points(soup, Generated_mesh<Surface_mesh>(soup), counts, seed);
     counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+  }
+
+  /// A bounding ray of the segment runs along the edge, and rays of its end cross the edge far from the vertex. The heights of
+  /// almost flat discs are noise.
+  void run_perpendicular(unsigned seed)
+  {
+    const std::size_t kind = uniform_index(random_, 4);
+    static const char* const names[4] = {"flat discs", "flat grids", "almost flat discs", "almost flat grids"};
+    Soup soup = kind % 2 == 0 ? make_mesh(1, seed) : small_grid();
+    const double noise = kind < 2 ? 0 : std::pow(10, uniform(random_, -9, -3));
+    for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), noise * uniform(random_, -1, 1));
+    Near_vertex_counts& counts = counts_[names[kind]];
+    ++counts.meshes;
+    const std::size_t before = counts.wrong;
+    const Generated_mesh<Surface_mesh> data(soup);
+    const std::vector<Location> segment = perpendicular_segment(soup);
+    Geodesic geodesic(data.mesh);
+    if (kind < 2) compare_polyline_in_plane(soup, data, segment, counts, seed);
+    else compare_polyline(soup, data, geodesic, {location(soup, data, segment[0]), location(soup, data, segment[1])}, false, counts, seed);
+    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+  }
+
+  /// Grid of at most 3 x 3 squares, each with either diagonal.
+  Soup small_grid()
+  {
+    const std::size_t columns = 1 + uniform_index(random_, 3), rows = 1 + uniform_index(random_, 3);
+    Soup soup;
+    for (std::size_t j = 0; j <= rows; ++j)
+      for (std::size_t i = 0; i <= columns; ++i) soup.points.push_back(Point_3(double(i), double(j), 0));
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < columns; ++i)
+      {
+        const std::size_t a = j * (columns + 1) + i, b = a + columns + 1;
+        const bool rises = uniform(random_) < 0.5;
+        soup.add_triangle({a, a + 1, rises ? b + 1 : b});
+        soup.add_triangle({rises ? a : a + 1, b + 1, b});
+      }
+    return soup;
+  }
+
+  /// Segment in a triangle from a point within 1e-16 to 1e-3 edge lengths of a corner, in a direction within 1e-16 to 1e-2 of
+  /// the perpendicular of an edge at this corner.
+  std::vector<Location> perpendicular_segment(const Soup& soup)
+  {
+    for (;;)
+    {
+      const std::size_t f = uniform_index(random_, soup.triangles.size()), k = uniform_index(random_, 3);
+      const std::array<std::size_t, 3>& t = soup.triangles[f];
+      std::vector<std::size_t> neighbours;
+      for (const auto& s : soup.triangles)
+        if (std::count(s.begin(), s.end(), t[k]) != 0)
+          for (const std::size_t v : s)
+            if (v != t[k]) neighbours.push_back(v);
+      const Vector_3 along = soup.points[neighbours[uniform_index(random_, neighbours.size())]] - soup.points[t[k]];
+      const Vector_3 a = soup.points[t[1]] - soup.points[t[0]], b = soup.points[t[2]] - soup.points[t[0]];
+      const Vector_3 normal = CGAL::cross_product(a, b), across = CGAL::cross_product(normal, along) / std::sqrt(normal.squared_length());
+      const double sign = uniform(random_) < 0.5 ? -1 : 1, turn = uniform(random_) < 0.5 ? 0 : std::pow(10, uniform(random_, -16, -2));
+      const Vector_3 u = sign * across + turn * uniform(random_, -1, 1) * along;
+      const double size = std::pow(10, uniform(random_, -16, -3));
+      std::array<double, 3> w;
+      w[(k + 1) % 3] = size * uniform(random_);
+      w[(k + 2) % 3] = uniform(random_) < 0.2 ? 0 : size * uniform(random_);
+      w[k] = 1 - (w[(k + 1) % 3] + w[(k + 2) % 3]);
+      // Change of the weights along u.
+      const double area = normal.squared_length();
+      std::array<double, 3> g;
+      g[1] = CGAL::cross_product(u, b) * normal / area;
+      g[2] = CGAL::cross_product(a, u) * normal / area;
+      g[0] = -(g[1] + g[2]);
+      double most = std::numeric_limits<double>::max();
+      for (std::size_t i = 0; i < 3; ++i)
+        if (g[i] < 0) most = (std::min)(most, -w[i] / g[i]);
+      if (!(most > 1e-6)) continue; // leaves the triangle
+      const double length = most * (uniform(random_) < 0.7 ? uniform(random_, 0.05, 0.95) : std::pow(10, uniform(random_, -5, -1)));
+      std::array<double, 3> end;
+      for (std::size_t i = 0; i < 3; ++i) end[i] = w[i] + length * g[i];
+      return {{f, w}, {f, end}};
+    }
+  }
+
+  /// Weights within 1e-16 to 1e-2 of a side of a triangle.
+  std::array<double, 3> beside_side()
+  {
+    const std::size_t k = uniform_index(random_, 3);
+    const double part = uniform(random_) < 0.7 ? uniform(random_) : std::pow(10, uniform(random_, -8, 0));
+    const bool is_first = uniform(random_) < 0.5;
+    std::array<double, 3> w;
+    w[k] = std::pow(10, uniform(random_, -16, -2));
+    w[(k + 1) % 3] = (1 - w[k]) * (is_first ? part : 1 - part);
+    w[(k + 2) % 3] = 1 - (w[k] + w[(k + 1) % 3]);
+    return w;
   }
 
   /// Columns of points at distances of 1e-8 to 1e-5, joined by needles of length 1. The outline of flat bands is a rectangle.
@@ -348,6 +440,8 @@ private:
     for (std::size_t i = 0; i < queries_; ++i)
       result.push_back({uniform_index(random_, soup.triangles.size()), anywhere()});
     for (std::size_t i = 0; i < queries_ / 8; ++i) result.push_back(beside(sources[uniform_index(random_, sources.size())]));
+    for (std::size_t i = 0; i < queries_ && sources_ == PERPENDICULAR; ++i)
+      result.push_back({uniform_index(random_, soup.triangles.size()), beside_side()});
     return result;
   }
 
@@ -557,6 +651,13 @@ private:
       corners.push_back({f, near_boundary()});
       corners.push_back({f, anywhere()});
     }
+    compare_polyline_in_plane(soup, data, corners, counts, seed);
+  }
+
+  /// `corners`: of a polyline in one triangle of a flat convex mesh.
+  void compare_polyline_in_plane(const Soup& soup, const Generated_mesh<Surface_mesh>& data, const std::vector<Location>& corners,
+                                 Near_vertex_counts& counts, unsigned seed)
+  {
     const std::vector<Location> queries = make_queries(soup, corners);
     std::vector<Face_location> polyline;
     std::vector<Planar> placed;

@@ -78,6 +78,18 @@ void search_in_needles()
   check(search);
 }
 
+// Rays of the end of a segment beside a bounding ray of the segment, which cross an edge far from the vertex at its end.
+void segments_perpendicular_to_edges()
+{
+  Near_vertex_search known(std::cout, 20, 100, Near_vertex_search::PERPENDICULAR);
+  for (const unsigned seed : {1080u, 1197u, 3609u, 4264u, 5939u, 6697u, 9400u, 9656u}) known.run(seed);
+  check(known);
+  Near_vertex_search search(std::cout, 20, 20, Near_vertex_search::PERPENDICULAR);
+  for (unsigned seed = 1; seed <= 2000; ++seed) search.run(seed);
+  CHECK(search.counts().size() == 4);
+  check(search);
+}
+
 } // namespace test_near_vertices
 
 GEODESIC_OFFSET_TEST(test_near_vertices)
@@ -86,6 +98,7 @@ GEODESIC_OFFSET_TEST(test_near_vertices)
                                                       {"polyline from large to small faces", polyline_from_large_to_small_faces},
                                                       {"search", search},
                                                       {"search around vertices", search_around},
-                                                      {"search in needles", search_in_needles}};
+                                                      {"search in needles", search_in_needles},
+                                                      {"segments perpendicular to edges", segments_perpendicular_to_edges}};
   return run_tests("test_near_vertices", tests);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Search for wrong distances from sources within 1e-16 to 1e-6 edge lengths of vertices and edges (beside), also in needles
-// (needles), or from polylines around vertices of graded meshes (around), that is, wrong by more than 1e-11 of the distance plus
-// the longest edge.
+// (needles), from polylines around vertices of graded meshes (around), or from segments beside vertices, perpendicular to an edge
+// (perpendicular), that is, wrong by more than 1e-11 of the distance plus the longest edge.
 //
-//   near_vertex_search [beside|needles|around] [--seed N] [--meshes N] [--queries N] [--printed N]
+//   near_vertex_search [beside|needles|around|perpendicular] [--seed N] [--meshes N] [--queries N] [--printed N]
 //
 // Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case.
 //
@@ -28,7 +28,10 @@ int run(int argc, char** argv)
   std::size_t meshes = 1000, queries = 200, printed = 50;
   const std::string kind = argc > 1 ? argv[1] : "";
   typedef test::Near_vertex_search Search;
-  const Search::Sources sources = kind == "around" ? Search::AROUND : kind == "needles" ? Search::IN_NEEDLES : Search::BESIDE;
+  const Search::Sources sources = kind == "around"          ? Search::AROUND
+                                  : kind == "needles"       ? Search::IN_NEEDLES
+                                  : kind == "perpendicular" ? Search::PERPENDICULAR
+                                                            : Search::BESIDE;
   for (int i = sources != Search::BESIDE || kind == "beside" ? 2 : 1; i < argc; i += 2)
   {
     const std::string name = argv[i];

@@ -273,9 +273,10 @@ private:
     add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, source_ref, entry, beyond_edges);
   }
 
-  // 2^-16 radians. The lower envelope closes the gaps that smaller angles leave on the edges behind. A smaller value would
-  // start more rays twice in needles.
-  static constexpr double least_angle_beyond_edges = 1. / (1 << 16);
+  // 2^-24 radians: lost_angle() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r behind the
+  // edge. Such a ray may meet the next edge at an angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8 L at this
+  // distance, the widest gap that Lower_envelope closes.
+  static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
 
   // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between
   // them.
