@@ -12,6 +12,7 @@
 #include "test_check.h"
 
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Face_piece.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +209,25 @@ void data_meshes()
     c.build();
     check_levels(c, 3);
   }
+}
+
+// Distances from triangles that are small or of no size, as those around an arc of no length at a vertex, to points far away and
+// inside.
+void distances_from_small_triangles()
+{
+  using namespace CGAL::Geodesic_offset::internal;
+  const auto point = [](double x, double y) { return Double_double_2{Double_double(x), Double_double(y)}; };
+  Random random(11);
+  for (double size : {0., 1e-17, 1e-16, 1e-15, 1e-12, 1e-6, 1.})
+    for (int i = 0; i < 100; ++i)
+    {
+      const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+      const auto near = [&] { return point(x + size * uniform(random, -1, 1), y + size * uniform(random, -1, 1)); };
+      const Face_piece triangle = Face_piece::triangle(near(), near(), near());
+      CHECK(triangle.distances_from(triangle.inner_point()).first <= 1e-15);
+      const double far = 10 + uniform(random, 0, 1), least = far - 1.5 * size;
+      CHECK_DETAIL(triangle.distances_from(point(x + far, y)).first >= least - 1e-14, values(size, far));
+    }
 }
 
 // Near the largest distance, where curves are small loops inside faces, and beyond it.
@@ -543,6 +563,7 @@ GEODESIC_OFFSET_TEST(test_certified_offsets)
   const std::pair<const char*, void (*)()> tests[] = {{"use", use},
                                                       {"own offsets", own_offsets},
                                                       {data_case, data_meshes},
+                                                      {"small triangles", distances_from_small_triangles},
                                                       {"near the farthest point", near_the_farthest_point},
                                                       {"sampled regions", sampled_regions},
                                                       {"faults", faults},

@@ -168,7 +168,10 @@ struct Face_piece
     if (size == 3)
     {
       const double a0 = cross(v[0], v[1]), a1 = cross(v[1], v[2]), a2 = cross(v[2], v[0]);
-      const bool is_inside = (a0 >= 0 && a1 >= 0 && a2 >= 0) || (a0 <= 0 && a1 <= 0 && a2 <= 0);
+      // Far from a small triangle, all signs may be those of rounding. A point inside is no farther from a corner than the
+      // longest side; twice as far is outside.
+      const bool is_inside =
+        ((a0 >= 0 && a1 >= 0 && a2 >= 0) || (a0 <= 0 && a1 <= 0 && a2 <= 0)) && most <= 2 * diameter();
       least = is_inside ? 0. : (std::min)({least, near_segment(v[1], v[2]), near_segment(v[2], v[0])});
     }
     return {least, most};
