@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds faces that the front has passed, whose distances are final, and vertices that every window missed through rounding.
+// Finalizes faces that the front has passed: their distances are final. Before, it looks for hidden vertices, which every window
+// missed through rounding.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
@@ -21,7 +22,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Finalized faces, and halfedges whose sources rounding has hidden from all windows.
+// Finalized faces, and hidden vertices. A hidden vertex is given by the halfedge that starts at it, in the face in which it was
+// found.
 struct Passed_faces
 {
   std::vector<Index> faces, hidden;
@@ -41,24 +43,25 @@ class Face_finalizer
   typedef Wavefront_state<FT> State;
 
 public:
-  // `tolerance`: bound of the error of distances beyond rounding.
+  // `tolerance`: bound of the errors of distances that Window_merging introduces.
   Face_finalizer(State& state, const Merging_tolerance<FT>& tolerance) : m_state(state), m_tolerance(tolerance) {}
 
-  // Examines the faces of a part in the current bucket. Appends finalized faces to `passed`; other faces stay pending.
-  void look(Index part, Passed_faces& passed) const
+  // Examines the faces in the current bucket of a part of the front. Appends finalized faces and hidden vertices to `passed`;
+  // other faces stay pending.
+  void examine_bucket(Index part, Passed_faces& passed) const
   {
     Bucket_queue& queue = m_state.part(part).queue;
     Index f;
     while (queue.pop_face(f))
     {
-      if (is_finished(f) || waits_on(f, queue)) continue;
+      if (is_finished(f) || is_postponed(f, queue)) continue;
       if (finds_hidden(f, passed.hidden)) queue.push_face(queue.current() + 2, f);
       else finish(f, passed.faces);
     }
   }
 
-  // Finds corners of a finalized face that are farther than a path along an edge. In needles all paths may be equal up to
-  // rounding, and each of two windows may leave a vertex to the other.
+  // Finds hidden vertices: corners of a face whose distance is longer than a path along an edge of the face. In needles, many
+  // paths are equal up to rounding. Then each of two windows may be cut beside a vertex, as if the other window reached it.
   bool finds_hidden(Index f, std::vector<Index>& hidden) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
@@ -69,7 +72,7 @@ public:
     if (!(CGAL::abs(FT(d1 - d0)) > edge[0].length) && !(CGAL::abs(FT(d2 - d1)) > edge[1].length) &&
         !(CGAL::abs(FT(d0 - d2)) > edge[2].length))
       return false;
-    return finds_hidden_certainly(f, hidden);
+    return finds_hidden_beyond_tolerance(f, hidden);
   }
 
   bool is_finished(Index f) const { return m_state.is_finished[f]; }
@@ -82,7 +85,7 @@ public:
     passed.push_back(f);
   }
 
-  // Upper bound of the distances in a face: a corner's distance plus the longer edge there.
+  // Upper bound of the distances in a face: the distance of a corner plus the longer of its two edges; the least of the three.
   FT largest_distance(Index f) const
   {
     const Unfolded_mesh<FT>& mesh = m_state.mesh;
@@ -96,11 +99,11 @@ public:
   }
 
 private:
-  // Largest number of buckets ahead. A face with a much longer edge than most is examined again there, so that the number of
-  // buckets stays bounded.
-  static constexpr std::size_t farthest = 1 << 12;
+  // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very long
+  // edge is postponed several times.
+  static constexpr std::size_t most_buckets_ahead = 1 << 12;
 
-  BOOST_NOINLINE bool finds_hidden_certainly(Index f, std::vector<Index>& hidden) const
+  BOOST_NOINLINE bool finds_hidden_beyond_tolerance(Index f, std::vector<Index>& hidden) const
   {
     const std::size_t before = hidden.size();
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -113,16 +116,17 @@ private:
     return hidden.size() > before;
   }
 
-  // Puts the face into a later bucket if it is still pending, at most the bucket after the one that closes its last gaps.
-  bool waits_on(Index f, Bucket_queue& queue) const
+  // Puts the face into a later bucket if the front has not passed it, and returns true. The front has passed the face two buckets
+  // after that of the largest distance: one bucket later, gaps at that distance are closed (Wavefront_state::await_gap()).
+  bool is_postponed(Index f, Bucket_queue& queue) const
   {
     char& state = m_state.face_state[f];
-    if (state & State::BOUNDED) return false; // the bound does not grow
+    if (state & State::BOUNDED) return false; // this is the bucket of a bound, which does not grow
     const FT bound = largest_distance(f);
     const bool is_bounded = Number_policy<FT>::is_finite(bound);
     const std::size_t done = (is_bounded ? queue.bucket_of(bound) : queue.current()) + 2;
     if (done <= queue.current()) return false;
-    const std::size_t next = (std::min)(done, queue.current() + farthest);
+    const std::size_t next = (std::min)(done, queue.current() + most_buckets_ahead);
     if (is_bounded && next == done) state |= State::BOUNDED;
     queue.push_face(next, f);
     return true;

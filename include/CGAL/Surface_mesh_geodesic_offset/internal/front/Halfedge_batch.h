@@ -68,7 +68,7 @@ public:
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
 
-  // Distance of the nearest gap that is closed after the front has passed it; infinite if there is none.
+  // Distance of the nearest gap that stays open until the front has passed it; infinite if there is none.
   const FT& nearest_gap() const { return m_nearest_gap; }
 
   // Result of the propagation.

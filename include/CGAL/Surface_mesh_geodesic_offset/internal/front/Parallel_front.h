@@ -80,7 +80,8 @@ public:
       if (m_waiting[i].first <= m_state.current() || has_bit(m_recipients | m_gives_up, i)) m_turns.push_back({i, 1});
     m_gives_up = 0;
     round<&Bucket_queue::number_of_faces>(
-      m_turns.size() >= worthwhile_faces, [this, &passing](unsigned, Index i) { passing.look(i, this->m_part[i].passed); });
+      m_turns.size() >= worthwhile_faces,
+      [this, &passing](unsigned, Index i) { passing.examine_bucket(i, this->m_part[i].passed); });
     for (const Turn& t : m_turns) passed.append(m_part[t.part].passed);
   }
 

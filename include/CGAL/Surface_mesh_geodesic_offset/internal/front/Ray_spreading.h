@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Starts rays from sources and pseudo-sources.
+// Starts rays from sources and pseudo-sources: windows on the first edges that the rays cross, and distances of vertices along
+// edges.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_RAY_SPREADING_H
@@ -29,20 +30,21 @@ public:
   {
   }
 
-  // Starts the rays of source primitives from `first_primitive` on with start values beyond `above` up to `last`.
+  // Starts the rays of the source primitives with numbers of at least `first_primitive` and start values in (above, last].
   void start(Index first_primitive, const FT& above, const FT& last)
   {
-    const auto starts = [&](const auto& what) {
-      const FT& s = m_initial.start_values.of(what.source_ref);
-      return what.source_ref.primitive() >= first_primitive && above < s && s <= last;
+    const auto starts = [&](const auto& item) {
+      const FT& s = m_initial.start_values.of(item.source_ref);
+      return item.source_ref.primitive() >= first_primitive && above < s && s <= last;
     };
-    // Source vertices, which have their own fans, come before distances of other vertices, which may be 0 as well.
+    // First the vertices that are sources, whose `back` has no corner. Of equal distances the first one stays, and the distance
+    // of another vertex may be equal, for example 0.
     for (const bool is_source : {true, false})
       for (const auto& s : m_initial.seeds)
         if (starts(s) && (s.back.corner == no_index) == is_source)
           m_state.update_vertex(s.vertex, {s.distance, s.back, s.source_ref, no_index});
     for (const auto& f : m_initial.fans)
-      // A source vertex inside the region of another source sends no rays.
+      // A source vertex that another source reaches before its own start value sends no rays.
       if (starts(f) && !(m_state.field.distance[f.vertex] < m_initial.start_values.of(f.source_ref)))
         spread(f.vertex, f.from, f.to, f.first, f.source_ref, no_index, m_state);
     for (const auto& e : m_initial.edges)
@@ -56,17 +58,17 @@ public:
     {
       if (!starts(l.window)) continue;
       m_state.schedule(l.face);
-      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays belong to a fan
+      if (l.window.origin == STARTS_AT_CORNER) continue; // its rays were started with the fans
       const Face_frame<FT> frame(m_mesh, l.face);
       for (int k = 0; k < 3; ++k)
-        if (l.window.edge == 3 || l.window.edge == k) leave_face(l.face, frame, k, l.window);
+        if (l.window.edge == 3 || l.window.edge == k) add_exit(l.face, frame, k, l.window); // 3: rays to all edges
     }
     for (const auto& l : m_initial.beyond_edges)
-      if (starts(l.window)) leave_face(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window);
+      if (starts(l.window)) add_exit(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window);
   }
 
-  // Starts the rays behind a vertex: shortest paths continue only at angles of at least pi to their direction on either side.
-  // `front` receives them: the state, or messages for later.
+  // Starts the rays of a pending pseudo-source, in the sectors and margins behind it (Vertex_sector). `front` receives the rays:
+  // the state, or messages of the parallel front.
   template <class Front>
   void spread_from_pseudo_source(Index v, Front& front) const
   {
@@ -74,14 +76,14 @@ public:
     char& state = m_state.vertex_state[v];
     const bool waits = state & State::WAITS;
     if (!waits && !m_state.lacks_margins(v)) return;
-    const bool all_round = waits && ((state & State::WAS_HIDDEN) ||
-                                     m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
+    const bool in_all_directions = waits && ((state & State::WAS_HIDDEN) ||
+                                             m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
     const bool ties = state & State::TIES;
     state = char(State::HAS_SPREAD | (ties ? State::TIES | State::HAS_MARGINS : 0));
     m_state.field.has_margins[v] = ties;
     const Ray back = m_state.field.back[v].ray();
     const Source_ref source_ref = m_state.field.source_ref[v];
-    if (all_round)
+    if (in_all_directions)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
     if (waits && m_mesh.can_be_pseudo_source(v))
       m_sector.for_each_sector_behind(
@@ -96,8 +98,8 @@ public:
   }
 
 private:
-  // Adds the part of a window from inside a face that leaves the face through halfedge k.
-  void leave_face(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
+  // Adds the window beyond halfedge k of a face: the part of the rays of a window in the face that cross the halfedge.
+  void add_exit(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
@@ -124,12 +126,12 @@ private:
     w.d1 = w.distance_at(w.b1);
     // the terms of the distances, in the frame of the face and in that of the edge
     const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
-    if (in_front(local.start_value, size, w)) m_state.add(g, w);
+    if (cut_behind_source(local.start_value, size, w)) m_state.add(g, w);
   }
 
-  // Rays leave through an edge only if they start before it (see Initial_windows). Moves an image that the rounding of positions
-  // in the face has put on the edge or behind: before the edge, by that rounding error. Returns false if the image stays there,
-  // for exact numbers.
+  // Ensures that the image of w lies on the near side of the edge that its rays cross (see Initial_windows). If rounding has put
+  // the image on the edge or beyond it, moves the image to the near side, by the rounding error of its height. With exact numbers,
+  // returns false for such an image.
   static bool put_before_edge(const Face_frame<FT>& frame, Window& w)
   {
     if constexpr (Number_policy<FT>::is_inexact)
@@ -144,10 +146,10 @@ private:
   // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.
   static constexpr double roundings_of_distance = 4;
 
-  // Cuts off the part of a window behind its segment, where the distance is less than the start value s. Differences within
-  // the rounding of terms of the given size become zero: on an edge nearly parallel to the segment, they belong to a long part
-  // of the window.
-  static bool in_front(const FT& s, const FT& size, Window& w)
+  // Cuts off the part of a window behind its source segment, where its distance is less than the start value s. Returns false if
+  // nothing remains. `size`: magnitude of the terms of the distances. A distance that equals s up to rounding is set to s: on an
+  // edge nearly parallel to the segment, a rounding error would cut off a long part of the window.
+  static bool cut_behind_source(const FT& s, const FT& size, Window& w)
   {
     if (w.d0 >= s && w.d1 >= s) return true;
     if (!w.is_parallel()) return false;
@@ -179,7 +181,8 @@ private:
     return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
-  // Starts the rays from v in a sector or its margin: windows on the edges opposite to v, and updates along the edges.
+  // Starts the rays from v in a sector, or in its margin with the surcharge of Vertex_sector: windows on the edges opposite to v,
+  // and updates of vertices along the edges.
   template <class Front>
   void spread(Index v, const Ray& from, const Ray& to, Index first, Source_ref source_ref, Index pseudo_source, Front& front,
               bool is_margin = false) const

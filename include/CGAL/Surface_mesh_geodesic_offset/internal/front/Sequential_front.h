@@ -84,7 +84,7 @@ public:
   void look_at_all_parts() {}
 
   // Examines the faces of the bucket. Appends finalized faces to `passed`.
-  void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.look(0, passed); }
+  void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.examine_bucket(0, passed); }
 
   // Releases the lists of finalized faces.
   void release(const std::vector<Index>& faces)

@@ -3,9 +3,10 @@
 //
 // The arcs of one level in a face, and their visible parts, which form the boundary of { D < level }.
 //
-// A window covers a part of an arc if the part lies in its cone and is nearer through it than the level by more than rounding.
-// So windows that tie along a whole arc do not cover each other. As the distance is continuous, an arc becomes invisible only
-// where another arc crosses it; windows with other arcs need no test.
+// Each window has at most one arc of a level: the points of its cone at which the distance of the window equals the level. A
+// window covers a part of another arc if the part lies in its cone and its distances there are less than the level by more than
+// rounding. So windows that tie along a whole arc do not cover each other. As distances are continuous, visibility changes only
+// where arcs meet, so an arc is tested only against the arcs that may meet it.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARCS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_ARCS_H
@@ -38,7 +39,8 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  // Sets the face, the longest edge of the faces around it, and bounds of the following levels.
+  // Sets the face, and bounds of the levels for the next calls of set_level(). `reach`: the longest edge of the faces around the
+  // corners of the face, for the tolerances (Offset_tolerances).
   void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
@@ -68,9 +70,9 @@ public:
     m_boxes.build();
   }
 
-  // Adds paths that bend at an end of a window or at a corner. They close gaps between neighbouring windows of an edge, which
-  // arise only where the front drops windows of the width of rounding or beginning at the distance limit. As they are rarely
-  // needed, they are added on demand.
+  // Adds fans: windows of the paths that bend at an end of a window's interval or at a corner. They close gaps between windows of
+  // one edge. Such gaps arise only where the front drops windows as narrow as rounding, or windows that begin at the distance
+  // limit. As fans are rarely needed, they are added on demand.
   void add_fans()
   {
     if (m_fans.empty()) make_fans();
@@ -83,6 +85,7 @@ public:
   bool has_fans() const { return m_has_fans; }
   bool is_fan(std::size_t i) const { return m_has_fans && i >= m_first_fan; }
 
+  // Selects tie tolerance i of Offset_tolerances.
   void use_tie(int i) { m_tolerances.use_tie(i); }
 
   // Calls f(window) for all windows of the face, including those of add_fans().
@@ -105,7 +108,7 @@ public:
     return m_arcs[i];
   }
 
-  // True if arc i passes through p, up to a tie.
+  // True if arc i passes through p, up to the tolerance `tie`.
   bool passes(std::size_t i, const Point& p) const
   {
     const Arc& a = m_arcs[i];
@@ -113,7 +116,7 @@ public:
     return a.outside_cone(p) <= m_tolerances.tie && CGAL::abs(a.excess(p)) <= m_tolerances.tie;
   }
 
-  // Calls f(i) for the arcs through p except one.
+  // Calls f(i) for each arc through p except arc `without`.
   template <class Function>
   void for_each_through(const Point& p, std::size_t without, const Function& f) const
   {
@@ -139,7 +142,7 @@ public:
     const Arc& a = m_arcs[i];
     Box box(from);
     box.add(to);
-    if (!a.is_straight()) box.widen(length(to - from)); // less than a half turn
+    if (!a.is_straight()) box.widen(length(to - from)); // an arc of less than a half turn is this near to its chord
     box.intersect(m_boxes[i]);
     bool found = false;
     m_boxes.any_of(box, [&](std::size_t j) {
@@ -159,7 +162,7 @@ private:
 
   void add_arc(const Cone& c)
   {
-    // Windows that only touch the level count: it may run along the edge by which they enter.
+    // Include a window that only touches the level: the arc may run along the edge of the window.
     if (!(c.lowest < m_level + m_margin && c.cone.reaches(m_level))) return;
     const FT& nearest = c.window->is_parallel() ? c.window->start_value : c.window->sigma;
     if (!CGAL::is_positive(FT(m_level - nearest))) return;
@@ -170,7 +173,7 @@ private:
     m_boxes.push_back(box);
   }
 
-  // Fans at the ends of windows and at corners, with all directions into the face.
+  // Makes a fan at each end of a window's interval and at each corner. It consists of all directions into the face.
   void make_fans()
   {
     const std::vector<Face_window<FT>>& windows = m_field->windows();
@@ -203,21 +206,21 @@ private:
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
-  // True if arc a between two points lies outside a bounding ray, or passes it by the error only. Neighbouring windows share a
-  // ray, and the distances on it.
+  // True if arc a between two points lies outside a bounding ray, up to the tolerance `error`. This tolerance is needed where the
+  // windows of two arcs share the ray.
   bool is_beyond(const Half_plane<FT>& ray, const Arc& a, const Point& from, const Point& to) const
   {
     return !(a.largest_value(ray.opposite(), from, to) > m_tolerances.error);
   }
 
-  // True if p is covered by the window of b. From a point of the face, the straight path to any other point is valid; the cone
-  // does not count then, since an arc may run along its bounding ray.
+  // True if p is covered by the window of b. If the image is a point of the face, straight paths from it to all points of the
+  // face are on the surface, so the cone is not tested: an arc may run along its bounding ray.
   bool covers(const Arc& b, const Point& p) const
   {
     return (b.starts_at_point_of_face() || b.is_in_cone(p)) && b.excess(p) < -m_tolerances.cover;
   }
 
-  // True if arc a between two points lies along a bounding ray of b up to the error, and is longer than the smallest cell.
+  // True if arc a between two points lies along a bounding ray of b up to `error`, and is longer than the smallest cell.
   bool runs_along_ray(const Arc& b, const Arc& a, const Point& from, const Point& to) const
   {
     const FT& error = m_tolerances.error;
@@ -225,15 +228,16 @@ private:
            !(a.largest_value(b.right(), from, to) > error);
   }
 
-  // True if p, on a bounding ray of b up to the error, is covered: an arc along a ray that two windows share may lie outside
-  // both. The way to the ray and the difference of the distances of p and its foot are an error each, together one cover.
+  // Variant of covers() for p beside a bounding ray of b, up to `error`. An arc along a ray that two windows share may lie outside
+  // both cones. The allowance is doubled for the position of p and for the difference between the distances of p and of its foot
+  // on the ray: one `error` each, which is one `cover` together.
   bool covers_beside(const Arc& b, const Point& p) const
   {
     return !(b.outside_cone(p) > m_tolerances.error) && b.excess(p) < -FT(2) * m_tolerances.cover;
   }
 
-  // Overload for one other arc b. The ends of the parts in its disk and its cone divide the arc into parts that are covered
-  // wholly or not at all; their middle points decide.
+  // Overload for the window of one other arc b. The points where arc a meets b and the bounding rays of b divide a into parts that
+  // are covered wholly or not at all. The middle point of each part decides.
   bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
   {
     const bool is_beside =
@@ -271,7 +275,7 @@ private:
     for (int k = 0; k <= n; ++k)
     {
       const Point& q = k < n ? end[k] : to;
-      // Parts as short as a tie are rounding of the rays.
+      // Parts no longer than `tie` are due to rounding of the rays.
       const bool is_part = a.advance(p, q) > m_tolerances.tie || !Number_policy<FT>::is_inexact;
       if (is_part && (covers(b, a.middle(p, q)) || (is_beside && covers_beside(b, a.middle(p, q)))))
       {
@@ -286,11 +290,11 @@ private:
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_margin, m_reach;
   Offset_tolerances<FT> m_tolerances;
-  std::vector<Cone> m_cones; // of the windows with a level in the face
+  std::vector<Cone> m_cones; // of the windows that may have an arc of one of the levels
   std::vector<Face_window<FT>> m_fans;
   std::vector<Cone> m_fan_cones;
   bool m_has_fans = false;
-  std::size_t m_first_fan = 0; // arc
+  std::size_t m_first_fan = 0; // first arc of a fan
   std::vector<Arc> m_arcs;   // of the level
   Box_tree<FT> m_boxes;      // of the arcs
 };

@@ -10,7 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goal.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_goals.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_suffix_cache.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_output.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/paths/Path_start.h>
@@ -387,7 +387,7 @@ private:
     if constexpr (!Number_policy<FT>::is_inexact)
       return CGAL::is_zero(off) && CGAL::is_positive(dot(to_goal, to_vertex)) &&
              dot(to_vertex, to_vertex) <= dot(to_goal, to_goal) &&
-             (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.source_ref));
+             (v == goal.vertex || has_missed || m_goals.may_pass_through(v, start.source_ref));
     const FT near = FT(nearby) * FT(nearby) * dot(to_goal, to_goal);
     CGAL_assertion(k == exit || k == (exit + 1) % 3);
     const FT beside = k == exit ? FT(crossing.length - crossing.t) : crossing.t;
@@ -398,7 +398,7 @@ private:
     const FT straight_on = length(to_goal);
     const FT rest = straight_on + (start.pseudo_source == no_index ? start.start_value : m_field.distance[start.pseudo_source]);
     return d < start.distance && d + length(to_vertex) <= rest + Number_policy<FT>::rounding(256) * start.distance &&
-           (v == goal.vertex || has_missed || m_goals.may_lead_by(v, start.source_ref));
+           (v == goal.vertex || has_missed || m_goals.may_pass_through(v, start.source_ref));
   }
 
   void look_for_detour(const Straight_walk<FT>& walk, bool is_first, const Path_start<FT>& start, const FT& reach,

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The lower envelope of the windows of one halfedge: one sweep over the windows, ordered by their intervals, merges neighbours
-// with the same image and cuts overlapping ones at their bisectors.
+// The lower envelope of the windows of one halfedge. One sweep over the windows, ordered by their intervals, merges consecutive
+// windows with the same image, and cuts overlapping windows at their bisectors. The image of a window is its source point in
+// the frame of the halfedge, or the direction of its parallel rays. A strip is a window of parallel rays from a source segment.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_LOWER_ENVELOPE_H
@@ -35,7 +36,7 @@ public:
   typedef typename Traits::FT FT;
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  // An end of the halfedge: its distance, negative if unknown, and the origin of its distance.
+  // An end vertex of the halfedge: its distance, negative if unknown, and the source of the distance.
   struct End
   {
     FT distance = FT(-1);
@@ -46,8 +47,11 @@ public:
   Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
 
   // Returns the lower envelope of the windows [first, last) and [more, more_last), in any order, on a halfedge of the given
-  // length. It is sorted and disjoint, and valid until the next call. With number types whose order may stay open, neighbours
-  // may overlap where either may be nearer. Gaps nearer than `passed`, the distance passed by the front, are closed.
+  // length. It is sorted and disjoint, and valid until the next call. If a comparison of distances is undecided, as with exact
+  // numbers (Interval_filter), both windows keep the part in question, and consecutive windows overlap there.
+  //
+  // Rounding may leave narrow gaps between windows. A gap is closed if the distances beside it agree and are less than `passed`,
+  // the distance that the front has passed. Otherwise, a window that fills the gap may still arrive.
   const Window_sequence<FT>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr,
                                         const End& source = End(), const End& target = End(),
@@ -65,7 +69,7 @@ public:
     if constexpr (Number_policy<FT>::is_inexact) m_widest_gap = first != last ? widest_gap(*first, length) : FT(0);
     m_wide = (std::max)(m_min_width, m_widest_gap);
     m_rounding = Number_policy<FT>::rounding(1);
-    m_gap_rounding = Number_policy<FT>::rounding(256); // equals that of pruning_allowance(), by which windows are dropped at ties
+    m_gap_rounding = Number_policy<FT>::rounding(256); // as in pruning_allowance(), so that gaps left by pruning are closed
     m_margin = Number_policy<FT>::rounding(roundings_of_margin);
     m_order.start(first, last, more, more_last);
     const Window* const* i = m_order.begin();
@@ -79,7 +83,7 @@ public:
       else break;
       if constexpr (!Interval_filter<FT>::leaves_open)
       {
-        if (follows(*w, i, end)) continue;
+        if (adds_usual_case(*w, i, end)) continue;
       }
       add(*w);
     }
@@ -94,27 +98,28 @@ public:
     return m_envelope;
   }
 
-  // Distance of the nearest gap that is closed after the front has passed it; infinite if there is none.
+  // Distance of the nearest gap that the last call left open because the front had not passed it; infinite if there is none. A
+  // later call, with the front beyond this distance, closes it.
   const FT& nearest_gap() const { return m_nearest_gap; }
 
-  // True if the last call closed gaps; the envelope then has rays that its windows lack.
+  // True if the last call closed gaps. The envelope then extends beyond the given windows.
   bool has_closed_gaps() const { return m_has_closed_gaps; }
 
-  // True for a monotone list: no window begins or ends before its predecessor, neighbours cannot merge, and no gap between them
-  // is to be closed. Such a list is mostly its own lower envelope up to the ends that neighbours cut from each other. Distances
-  // do not depend on its reduction.
+  // True for a monotone list: no window begins or ends before its predecessor, no two consecutive windows can merge, and no gap
+  // has to be closed. Such a list rarely shrinks much by a reduction. The caller may keep it as it is: windows that are not
+  // nearest change no distance.
   static bool is_monotone_list(const Window* first, const Window* last, const FT& length)
   {
     if (first == last) return true;
     const FT largest_rounding = max_gap(length), widest = widest_gap(*first, length);
     const auto may_be_closed = [&](const FT& gap) { return int(gap > largest_rounding) & int(gap < widest); };
     if (may_be_closed(first->b0) | may_be_closed(FT(length - last[-1].b1))) return false;
-    // Mostly at least the allowance of same_image().
+    // Usually larger than the allowance of same_image(), so that may_change() is called for all pairs that may merge.
     const FT rounding = Number_policy<FT>::rounding(1024);
     const FT allowance = rounding * (first->d0 + last[-1].d1 + last[-1].b1);
     const FT larger_allowance = (std::max)(allowance, rounding);
     for (; last - first > 1; ++first)
-    { // without branches; nearly all pairs are rejected or accepted by these few differences
+    { // without branches; these differences decide nearly all pairs
       const Window &a = first[0], &b = first[1];
       if (int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
       const int is_rare = int(CGAL::abs(FT(a.x - b.x)) <= larger_allowance) | int(b.b0 - a.b1 > largest_rounding) |
@@ -125,33 +130,34 @@ public:
   }
 
 private:
-  // True if two consecutive windows of a list may be one window, or if a gap between them, or occupied by the second one, may be
-  // closed. The arguments are those of is_monotone_list().
+  // True if a reduction may merge the consecutive windows a and b, close the gap between them, or remove b as the occupant of a
+  // gap (see close_occupied_gaps()). The arguments are variables of is_monotone_list().
   BOOST_NOINLINE static bool may_change(const Window& a, const Window& b, const FT& rounding, const FT& allowance,
                                         const FT& length, const FT& widest)
   {
     const FT gap = b.b0 - a.b1;
     if (gap > max_gap(length) && gap < widest) return true;
     if (gap >= FT(0) && b.b1 - b.b0 < widest && is_farther_at_begin(a, b, length)) return true;
-    return ((a.bits ^ b.bits) & ~2u) == 0 && CGAL::abs(FT(a.x - b.x)) <= (a.is_parallel() ? rounding : allowance) &&
+    return have_same_kind(a, b) && CGAL::abs(FT(a.x - b.x)) <= (a.is_parallel() ? rounding : allowance) &&
            CGAL::abs(FT(a.sigma - b.sigma)) <= allowance;
   }
 
-  // Gaps between windows of one image are rounding up to this width.
+  // Largest width of a gap or overlap between windows of one image that is due to rounding.
   static FT max_gap(const FT& length) { return Number_policy<FT>::rounding(4096) * length; }
 
-  // Units of rounding of distances by which a window is farther than its neighbour where they meet: above the rounding of two
-  // distances, below Vertex_sector::margin_surcharge().
+  // Least difference of two distances that is not due to rounding, in units of rounding of the distance: more than the error of
+  // two distances, and less than the surcharge on rays beside a sector, Vertex_sector::margin_surcharge().
   static constexpr double roundings_of_margin = 16;
 
-  // Largest difference of the directions of one strip on an edge: 2^-33, far above their rounding.
+  // Largest difference of the directions, unit vectors, of two windows of one strip: 2^-33, far above their rounding.
   static constexpr double strip_turn = 1. / (1ull << 33);
 
-  // Largest length of a short edge, as a fraction of the distance: 2^28 u, 2^-24. Distances tie along much of such an edge.
+  // Largest length of a short edge, as a fraction of the distance: 2^-24. Distances along such an edge are equal up to rounding
+  // over much of its length.
   static constexpr double short_edge = 1. / (1 << 24);
 
-  // Largest gap to be closed between windows of different images: 2^-8 of the length of the halfedge; on edges far shorter than
-  // the distance, as across a narrow strip, 2^28 u of the distance, since distances tie along much of the edge.
+  // Largest gap to be closed between windows of different images: 2^-8 of the length of the halfedge. On a short edge, as across
+  // a narrow row of faces, it may be the whole edge.
   static FT widest_gap(const Window& w, const FT& length)
   {
     const FT by_distance = (std::min)(length, FT(short_edge) * w.d0);
@@ -160,17 +166,20 @@ private:
 
   bool same_image(const Window& a, const Window& b) const
   {
-    if ((a.bits ^ b.bits) & ~2u) return false; // differ in kind or pseudo-source
+    if (!have_same_kind(a, b)) return false;
     if constexpr (!Number_policy<FT>::is_inexact) return have_one_source(a, b) && same_distances(a, b);
     const FT rounding = Number_policy<FT>::rounding(64); // well below pruning_allowance()
     // The image of parallel rays is a unit vector. The sigma of point rays is the distance of a vertex, equal in all its
     // windows, and larger in margins of its sectors.
     const FT allowance = rounding * (a.d0 + b.d1 + (a.is_parallel() ? b.b1 : FT(CGAL::abs(a.x) + CGAL::abs(a.y))));
     const FT& of_image = a.is_parallel() ? rounding : allowance;
-    if (!(CGAL::abs(a.x - b.x) <= of_image)) return false; // as a rule
+    if (!(CGAL::abs(a.x - b.x) <= of_image)) return false; // the usual case
     const FT of_sigma = a.is_parallel() ? allowance : FT(Number_policy<FT>::rounding(16) * (a.sigma + b.sigma));
     return CGAL::abs(a.y - b.y) <= of_image && CGAL::abs(a.sigma - b.sigma) <= of_sigma && have_one_source(a, b);
   }
+
+  // True if both windows have point images or both have parallel rays, and the same pseudo-source or none.
+  static bool have_same_kind(const Window& a, const Window& b) { return ((a.bits ^ b.bits) & ~2u) == 0; } // propagated or not
 
   bool have_one_source(const Window& a, const Window& b) const
   {
@@ -202,7 +211,7 @@ private:
       else if (same_image(a, w))
         unite(a, w);
       else
-        share(a, w);
+        resolve_estimated(a, w);
     }
     else if (w.b0 >= a.b1)
     {
@@ -230,22 +239,23 @@ private:
       append(w);
   }
 
-  // Appends a window. The last window of the envelope is not cut any more, unless by the rest of a window that comes later.
+  // Appends a window. The width of the last window before it is final now, except that a part of another window that was kept
+  // for later may still cut it.
   BOOST_FORCEINLINE void append(const Window& w)
   {
-    if (!m_envelope.empty()) is_wide_up_to(m_envelope.back(), w.b0);
+    if (!m_envelope.empty()) check_width(m_envelope.back(), w.b0);
     m_envelope.push_back(w);
   }
 
-  // Whether the last window m of the envelope is wider than rounding if the next one begins at t. Marks windows that may occupy
-  // a gap between their neighbours.
-  BOOST_FORCEINLINE bool is_wide_up_to(const Window& m, const FT& t)
+  // Returns true if m, the last window of the envelope, is wider than rounding when the next window begins at t. Records m as an
+  // occupant if it may occupy a gap between the windows beside it.
+  BOOST_FORCEINLINE bool check_width(const Window& m, const FT& t)
   {
     const FT width = t - m.b0;
-    return BOOST_LIKELY(width > m_wide) || is_wide(width);
+    return BOOST_LIKELY(width > m_wide) || check_small_width(width);
   }
 
-  BOOST_NOINLINE bool is_wide(const FT& width)
+  BOOST_NOINLINE bool check_small_width(const FT& width)
   {
     const std::size_t last = m_envelope.size() - 1;
     if (last > 0 && is_farther_at_begin(m_envelope[last - 1], m_envelope[last], m_length))
@@ -259,8 +269,8 @@ private:
   BOOST_NOINLINE void close_gap(const Window& a, const Window& w)
   {
     const Gap gap = gap_between(a, w);
-    if (gap.taker == Gap::SECOND) return push_begun(FT(a.b1), gap.distance, w);
-    if (gap.taker == Gap::FIRST) extend_last(w.b0, gap.distance);
+    if (gap.filled_by == Gap::SECOND) return append_extended(FT(a.b1), gap.distance, w);
+    if (gap.filled_by == Gap::FIRST) extend_last(w.b0, gap.distance);
     append(w);
   }
 
@@ -275,7 +285,7 @@ private:
   }
 
   // Appends w, extended back to b0.
-  void push_begun(const FT& b0, const FT& d0, const Window& w)
+  void append_extended(const FT& b0, const FT& d0, const Window& w)
   {
     m_has_closed_gaps = true;
     if (w.is_propagated())
@@ -287,14 +297,15 @@ private:
     append(part(w, b0, d0, w.b1, w.d1));
   }
 
-  // A gap may contain a window that is farther than both neighbours at its ends by more than the length along the halfedge and
-  // rounding; a narrow fan between two strips is no farther. The window is removed if its neighbours close the gap, or if the
-  // gap is rounding.
+  // Handles occupants: narrow windows in a gap between the windows a and w beside them. An occupant is impossible as a shortest
+  // path: at each of its ends, its distance exceeds that of the adjacent window by more than the length between them along the
+  // halfedge. (The narrow window of a corner between two strips exceeds neither.) An occupant is removed if the gap is as narrow
+  // as rounding, and replaced by an extension of a or w if this closes the gap.
   void close_occupied_gaps()
   {
     std::size_t removed = 0;
     for (const std::size_t place : m_occupants)
-      for (std::size_t i = place - removed; i > 0 && i + 1 < m_envelope.size();) // a change concerns the next window, too
+      for (std::size_t i = place - removed; i > 0 && i + 1 < m_envelope.size();) // then the next window may be an occupant
       {
         const Window &a = m_envelope[i - 1], &m = m_envelope[i], &w = m_envelope[i + 1];
         if (!(w.b0 - a.b1 < m_widest_gap) || !is_farther_at_begin(a, m, m_length) || !is_farther_at_end(m, w)) break;
@@ -306,9 +317,9 @@ private:
         else
         {
           const Gap gap = gap_between(a, w);
-          if (gap.taker == Gap::NONE) break;
+          if (gap.filled_by == Gap::NONE) break;
           m_envelope[i] =
-            gap.taker == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
+            gap.filled_by == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
           ++i;
         }
         m_has_closed_gaps = true;
@@ -331,9 +342,9 @@ private:
     if (m_envelope.empty()) return;
     FT d;
     const Window& last = m_envelope.back();
-    if (may_take_over_end(last, m_length - last.b1, m_length, target, d)) extend_last(m_length, d);
+    if (may_fill_to_end(last, m_length - last.b1, m_length, target, d)) extend_last(m_length, d);
     Window& first = m_envelope.front();
-    if (!may_take_over_end(first, first.b0, FT(0), source, d)) return;
+    if (!may_fill_to_end(first, first.b0, FT(0), source, d)) return;
     m_has_closed_gaps = true;
     if (first.is_propagated())
     {
@@ -344,19 +355,20 @@ private:
     first.d0 = d;
   }
 
-  // True if a window may fill the gap between it and an end of the halfedge. d: its distance there.
-  bool may_take_over_end(const Window& w, const FT& gap, const FT& b, const End& end, FT& d)
+  // True if a window may be extended over a gap to the end b of the halfedge. `d` receives its distance there.
+  bool may_fill_to_end(const Window& w, const FT& gap, const FT& b, const End& end, FT& d)
   {
     if (!(gap > m_max_gap && gap < m_widest_gap)) return false;
     d = w.distance_at(b);
     if (!(CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length))) return false;
-    const bool is_across_strip = w.source_ref == end.source_ref && m_length <= FT(short_edge) * d;
-    return (is_across_strip || may_take_over(w, gap, (std::min)({d, w.d0, w.d1}), d + m_length)) && is_passed(d);
+    const bool is_short_edge = w.source_ref == end.source_ref && m_length <= FT(short_edge) * d;
+    return (is_short_edge || may_fill(w, gap, (std::min)({d, w.d0, w.d1}), d + m_length)) && check_passed(d);
   }
 
-  // True if a window may fill a gap beside it, with distances of d and more, and of the given size. Parallel rays then extend
-  // beyond their segment. Where they end beyond it by g, distances are too short by g^2 / (2 d), which must be rounding.
-  bool may_take_over(const Window& w, const FT& gap, const FT& d, const FT& size) const
+  // True if a window may be extended over a gap. `d`: the least distance in the gap; `size`: magnitude of the distances, for
+  // their rounding. An extension of parallel rays has no foot on the source segment: its foot is beyond the end by g, and its
+  // distances are too small by g^2 / (2 d), which must be within rounding.
+  bool may_fill(const Window& w, const FT& gap, const FT& d, const FT& size) const
   {
     if (!w.is_parallel()) return true;
     const FT beyond = -w.y * gap;
@@ -365,41 +377,44 @@ private:
 
   struct Gap
   {
-    enum Taker { NONE, FIRST, SECOND } taker;
-    FT distance; // of the window that fills it, at the other end
+    enum Neighbour { NONE, FIRST, SECOND } filled_by;
+    FT distance; // of this window, at the far end of the gap
   };
 
-  // Finds the neighbour that fills the gap between two windows now: their distances agree up to rounding at both ends of the
-  // gap. Such a gap results from rounding of a bounding ray, or from a dropped narrow window; behind an image near the edge it
-  // would grow with the distance. Paths in it bend by less than the square root of the rounding of their length.
+  // Finds the window that fills the gap between a and w: an extension to the far end of the gap agrees up to rounding with the
+  // distance of the other window there. Such a gap results from rounding of a bounding ray, or from a narrow window that was
+  // dropped. A gap left open behind an image near the edge would widen with the distance. The true paths in the gap bend by less
+  // than the square root of the relative rounding error of their length.
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
     const bool is_of_one_strip = a.is_parallel() && w.is_parallel() && a.source_ref == w.source_ref &&
                                  CGAL::abs(FT(a.x - w.x)) <= FT(strip_turn);
-    const auto takes = [&](const Window& x, const FT& d, const FT& other) {
-      return (is_of_one_strip || may_take_over(x, gap, (std::min)({d, a.d1, w.d0}), size)) && CGAL::abs(FT(d - other)) <= allowance;
+    const auto fills = [&](const Window& x, const FT& d, const FT& other) {
+      return (is_of_one_strip || may_fill(x, gap, (std::min)({d, a.d1, w.d0}), size)) && CGAL::abs(FT(d - other)) <= allowance;
     };
     Gap result{Gap::FIRST, a.distance_at(w.b0)};
-    if (!takes(a, result.distance, w.d0))
+    if (!fills(a, result.distance, w.d0))
     {
       result = {Gap::SECOND, w.distance_at(a.b1)};
-      if (!takes(w, result.distance, a.d1)) return {Gap::NONE, FT(0)};
+      if (!fills(w, result.distance, a.d1)) return {Gap::NONE, FT(0)};
     }
-    if (!is_passed((std::max)(a.d1, w.d0))) return {Gap::NONE, FT(0)};
+    if (!check_passed((std::max)(a.d1, w.d0))) return {Gap::NONE, FT(0)};
     return result;
   }
 
-  // True if the front has passed a gap at distance d. Until then, windows that fill it may arrive.
-  bool is_passed(const FT& d)
+  // Returns true if the front has passed a gap at distance d. Otherwise, a window that fills the gap may still arrive; records
+  // the gap for nearest_gap().
+  bool check_passed(const FT& d)
   {
     if (d < m_passed) return true;
     m_nearest_gap = (std::min)(m_nearest_gap, d);
     return false;
   }
 
-  // Handles the usual cases of two consecutive windows. Returns false for other cases. [next, end): the windows behind them.
-  BOOST_FORCEINLINE bool follows(const Window& w, const Window* const* next, const Window* const* end)
+  // Adds the next window w of the sweep if it relates to the last window of the envelope in a usual way. Returns false without a
+  // change for other cases, which are left to add(). [next, end): the windows after w in the sweep.
+  BOOST_FORCEINLINE bool adds_usual_case(const Window& w, const Window* const* next, const Window* const* end)
   {
     if (m_envelope.empty()) return false;
     Window& a = m_envelope.back();
@@ -411,10 +426,11 @@ private:
     }
     if (same_image(a, w)) return false;
     const bool a_ends_first = a.b1 < w.b1;
-    // Rays shared by two windows, as on the border of a pseudo-source's sector, are computed twice.
+    // Two windows that share a bounding ray, as at the border of a pseudo-source's sector, overlap by the rounding of its two
+    // computations.
     if (overlap <= m_min_width && a_ends_first)
     {
-      // Rays in the margin of a sector are longer, and lose.
+      // Rays in the margin of a sector have a surcharge, so the other window keeps the overlap.
       if (BOOST_UNLIKELY(CGAL::is_positive(overlap) && w.d0 - a.d1 > m_margin * a.d1))
       {
         begin_behind(w, a.b1, next, end);
@@ -467,7 +483,7 @@ private:
   BOOST_FORCEINLINE bool share_at(Window& a, const Window& w, const FT& t, const FT& d, const Window* const* next,
                                   const Window* const* end)
   {
-    if (!is_wide_up_to(a, t) || !(w.b1 - t > m_min_width)) return false;
+    if (!check_width(a, t) || !(w.b1 - t > m_min_width)) return false;
     a.b1 = t;
     a.d1 = d;
     push_rest(w, t, d, next, end);
@@ -486,7 +502,7 @@ private:
   BOOST_FORCEINLINE void append_rest(const Window& w, const FT& t, const FT& d, const Window* const* next,
                                      const Window* const* end)
   {
-    is_wide_up_to(m_envelope.back(), t);
+    check_width(m_envelope.back(), t);
     push_rest(w, t, d, next, end);
   }
 
@@ -506,7 +522,8 @@ private:
       m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
-  // Keeps the rest of a window behind t, the end of the last window of the envelope, which moves when the envelope grows.
+  // Appends the part of w behind t, the end of the last window of the envelope. `t` is passed by value, since that window may be
+  // reallocated.
   BOOST_NOINLINE void begin_behind(const Window& w, FT t, const Window* const* next, const Window* const* end)
   {
     if (w.b1 - t > m_min_width) append_rest(w, t, w.distance_at(t), next, end);
@@ -516,7 +533,7 @@ private:
   // remains. The distance at the end changes by less than the overlap, and stays where that is within its rounding.
   BOOST_FORCEINLINE bool cut_end(Window& a, const FT& t, const FT& overlap)
   {
-    if (!is_wide_up_to(a, t)) return !CGAL::is_positive(overlap);
+    if (!check_width(a, t)) return !CGAL::is_positive(overlap);
     if (BOOST_UNLIKELY(overlap > m_rounding * a.d1)) a.d1 = a.distance_at(t);
     a.b1 = lesser(a.b1, t);
     return true;
@@ -544,8 +561,8 @@ private:
     }
   }
 
-  // Splits overlapping windows with different images: between consecutive bisectors, the overlap goes to the nearer one. Each
-  // keeps its tail beyond the overlap.
+  // Splits overlapping windows with different images: between consecutive bisectors, the nearer window keeps the overlap. The
+  // longer window keeps its part beyond the overlap.
   void resolve(const Window& last, const Window& w)
   {
     const Window a = last;
@@ -573,9 +590,9 @@ private:
     keep_later(other, ties.high(), ties.distance_at_high(a_owns), other.b1, other.d1);
   }
 
-  // Overload of resolve() for estimated distances: each window keeps all parts except those where the other is certainly
-  // nearer. If they tie on the whole overlap, the first one keeps it.
-  void share(const Window& last, const Window& w)
+  // Variant of resolve() for estimated distances: each window keeps all parts except those where the other is certainly
+  // nearer. If both have equal distance functions, the first window keeps the overlap.
+  void resolve_estimated(const Window& last, const Window& w)
   {
     const Window a = last;
     if (same_distances(a, w))

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The goal of the first straight part of a shortest path: a pseudo-source or a source. Tests whether the path has reached the
-// goal, and finds the part of the source on which the path ends.
+// Goals of straight parts of shortest paths. A path is traced from the query point to the source; a straight part ends at its
+// goal, a pseudo-source or a source. Tests whether the path has reached its goal, and finds the part of the source on which it
+// ends.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOAL_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOAL_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOALS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_PATHS_PATH_GOALS_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
@@ -36,16 +37,18 @@ public:
   static constexpr double roundings_of_position = 8;
 
   // Largest distance by which a straight part of a path misses its goal through rounding, in units of rounding of the distance
-  // plus the largest face. Each change of the frame turns the direction of the path.
-  static constexpr double roundings_of_way = 1 << 12;
+  // plus the longest edge. Each change of the frame adds a rounding error to the direction of the path.
+  static constexpr double roundings_of_miss = 1 << 12;
 
-  // As a part of an edge: a path this close to a vertex may be a path through the vertex.
+  // Relative distance, as a fraction of the length of an edge or of a straight part. A path this close to a vertex may pass through
+  // the vertex.
   static constexpr double nearby = 1. / (1 << 30);
 
-  // Allowance for a straight part of length `way` that misses its goal. `extent`: longest edge of the faces that it crosses.
-  static FT miss(const FT& way, const Path_start<FT>& start, const FT& extent)
+  // Largest distance by which a straight part of the given length misses its goal. `extent`: longest edge of the faces that it
+  // crosses.
+  static FT miss(const FT& length_of_part, const Path_start<FT>& start, const FT& extent)
   {
-    return FT(nearby) * way + Number_policy<FT>::rounding(roundings_of_way) * (start.distance + extent);
+    return FT(nearby) * length_of_part + Number_policy<FT>::rounding(roundings_of_miss) * (start.distance + extent);
   }
 
   // The goal of a straight part: a vertex, a point in a face or on the edge of two faces, or a source segment. `end` has the
@@ -89,9 +92,9 @@ public:
   }
 
   // True if a path to the given source may pass through a vertex or end there: the shortest path of the vertex has the same
-  // source and side, or the vertex is a point of the source. Where several sources tie at the vertex, a path continues to its
-  // own source.
-  bool may_lead_by(Index v, Source_ref source_ref) const
+  // source and side, or the vertex is a point of the source. A vertex with another source is excluded even if the two sources tie
+  // there, so that the path keeps its source.
+  bool may_pass_through(Index v, Source_ref source_ref) const
   {
     if (is_source(v) && is_at_vertex(source_ref, v)) return true;
     const Source_ref other = m_field.source_ref[v];
@@ -107,8 +110,9 @@ public:
     return goal.face != no_index && (face == goal.face || face == goal.other_face);
   }
 
-  // True if the goal is a point of the closed face of the walk. The straight segment to it is the shortest path then, since it
-  // is the shortest in space; `distance` receives its length. Always false for source segments.
+  // True if the goal is a point of the closed face of the walk. Then the straight segment to the goal is the shortest path, since
+  // it is the shortest in space; `distance` receives its length. Always false for source segments. `is_first`: in the first face
+  // of the path, all three corners are tested; in later faces, only the corner opposite to the entered halfedge.
   bool is_in_sight(const Goal& goal, const Straight_walk<FT>& walk, bool is_first, FT& distance) const
   {
     if (goal.vertex != no_index)
@@ -173,8 +177,8 @@ public:
     return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, direction, start);
   }
 
-  // Overload for a straight part to a corner of the face of h, where the path ends or continues. If the path ends there, the
-  // windows that start in the face determine the side.
+  // Overload for a straight part that reaches the vertex v of the face of h. If v is a source, the path ends there, and the source
+  // windows in the face determine the side of the source.
   End end_at_vertex(Index v, Index h, const Point& p, const Point& direction, const Path_start<FT>& start) const
   {
     const Surface_point_ at_v = Surface_point_::at_vertex(v);
@@ -195,7 +199,7 @@ public:
       arrival);
     if (arrival.is_of_known_source()) return {at_v, arrival.end.source_ref};
     if (is_at_vertex(start.source_ref, v)) return end_at_source_vertex(v, start);
-    // Another part of the source may contain the vertex. Of several sources at the vertex, the path ends at its own.
+    // Another part of the known source may contain the vertex; look for it in all faces of the vertex.
     End_search around{start.source_ref, everywhere, FT(0), true};
     const Index from = corner_at(v, m_mesh.face(h));
     const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
@@ -222,8 +226,8 @@ public:
     return h;
   }
 
-  // End at a source vertex for which no window in the face of arrival is known. The corner of a polyline is on both of its
-  // sides; the path keeps its side.
+  // End at a source vertex if the face of arrival has no window of the source. The corner of a polyline is on both sides of the
+  // polyline; the path keeps the side from its start.
   End end_at_source_vertex(Index v, const Path_start<FT>& start) const
   {
     End end{Surface_point_::at_vertex(v), m_field.source_ref[v]};
@@ -238,14 +242,14 @@ public:
   {
     if (p.kind == Surface_point_::VERTEX) return m_field.source_ref[p.element];
     const Source_ref source_ref = source_ref_within(p, start, 64);
-    // Distances by windows are too small by up to 256 units beside closed gaps.
+    // Distances of windows that were extended over gaps are too small by up to 256 units (Lower_envelope).
     return source_ref.is_valid() ? source_ref : source_ref_within(p, start, 512);
   }
 
   // True if a path to a source segment ends in the face that the walk has entered; `end` receives the end. `extent`: longest
-  // edge of the crossed faces. The goal is as exact as the direction of the path, so the path may end on the next segment, in
-  // the next face. `has_missed`: no end was found within this error; then the nearest point of any source counts. Where sources
-  // coincide and one of them ends, rounding may exchange their windows.
+  // edge of the crossed faces. The direction of the path has a rounding error, so the path may end on the source segment adjacent
+  // to its goal, in the next face. `has_missed`: a first walk found no end within this error. Then the nearest point of any source
+  // is accepted: where coincident sources overlap in part, rounding may exchange their windows.
   bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
@@ -304,8 +308,8 @@ private:
     return Source_ref();
   }
 
-  // A straight segment of the path from `first` to `last`, in the plane of a face. `before`: the first point, or a point
-  // farther back if rounding hides the side of a source segment on which the first point lies.
+  // Segment of the path in a face, from `first` to `last`. `before` tells the side of a source segment from which the path comes:
+  // the first point, or a point farther back on the path if the first point is on the source segment up to rounding.
   struct Way
   {
     Point first, last, before;
@@ -324,18 +328,17 @@ private:
     return way;
   }
 
-  // Largest distance of a point from a cone whose rays reach the point up to rounding, in units of rounding of the longest
-  // edge.
+  // A point counts as inside a cone up to this distance, in units of rounding of the longest edge.
   static constexpr double reach_roundings = 64;
 
-  // Distance of `Way::before` from a source segment, in the same units. Rays of one side only reach a point so far away, unless
-  // the path meets the segment at an angle of less than 2^-10.
+  // Distance of `before` from a source segment, along the path, in the same units. Unless the path meets the segment at an angle of
+  // less than 2^-10, a point this far away is in the cones of one side only.
   static constexpr double clear_roundings = 1024 * reach_roundings;
 
-  // Search for the end of a segment of the path from p to q in a face: the source point nearest to q, at most `nearest` from q
-  // and at most `longest` from p. Several parts of sources may tie, since windows of collinear segments merge and sources may
-  // coincide. A part whose rays reach p is preferred, then a part of the source `known`, then a part of its side.
-  // `only_known_source`: parts of other sources do not count.
+  // Search for the end of a path, for its segment from p to q in a face: the source point nearest to q, at most `nearest` from q
+  // and at most `longest` from p. `known`: the source reference of the window at the start of the path. Several parts of sources
+  // may tie, since windows of collinear segments merge and sources may coincide; End_preference gives the order among them.
+  // `only_known_source`: parts of other sources are not accepted.
   struct End_search
   {
     const Source_ref known;
@@ -346,16 +349,17 @@ private:
     End end{};
 
     bool is_found() const { return preference >= 0; }
-    bool is_of_known_source() const { return preference >= RAYS_REACH_IT + KNOWN_SOURCE; }
+    bool is_of_known_source() const { return preference >= CONE_HAS_START + KNOWN_SOURCE; }
   };
+  // Properties of a part of a source, by their weight. The part with the largest sum is the end.
   enum End_preference
   {
-    CORNER = 1, // a corner is preferred to a segment whose rays do not reach p
+    IS_POINT = 1, // a point, if its cone does not contain p
     KNOWN_PRIMITIVE = 2,
     KNOWN_SIDE = 4,
-    ON_ITS_SIDE = 8, // the path arrives on the side of the part
+    SIDE_OF_ARRIVAL = 8, // the path arrives on the side of the part
     KNOWN_SOURCE = 16,
-    RAYS_REACH_IT = 32
+    CONE_HAS_START = 32 // the cone of the part contains p
   };
 
   void find_end(const Face_frame<FT>& frame, Index face, const Way& way_to_end, End_search& search) const
@@ -394,18 +398,19 @@ private:
     for_each_candidate([&](Source_ref, const Surface_point_&, const Bound& off, bool, bool) { least = (std::min)(least, off); });
     const Bound tied = least + Interval_filter<FT>::upper_bound(estimate(allowance));
     for_each_candidate([&](Source_ref source_ref, const Surface_point_& point, const Bound& off, bool is_on_its_side, bool reaches) {
-      const int preference = (reaches ? RAYS_REACH_IT : 0) + (is_on_its_side ? ON_ITS_SIDE : 0) +
+      const int preference = (reaches ? CONE_HAS_START : 0) + (is_on_its_side ? SIDE_OF_ARRIVAL : 0) +
                              (source_of(source_ref) == source_of(search.known) ? KNOWN_SOURCE : 0) +
                              (source_ref.side() == search.known.side() ? KNOWN_SIDE : 0) +
                              (source_ref.primitive() == search.known.primitive() ? KNOWN_PRIMITIVE : 0) +
-                             (!reaches && !m_initial.primitives[source_ref.primitive()].is_segment ? CORNER : 0);
+                             (!reaches && !m_initial.primitives[source_ref.primitive()].is_segment ? IS_POINT : 0);
       if (!(off <= tied) || preference <= search.preference) return;
       search.preference = preference;
       search.end = {point, source_ref};
     });
   }
 
-  // True if rays of a window reach p, up to the allowance; with exact numbers, decided by estimates.
+  // True if the cone of a window contains p, up to the allowance. With exact numbers, estimates decide, and the undecided case
+  // counts as true.
   static bool may_reach(const Face_window<FT>& w, const Point& p, const FT& allowance)
   {
     if constexpr (Interval_filter<FT>::leaves_open)
@@ -439,9 +444,9 @@ private:
     return m_mesh.source(h) == v || m_mesh.source(h + 1) == v || m_mesh.source(h + 2) == v;
   }
 
-  // Point of a source part that is nearest to the first point p of a segment of the path. Of the points that tie through
-  // rounding, it is the nearest to the last point q: the direction of a source segment has the error of its ends divided by its
-  // length.
+  // Foot of the path on a part of a source: the point of the part nearest to p, the first point of a segment of the path. The
+  // foot on a short source segment has a large error, as the direction of the segment has the error of its ends divided by its
+  // length. Within this error, the foot is the point nearest to q, the last point of the segment of the path.
   struct Foot
   {
     Surface_point_ point;
