@@ -424,7 +424,7 @@ private:
     return Geodesic_offset::internal::Path_tracing<Number>(unfolded(), b.initial, b.field);
   }
 
-  // Where the path from p ends, which starts as told.
+  // End of the path from p with the given start.
   Geodesic_offset::internal::Suffix_end<Number> end_of(const Located_point& p, const Path_start& start) const
   {
     const Build& b = built();

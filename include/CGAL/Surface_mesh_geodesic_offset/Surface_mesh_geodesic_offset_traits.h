@@ -263,7 +263,7 @@ public:
     }
 
 #ifndef DOXYGEN_RUNNING
-    // The same for two rays at once, with floating point numbers and b not negative. False if one of them does not meet the
+    // Overload for two rays, with floating point numbers and b not negative. False if one of them does not meet the
     // edge, if its length is more than doubled, or if it meets the edge at a grazing angle: t and distance are meaningless then.
     BOOST_FORCEINLINE bool operator()(const Pair& x, const Pair& y, const Pair& sigma, bool is_parallel, const Pair& b,
                                       const Pair& d, const Pair& c, const Pair& s, const Pair& length, Pair& t,
@@ -296,7 +296,7 @@ public:
     }
 
 #ifndef DOXYGEN_RUNNING
-    // The same for two interval windows at once.
+    // Overload for two interval windows.
     BOOST_FORCEINLINE Pair operator()(const Pair& x, const Pair& y, const Pair& sigma, const Pair& px, const Pair& py) const
     {
       const Pair u = px - x, v = py - y;

@@ -58,7 +58,7 @@ typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edg
                        internal_np::geodesic_face_band_t, internal_np::geodesic_vertex_distance_t>
   Splitting_parameters;
 
-// Whether all parameters of a sequence are in a list of tags; not so for what is no sequence.
+// True if all parameters of a sequence are in a list of tags; false for a type that is no sequence of parameters.
 template <class>
 constexpr bool are_read(const void*)
 {

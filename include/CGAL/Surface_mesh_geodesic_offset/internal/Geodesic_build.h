@@ -104,7 +104,7 @@ public:
   Geodesic_field<FT> field;
   std::optional<Farthest<FT>> farthest; // if requested and existing
   Geodesic_offset_statistics statistics;
-  // of the paths that were asked for
+  // caches for the paths of queries
   mutable Path_suffix_cache<FT, Path_crossing<FT>> legs;
   mutable Path_suffix_cache<FT, typename Traits::Point_3> legs_in_space;
 

@@ -53,7 +53,7 @@ public:
     m_x = cross(m_y, m_normal);
   }
 
-  // Whether a corner of one of the faces lies in the plane.
+  // True if a corner of one of the faces lies in the plane.
   bool contains(const Coordinates& p) const
   {
     return std::abs(dot(m_normal, difference(p, m_point))) <= m_tolerance;

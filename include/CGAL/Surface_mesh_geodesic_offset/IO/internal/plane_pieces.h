@@ -122,7 +122,7 @@ inline double sweep_about(const Plane_point& center, const Plane_piece& arc)
   return angle + 2 * CGAL_PI * std::round((arc.sweep - angle) / (2 * CGAL_PI));
 }
 
-// Whether q, which starts at the end of p, continues p on the same circle or line.
+// True if q, which starts at the end of p, continues p on the same circle or line.
 inline bool is_continued(const Plane_piece& p, const Plane_piece& q)
 {
   if (p.is_arc() != q.is_arc()) return false;

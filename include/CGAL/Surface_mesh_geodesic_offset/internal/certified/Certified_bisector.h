@@ -56,7 +56,7 @@ public:
     return value > error ? POSITIVE : value < -error ? NEGATIVE : ZERO;
   }
 
-  // Whether a minimum of the absolute difference may lie between two points at which the same window is certainly farther:
+  // True if a minimum of the absolute difference may lie between two points at which the same window is certainly farther:
   // a for `of` = 1, b for `of` = -1.
   bool may_turn_between(int of, double from, double to) const
   {

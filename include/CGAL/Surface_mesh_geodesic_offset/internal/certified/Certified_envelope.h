@@ -51,7 +51,7 @@ public:
     return m_envelope;
   }
 
-  // Whether the list needs no sweep: intervals are monotone and no windows merge.
+  // True if the list needs no sweep: intervals are monotone and no windows merge.
   bool is_monotone_list(const Window* first, const Window* last) const
   {
     for (; last - first > 1; ++first)

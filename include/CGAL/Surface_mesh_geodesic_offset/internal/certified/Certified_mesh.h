@@ -88,7 +88,7 @@ public:
     return {c.x * l, c.y * l};
   }
 
-  // Whether shortest paths bend at a vertex. False if the excess of its angle is below `flat`, see the error analysis.
+  // True if shortest paths bend at a vertex. False if the excess of its angle is below `flat`, see the error analysis.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
   static constexpr double flat = 0x1p-80;
 

@@ -69,7 +69,7 @@ public:
   double low() const { return m_low; }
   double high() const { return m_high; }
 
-  // Whether neither window is certainly farther anywhere.
+  // True if neither window is certainly farther anywhere.
   bool is_tie() const
   {
     return std::abs(m_at_low) <= m_margin && std::abs(m_at_high) <= m_margin &&

@@ -65,7 +65,7 @@ struct Face_piece
     return result;
   }
 
-  // Whether the tangents of an arc meet near it.
+  // True if the tangents of an arc meet near it.
   bool is_short() const { return !is_arc || dot(difference(hull[0], center), difference(hull[1], center)) > 0.5 * radius * radius; }
 
   // How far the ends of an arc are off its circle.
@@ -204,7 +204,7 @@ struct Face_piece
     return t <= 0 ? length(u) : t >= 1 ? length(v) : length(u + t * w);
   }
 
-  // Whether an arc may contain the point in the direction of a unit vector from its center.
+  // True if an arc may contain the point in the direction of a unit vector from its center.
   bool has_direction(const Point& u) const
   {
     const Point a = difference(hull[0], center), b = difference(hull[1], center);

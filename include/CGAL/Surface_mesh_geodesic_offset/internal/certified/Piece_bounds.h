@@ -65,8 +65,8 @@ public:
   std::size_t end_of_candidates() const { return m_candidates.size(); }
   void drop_candidates(std::size_t end) { m_candidates.resize(end); }
 
-  // The piece, in the frame of the face's first halfedge, is within `moved` of what is asked for. Of the candidates from
-  // `begin` to `end`, those that may matter for its parts are appended.
+  // Bounds the distances of a piece, given in the frame of the face's first halfedge. `moved`: bound of the difference between
+  // this piece and the piece in question. Appends the candidates in [begin, end) that may matter for parts of the piece.
   Piece_range operator()(const Face_piece& piece, double moved, std::size_t begin, std::size_t end, bool wants_maxima)
   {
     Bounds inner(0., Number_policy<double>::infinity());
@@ -104,7 +104,7 @@ public:
       add_vertex_directions(frame);
       has_no_maximum = are_in_half_plane();
     }
-    // what passes a vertex within the error of an image may be shorter by as much: see the error analysis
+    // A path that passes a vertex within the error of an image may be shorter by this error; see the error analysis.
     const double lower = (std::max)({m_lower * (1 - 2 * unit_roundoff), inner.first - reach, 0.});
     return {lower, upper, piece.size > 1 ? inner : Bounds(lower, upper), has_no_maximum};
   }
@@ -295,7 +295,7 @@ private:
     m_directions.push_back(std::atan2(d.x.high * u.y + d.y.high * u.x, d.x.high * u.x - d.y.high * u.y));
   }
 
-  // Whether all directions have a positive product with one of them: they leave a gap of more than half a turn. The margin is
+  // True if all directions have a positive product with one of them: they leave a gap of more than half a turn. The margin is
   // far above the rounding of directions.
   bool are_in_half_plane()
   {

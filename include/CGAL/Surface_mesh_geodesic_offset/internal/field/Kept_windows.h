@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compact, lossless storage of the windows of finalized faces, for later queries. Values known at vertices are not stored
-// again.
+// Compact, lossless storage of the windows of finalized faces, for later queries. A window does not store values that the field
+// has at its pseudo-source.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_KEPT_WINDOWS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FIELD_KEPT_WINDOWS_H
@@ -39,7 +39,7 @@ struct Nearest_kept_window
   FT straight = Number_policy<FT>::infinity(); // shortest path along a ray
   FT bent = Number_policy<FT>::infinity();     // shortest path around the end of a window
   Index window = no_index;                     // of the straight path, for Kept_windows::rays_of_window()
-  int halfedge = 0;                            // that this window enters, 0 to 2
+  int halfedge = 0;                            // of the face, 0 to 2; this window enters through it
 };
 
 template <class FT>
@@ -52,9 +52,9 @@ public:
 
   void set_start_values(const Start_values<FT>& starts) { m_start_values = starts; }
 
-  // Stores the lists of the halfedges of `faces`; a halfedge without a list keeps its stored windows. Windows are dropped if
-  // their pseudo-source has come nearer since (`distance`, per vertex), as they are not shortest anywhere. The layout does not
-  // depend on the number of threads.
+  // Stores the lists of the halfedges of `faces`; a halfedge without a list keeps its stored windows. A window is dropped if it
+  // is outdated: the distance of its pseudo-source (`distance`, per vertex) is now less than when the window was made, so the
+  // window is nowhere shortest. The layout in memory does not depend on the number of threads.
   template <class Team>
   void keep(const std::vector<Index>& faces, const Window_lists<FT>& lists, const std::vector<FT>& distance,
             std::size_t number_of_faces, Team& team)
@@ -92,9 +92,9 @@ public:
     if (n != 0) internal::prefetch(&at(begin), (std::min)(n, Index(page_size - begin % page_size)) * sizeof(Packed));
   }
 
-  // The nearest window for a point of a face, q[k] in the frame of halfedge k. Rounding may lose the ray to the point. So
-  // windows are candidates if they miss the point by at most `allowance` (a length), and so are two neighbours if the point
-  // lies beyond the end of the first and before the begin of the second.
+  // Finds the nearest window for a point of a face; q[k] is the point in the frame of halfedge k. Rounding may move the point
+  // out of all cones. Therefore a window is a candidate if the point is in its cone or at most `allowance` (a length) beside
+  // it. Two consecutive windows are candidates if the point is between their cones.
   void find_nearest(Index face, const Per_corner<Point_in_face<FT>>& q, const FT& allowance,
                     const std::vector<FT>& distance, Nearest_kept_window<FT>& nearest) const
   {
@@ -114,7 +114,8 @@ public:
         const int k = halfedge_of(begin, i + j);
         const Point_in_face<FT>& s = q[k];
         const FT height = w.bits & 1u ? FT(-w.y) : FT(s.y - w.y);
-        const FT entry = w.x * s.y - s.x * w.y, off = allowance * height; // entry times the height
+        // The ray to the point enters the face at entry / height; multiplication avoids the division.
+        const FT entry = w.x * s.y - s.x * w.y, off = allowance * height;
         const int is_before = int(entry < w.b0 * height - off), is_beyond = int(entry > w.b1 * height + off);
         const int is_in_gap = was_beyond & is_before & int(k == last_halfedge);
         candidate[count] = i + j - 1;
@@ -148,7 +149,7 @@ public:
     return unpack_rays(at(i), distance, source_ref);
   }
 
-  // Calls f(window) for the windows of a halfedge through which a path of at most the length `limit` leads to q.
+  // Calls f(window) for each window of a halfedge with a path to q that is no longer than `limit`.
   template <class Function>
   void for_each_within(Index h, const std::vector<FT>& distance, const std::vector<Source_ref>& source_ref, const Point_in_face<FT>& q,
                        const FT& limit, const Function& f) const
@@ -159,7 +160,7 @@ public:
     });
   }
 
-  // Compacts the storage if more than a quarter of the live windows' number is unused.
+  // Compacts the storage if it has more than 1.25 times as much room as the windows in use need.
   void tidy()
   {
     if (m_size <= m_live + m_live / 4) return;
@@ -206,14 +207,15 @@ private:
     Index value() const { return (bits & ~merged_flag) >> 1; }
   };
   enum { page_size = 4096 };
-  static constexpr std::size_t worthwhile = 8; // faces; the wake-up of other threads costs more than fewer faces
+  static constexpr std::size_t worthwhile = 8; // faces; for fewer faces, the wake-up of other threads costs more than it saves
   static constexpr Index merged_flag = 1u << 31; // sigma is followed by the error bound
 
-  // Place of the windows of a face; a count of them before make_room().
+  // Where the windows of a face are stored. count() sets the members to numbers of windows, make_room() replaces these by
+  // indices.
   struct Place
   {
-    Index windows[4] = {0, 0, 0, 0}; // begin per halfedge, and end
-    Index sigma = 0;
+    Index windows[4] = {0, 0, 0, 0}; // first window per halfedge, and end
+    Index sigma = 0;                 // in m_sigma
     bool has_outdated = false; // the lists have windows that are not stored
   };
 
@@ -334,7 +336,7 @@ private:
   static bool is_outdated(const Window& w, const std::vector<FT>& distance)
   {
     const Index v = stores_sigma(w) ? no_index : w.pseudo_source();
-    if (v == no_index || BOOST_LIKELY(w.sigma <= distance[v])) return false; // mostly equal
+    if (v == no_index || BOOST_LIKELY(w.sigma <= distance[v])) return false; // usually equal
     return w.sigma > distance[v] + Number_policy<FT>::rounding(256) * (std::max)(w.d0, w.d1);
   }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finalizes faces that the front has passed: their distances are final. Before, it looks for hidden vertices, which every window
-// missed through rounding.
+// Finalizes faces that the front has passed: their distances are final. Before, it looks for hidden vertices, which every
+// window missed through rounding.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_FRONT_FACE_FINALIZER_H
@@ -99,8 +99,8 @@ public:
   }
 
 private:
-  // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very long
-  // edge is postponed several times.
+  // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very
+  // long edge is postponed several times.
   static constexpr std::size_t most_buckets_ahead = 1 << 12;
 
   BOOST_NOINLINE bool finds_hidden_beyond_tolerance(Index f, std::vector<Index>& hidden) const
@@ -116,8 +116,9 @@ private:
     return hidden.size() > before;
   }
 
-  // Puts the face into a later bucket if the front has not passed it, and returns true. The front has passed the face two buckets
-  // after that of the largest distance: one bucket later, gaps at that distance are closed (Wavefront_state::await_gap()).
+  // Puts the face into a later bucket if the front has not passed it, and returns true. The front has passed the face two
+  // buckets after that of the largest distance: one bucket later, gaps at that distance are closed
+  // (Wavefront_state::await_gap()).
   bool is_postponed(Index f, Bucket_queue& queue) const
   {
     char& state = m_state.face_state[f];

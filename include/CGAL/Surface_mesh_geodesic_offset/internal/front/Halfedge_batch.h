@@ -56,9 +56,9 @@ public:
       }
     }
     CGAL_precondition(list.processed <= list.size);
-    // Processed windows are known by their place in the list; a flag marks them in the envelope.
+    // The first windows of the list are the processed ones; a flag marks them for the envelope, which has another order.
     for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
-    // Merged windows have errors far above those that late gaps avoid, and are fewer if gaps are closed at once.
+    // With merging, gaps are closed at once: this gives fewer windows, and its errors are far below those of merging.
     const Window_sequence<FT>& envelope =
       m_merging(m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(),
                            end_at(m_mesh.source(h)), end_at(m_mesh.target(h)),

@@ -67,8 +67,8 @@ public:
       if (starts(l.window)) add_exit(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window);
   }
 
-  // Starts the rays of a pending pseudo-source, in the sectors and margins behind it (Vertex_sector). `front` receives the rays:
-  // the state, or messages of the parallel front.
+  // Starts the rays of a pending pseudo-source, in the sectors and margins behind it (Vertex_sector). `front` receives the
+  // rays: the state, or messages of the parallel front.
   template <class Front>
   void spread_from_pseudo_source(Index v, Front& front) const
   {
@@ -129,9 +129,9 @@ private:
     if (cut_behind_source(local.start_value, size, w)) m_state.add(g, w);
   }
 
-  // Ensures that the image of w lies on the near side of the edge that its rays cross (see Initial_windows). If rounding has put
-  // the image on the edge or beyond it, moves the image to the near side, by the rounding error of its height. With exact numbers,
-  // returns false for such an image.
+  // Ensures that the image of w lies on the near side of the edge that its rays cross (see Initial_windows). If rounding has
+  // put the image on the edge or beyond it, moves the image to the near side, by the rounding error of its height. With exact
+  // numbers, returns false for such an image.
   static bool put_before_edge(const Face_frame<FT>& frame, Window& w)
   {
     if constexpr (Number_policy<FT>::is_inexact)
@@ -146,9 +146,9 @@ private:
   // Units of rounding of a distance by parallel rays: two products and two sums, in the frame of the face and in that of the edge.
   static constexpr double roundings_of_distance = 4;
 
-  // Cuts off the part of a window behind its source segment, where its distance is less than the start value s. Returns false if
-  // nothing remains. `size`: magnitude of the terms of the distances. A distance that equals s up to rounding is set to s: on an
-  // edge nearly parallel to the segment, a rounding error would cut off a long part of the window.
+  // Cuts off the part of a window behind its source segment, where its distance is less than the start value s. Returns false
+  // if nothing remains. `size`: magnitude of the terms of the distances. A distance that equals s up to rounding is set to s:
+  // on an edge nearly parallel to the segment, a rounding error would cut off a long part of the window.
   static bool cut_behind_source(const FT& s, const FT& size, Window& w)
   {
     if (w.d0 >= s && w.d1 >= s) return true;
@@ -181,8 +181,8 @@ private:
     return m_mesh.any_corner(first, [c](Index i) { return i == c; });
   }
 
-  // Starts the rays from v in a sector, or in its margin with the surcharge of Vertex_sector: windows on the edges opposite to v,
-  // and updates of vertices along the edges.
+  // Starts the rays from v in a sector, or in its margin with the surcharge of Vertex_sector: windows on the edges opposite to
+  // v, and updates of vertices along the edges.
   template <class Front>
   void spread(Index v, const Ray& from, const Ray& to, Index first, Source_ref source_ref, Index pseudo_source, Front& front,
               bool is_margin = false) const

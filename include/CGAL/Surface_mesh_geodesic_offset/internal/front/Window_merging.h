@@ -94,8 +94,8 @@ public:
     return windows;
   }
 
-  // Error of the distance of a vertex or window with the given origin. If a pseudo-source has come nearer since, its new error
-  // is valid for the old distance too.
+  // Error of the distance of a vertex or window with the given origin. If the distance of a pseudo-source has decreased since,
+  // its new error is valid for the old distance too.
   double error_of_origin(Index origin) const
   {
     while (origin != no_index && !Merge_error_code::is_merged(origin)) origin = m_field.back[origin].pseudo_source;

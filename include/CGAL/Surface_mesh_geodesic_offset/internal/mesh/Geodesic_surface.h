@@ -292,7 +292,7 @@ private:
     if (!unfolded.is_laid_out()) throw_degenerate_face();
   }
 
-  // Whether the index of a halfedge is in use, for meshes that provide this information, such as CGAL::Surface_mesh.
+  // True if the index of a halfedge is in use, for meshes that provide this information, such as CGAL::Surface_mesh.
   template <class Mesh>
   static auto has_index(const Mesh& mesh, halfedge_descriptor h, int)
     -> decltype(mesh.has_valid_index(h) && !mesh.is_removed(h))

@@ -100,7 +100,7 @@ private:
     return renumbered.empty() ? Index(i) : std::size_t(i) < renumbered.size() ? renumbered[std::size_t(i)] : no_index;
   }
 
-  // Whether the indices of neighbours are often far apart, from a sample of faces.
+  // True if the indices of neighbours are often far apart, from a sample of faces.
   static bool is_scattered(const All_face_links& links)
   {
     if (links.size() < worthwhile) return false;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The property maps that a mesh has itself, as metafunctions: a mesh needs only those that are not given.
+// Metafunctions for the property maps of the mesh type. A mesh type needs a map only if no named parameter gives one.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_OWN_MAPS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_OWN_MAPS_H

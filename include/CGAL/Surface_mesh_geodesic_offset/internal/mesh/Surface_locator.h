@@ -251,7 +251,7 @@ private:
 
   bool has_faces() const { return faces(m_surface->tm).begin() != faces(m_surface->tm).end(); }
 
-  // Whether this query searches all faces; counts it.
+  // True if this query searches all faces; counts it.
   bool scans() const
   {
     if (!has_faces())
@@ -330,7 +330,7 @@ private:
       m_reach = std::sqrt(CGAL::to_double(d)) + m_slack;
     }
 
-    // Whether a face within the radius around c may be the nearest one.
+    // True if a face within the radius around c may be the nearest one.
     bool may_reach(const Coordinates& c, double radius) const
     {
       const double x = c[0] - m_coordinates[0], y = c[1] - m_coordinates[1], z = c[2] - m_coordinates[2];

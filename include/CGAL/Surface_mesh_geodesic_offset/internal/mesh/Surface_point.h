@@ -210,7 +210,7 @@ FT size_of_point(const Unfolded_mesh<FT>& mesh, Index face)
   return Number_policy<FT>::rounding(8) * (mesh[h].length + mesh[h + 1].length + mesh[h + 2].length);
 }
 
-// Whether two points are inside the same face, inside the same edge, or at the same vertex.
+// True if two points are inside the same face, inside the same edge, or at the same vertex.
 template <class FT>
 bool are_of_one_element(const Unfolded_mesh<FT>& mesh, const Surface_point<FT>& p, const Surface_point<FT>& q)
 {

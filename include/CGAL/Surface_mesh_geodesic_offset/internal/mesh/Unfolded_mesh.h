@@ -100,7 +100,7 @@ public:
     return result;
   }
 
-  // Whether products of four lengths are within the range of the number type. Also true if the longest edge is zero or not
+  // True if products of four lengths are within the range of the number type. Also true if the longest edge is zero or not
   // finite.
   bool has_usable_scale() const
   {
@@ -166,7 +166,7 @@ public:
     for (; it != m_more_fans.end() && it->first == v; ++it) f(it->second);
   }
 
-  // Whether f(corner) is true for a corner of a fan; visits corners counterclockwise and stops at the first success.
+  // True if f(corner) is true for a corner of a fan; visits corners counterclockwise and stops at the first success.
   template <class Function>
   bool any_corner(Index first, const Function& f) const
   {
@@ -179,7 +179,7 @@ public:
     return false;
   }
 
-  // Whether shortest paths can bend at the vertex: true for saddle vertices (total angle above 2 pi), border vertices with
+  // True if shortest paths can bend at the vertex: true for saddle vertices (total angle above 2 pi), border vertices with
   // an inner angle above pi, and pinched vertices.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
 
@@ -242,7 +242,7 @@ private:
     if (number_of_corners != 3 * number_of_faces) find_more_fans();
   }
 
-  // Whether halfedges are paired consistently: twins have opposite ends and equal lengths.
+  // True if halfedges are paired consistently: twins have opposite ends and equal lengths.
   bool has_consistent_twins() const
   {
     for (Index h = 0; h < m_halfedges.size(); ++h)

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Directions around a vertex: quarter turns, and the sector between two directions. Computed from corner to corner with
-// unfolded vectors and side tests, without angles.
+// Directions around a vertex. A sector consists of the directions between two rays. The sectors behind a vertex contain the
+// directions in which shortest paths through the vertex continue; a margin is a narrow sector beside one of them. Directions
+// are turned from corner to corner, with unfolded vectors and side tests, without angles.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_VERTEX_SECTOR_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MESH_VERTEX_SECTOR_H
@@ -103,7 +104,7 @@ public:
     return Ray();
   }
 
-  // Whether the border lies between a and b, counterclockwise from a.
+  // True if the border lies between a and b, counterclockwise from a.
   bool passes_border(const Ray& a, const Ray& b) const
   {
     if (same_corner_in_order(a, b)) return false;
@@ -115,7 +116,7 @@ public:
     return true;
   }
 
-  // Whether the counterclockwise angle from a to b (a full turn if they are equal) is at least pi, minus an angle with
+  // True if the counterclockwise angle from a to b (a full turn if they are equal) is at least pi, minus an angle with
   // tangent `less`. Precondition: no border lies between.
   bool is_reflex(const Ray& a, const Ray& b, const FT& less = FT(0)) const
   {
@@ -130,8 +131,9 @@ public:
     return false;
   }
 
-  // Whether `from` precedes `to` counterclockwise from a. `from` is a quarter turn after a, and `to` a quarter turn before
-  // a ray that is at least a half turn after a; rounding may reverse them if the latter angle is a half turn.
+  // True if `from` precedes `to`, counterclockwise from a. Here `from` is a turned by a quarter turn, and `to` is a quarter
+  // turn before a second ray b. If the angle from a to b is a half turn, `from` and `to` are equal, and rounding may reverse
+  // them.
   bool come_in_order(const Ray& a, const Ray& from, const Ray& to) const
   {
     if (from.corner == to.corner) return true; // for_each_corner() decides
@@ -139,9 +141,9 @@ public:
     return !comes_first(to.corner, a.corner, from.corner);
   }
 
-  // Calls f(corner, from, to) for each corner of the sector from `from` counterclockwise to `to`. A ray is null where the
-  // edge of the corner bounds the sector in it. If `from` has no corner, it stands for the border at `first`; if `to` has
-  // none, for the other end of the border.
+  // Calls f(corner, lower, upper) for each corner that the sector from `from` counterclockwise to `to` meets. `lower` and
+  // `upper` point to the bounding rays of the sector in this corner; null stands for an edge of the corner. If `from` has no
+  // corner, the sector begins at the border edge of `first`; if `to` has none, it ends at the other border edge.
   template <class Function>
   void for_each_corner(const Ray& from, const Ray& to, Index first, const Function& f) const
   {
@@ -183,13 +185,13 @@ public:
   }
 
   // Calls f(from, to, first) for the margins of these sectors: the directions beside each bounding ray, up to
-  // margin_angle(). Paths from several images may tie at the vertex. `back` belongs to one image, and rounding may have
-  // dropped rays of the others within the square root of the relative rounding error of distances. Rays in a margin close
-  // this gap. Their paths are on the surface and are as long as others up to rounding; margin_surcharge() makes them lose
-  // ties.
+  // margin_angle(). If paths from several images tie at the vertex, `back` belongs to one image only. Rounding may have dropped
+  // the rays of the others next to the bounding ray, up to an angle of the square root of the relative rounding error of
+  // distances. Rays in a margin close this gap. Their paths are on the surface, and are as long as shortest paths up to
+  // rounding. margin_surcharge() makes them lose ties.
   //
-  // `ties`: whether other paths may tie. `hidden`: the angle of a known gap behind the vertex, which the margins also
-  // cover.
+  // `ties`: true if other paths may tie. `hidden`: the angle of a known gap behind the vertex
+  // (Wavefront_state::hidden_angle()), which the margins also cover.
   template <class Function>
   void for_each_margin_behind(const Ray& back, bool ties, const FT& hidden, const Function& f) const
   {
@@ -204,8 +206,8 @@ public:
     if (behind.corner != no_index) f(to, behind, first);
   }
 
-  // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46, which may be several corners of
-  // needles. Zero if the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by a
+  // Width of margins: 2^-20 radians, eight times the square root of the tie tolerance 2^-46. A margin may contain several
+  // corners of needles. Zero if the sectors are narrower than 2^-36 radians: a path that bends by this angle is longer by a
   // fraction of 2^-75, so the vertex is flat up to rounding, and the windows on its two sides leave no gap.
   FT margin_angle(const Ray& back, bool ties, const FT& hidden) const
   {
@@ -249,11 +251,11 @@ public:
   }
 
 private:
-  // False for a vertex inside the mesh whose total angle is so small that a half turn passes more corners than the mesh has
-  // halfedges: rays without a corner stand for the border elsewhere.
+  // False if turns around an interior vertex have failed: the total angle is so small that a half turn passes more corners than
+  // the mesh has halfedges. (At a border vertex, a ray without a corner stands for the border.)
   static bool exist(const Ray& a, const Ray& b) { return a.corner != no_index && b.corner != no_index; }
 
-  // Whether a sector, with arguments as in for_each_corner(), lies in one corner and is at most as wide as a small angle.
+  // True if a sector, with arguments as in for_each_corner(), lies in one corner and is at most as wide as a small angle.
   bool is_narrow(const Ray& from, const Ray& to, Index first, const FT& angle) const
   {
     int number_of_corners = 0;
@@ -266,8 +268,8 @@ private:
     return result;
   }
 
-  // Half a turn minus an angle. The angle is subtracted after a quarter turn, away from the border, since `back` may be
-  // along the border.
+  // Turns `back` by a half turn minus an angle. The angle is subtracted after the first quarter turn: `back` may lie on the
+  // border, and cannot be turned beyond it.
   Ray half_turn_ccw(const Ray& back, const FT& angle) const
   {
     if (CGAL::is_zero(angle)) return turn_ccw(back, 2);

@@ -39,8 +39,8 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  // Sets the face, and bounds of the levels for the next calls of set_level(). `reach`: the longest edge of the faces around the
-  // corners of the face, for the tolerances (Offset_tolerances).
+  // Sets the face, and bounds of the levels for the next calls of set_level(). `reach`: the longest edge of the faces around
+  // the corners of the face, for the tolerances (Offset_tolerances).
   void set_face(const Face_field<FT>& field, const FT& reach, const FT& lowest_level, const FT& highest_level)
   {
     m_field = &field;
@@ -70,9 +70,9 @@ public:
     m_boxes.build();
   }
 
-  // Adds fans: windows of the paths that bend at an end of a window's interval or at a corner. They close gaps between windows of
-  // one edge. Such gaps arise only where the front drops windows as narrow as rounding, or windows that begin at the distance
-  // limit. As fans are rarely needed, they are added on demand.
+  // Adds fans: windows of the paths that bend at an end of a window's interval or at a corner. They close gaps between windows
+  // of one edge. Such gaps arise only where the front drops windows as narrow as rounding, or windows that begin at the
+  // distance limit. As fans are rarely needed, they are added on demand.
   void add_fans()
   {
     if (m_fans.empty()) make_fans();
@@ -206,8 +206,8 @@ private:
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
-  // True if arc a between two points lies outside a bounding ray, up to the tolerance `error`. This tolerance is needed where the
-  // windows of two arcs share the ray.
+  // True if arc a between two points lies outside a bounding ray, up to the tolerance `error`. This tolerance is needed where
+  // the windows of two arcs share the ray.
   bool is_beyond(const Half_plane<FT>& ray, const Arc& a, const Point& from, const Point& to) const
   {
     return !(a.largest_value(ray.opposite(), from, to) > m_tolerances.error);
@@ -228,16 +228,16 @@ private:
            !(a.largest_value(b.right(), from, to) > error);
   }
 
-  // Variant of covers() for p beside a bounding ray of b, up to `error`. An arc along a ray that two windows share may lie outside
-  // both cones. The allowance is doubled for the position of p and for the difference between the distances of p and of its foot
-  // on the ray: one `error` each, which is one `cover` together.
+  // Variant of covers() for p beside a bounding ray of b, up to `error`. An arc along a ray that two windows share may lie
+  // outside both cones. The allowance is doubled for the position of p and for the difference between the distances of p and of
+  // its foot on the ray: one `error` each, which is one `cover` together.
   bool covers_beside(const Arc& b, const Point& p) const
   {
     return !(b.outside_cone(p) > m_tolerances.error) && b.excess(p) < -FT(2) * m_tolerances.cover;
   }
 
-  // Overload for the window of one other arc b. The points where arc a meets b and the bounding rays of b divide a into parts that
-  // are covered wholly or not at all. The middle point of each part decides.
+  // Overload for the window of one other arc b. The points where arc a meets b and the bounding rays of b divide a into parts
+  // that are covered wholly or not at all. The middle point of each part decides.
   bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
   {
     const bool is_beside =

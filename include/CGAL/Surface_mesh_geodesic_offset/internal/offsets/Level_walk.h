@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Walks along the arcs of a level in one cell. A chain follows an arc while it is visible, continues with the arc that covers it
-// or that begins where its cone ends, and ends at the first gate on its arc. At a side of the cell without a gate, it must turn
-// back along an arc that ties. The walks fit if every gate has its chain and every loop closes.
+// or that begins where its cone ends, and ends at the first gate on its arc. Where an arc meets a side of the cell without a
+// gate, another arc ties with it, and the chain turns back along that arc. The walk succeeds if every gate has a chain and
+// every loop closes.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_WALK_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_LEVEL_WALK_H
@@ -61,8 +62,8 @@ public:
   {
   }
 
-  // Traces chains through all gates of a cell, and loops. Returns false if they do not fit; some of them
-  // are appended even so.
+  // Traces chains through all gates of a cell, and loops. Returns false if the walk fails; some chains are appended in this
+  // case, too.
   bool operator()(const Cell& cell, bool search_loops)
   {
     m_cell = &cell;
@@ -86,7 +87,7 @@ private:
     Point start{FT(0), FT(0)}, end{FT(0), FT(0)};
     FT length = FT(0);
     bool is_covered = false;
-    bool leaves = false; // leaves the cell where there is no gate
+    bool leaves = false; // the run ends at a side of the cell without a gate
     bool is_valid() const { return arc != none; }
   };
 
@@ -130,7 +131,7 @@ private:
     run.start = start;
     run.end = a.end();
     FT farthest = a.advance(start, run.end);
-    // A gate at the start belongs to a chain that leaves the cell there before this one enters.
+    // A gate up to `nearest` is at the start of the run: another chain leaves the cell through it.
     FT nearest = -(is_first ? tolerance.error : tolerance.tie);
     for (std::size_t g = 0; g < m_cell->gates.size(); ++g)
     {
@@ -146,7 +147,7 @@ private:
     Point end = run.end;
     if (CGAL::is_positive(farthest) && m_arcs.find_covered(i, start, end))
     {
-      // A gate may also lie where another arc crosses.
+      // A covered point next to the gate does not count: another arc may cross at the gate.
       if (run.gate == none || a.advance(end, run.end) > tolerance.tie)
       {
         run.gate = none;
@@ -172,11 +173,12 @@ private:
     return run;
   }
 
-  // The next run of a chain, from the end of the last one or from the starting gate: of all arcs through that point, the one
-  // with the longest run. Arcs of lower rank are used only if no other arc continues. A fan ties with the windows beside its
-  // gap. An arc that turns back appears where both sides of a strip are within rounding, and each passes all points of the
-  // other. The end of a known part leads back and forth where three arcs meet within rounding. Last comes an arc that meets a
-  // side without a gate: the strip up to the next arc is as narrow as rounding there, so the chain turns back.
+  // The next run of a chain, from the end of the last run or from the starting gate. Of all arcs through that point, it is the
+  // run of least rank, and of these the longest. The rank is the sum of:
+  //   1  a fan (Level_arcs::add_fans()): it ties with the windows beside its gap;
+  //   2  a run that turns back: where two arcs are within `tie` of each other, each passes through all points of the other;
+  //   4  the end of a part that a chain has followed: where three arcs meet up to rounding, a chain might go back and forth;
+  //   8  a run that meets a side without a gate: the next arc is within rounding there, and the chain has to turn back.
   Run best_run(const Run& last, const Point& p) const
   {
     Run best;
@@ -197,15 +199,17 @@ private:
     return best;
   }
 
-  // True if a run goes back along the last one and ends at its end. The arcs of coincident source segments tie this way.
+  // True if a run ends at its own beginning, the end of the last run, after going back along the last run. The arcs of
+  // coincident source segments tie in this way.
   bool repeats(const Run& last, const Run& run) const
   {
     return last.is_covered && run.gate == none && length(run.end - last.end) <= m_arcs.tolerances().tie &&
            length(run.start - last.end) > m_arcs.tolerances().tie;
   }
 
-  // The point where a covered run continues with arc i. The run ends where another arc is nearer by the cover tolerance. Both
-  // arcs tie before that point, where the other arc is visible. A run that starts behind the joint is a point.
+  // The point where the chain of a covered run changes to arc i. The run ends where the window of arc i is nearer by the
+  // tolerance `cover`. The arcs meet before that point, and arc i is visible from there on. If the run starts beyond the
+  // meeting point, the chain changes at its start.
   Point joint(const Run& run, std::size_t i) const
   {
     const Arc& a = m_arcs[run.arc];
@@ -254,7 +258,7 @@ private:
   }
 
   // Traces the loop through a point of an arc, if there is one. Returns false if it cannot be closed. An arc that meets a side
-  // without a gate may belong to a loop that turns back there; if it does not, it belongs to nothing.
+  // without a gate may belong to a loop that turns back there. If no such loop closes, the arc is ignored.
   bool walk_loop(std::size_t i, const Point& start)
   {
     const FT& tie = m_arcs.tolerances().tie;
@@ -269,7 +273,8 @@ private:
     Run run = run_of(i, start, false);
     if (!run.is_valid() || run.gate != none) return true;
     const bool starts_at_side = run.leaves;
-    const auto is_nothing = [&] {
+    // Removes the pieces of the walk, and returns true, if the arc may be ignored.
+    const auto drop_walk = [&] {
       if (!starts_at_side && !(deepest < tie)) return false;
       m_pieces.resize(first);
       if (starts_at_side) forget_followed(first_followed);
@@ -280,8 +285,9 @@ private:
       const std::size_t known = followed_by(run);
       if (known != none)
       {
-        if (known < first_followed || deepest < tie) return is_nothing(); // another chain continues here, or all is outside
-        // The walk is back on this chain, possibly behind its start.
+        // Another chain continues here, or the whole walk is outside the cell.
+        if (known < first_followed || deepest < tie) return drop_walk();
+        // The loop closes, possibly at a later piece than the first one; then the pieces before it are removed.
         const std::size_t begin = first + (known - first_followed);
         m_pieces.back().end = run.start;
         m_pieces.erase(pieces_at(first), pieces_at(begin));
@@ -290,8 +296,8 @@ private:
         if (is_point || encloses_nothing(first))
         {
           m_pieces.resize(first);
-          // A walk from a longer arc goes in circles around a joint of three arcs.
-          return !(is_point && begin > first) || is_nothing();
+          // A walk that started on another arc may end in a loop of no extent, at the joint of three arcs.
+          return !(is_point && begin > first) || drop_walk();
         }
         m_chains.push_back({no_index, no_index, first, m_pieces.size()});
         return true;
@@ -299,13 +305,14 @@ private:
       deepest = (std::max)(deepest, m_cell->depth(m_arcs[run.arc].middle(run.start, run.end)));
       add_piece(run, first);
       run = best_run(run, run.end);
-      if (!run.is_valid() || run.gate != none) return is_nothing();
+      if (!run.is_valid() || run.gate != none) return drop_walk();
     }
-    return is_nothing();
+    return drop_walk();
   }
 
-  // True if the distance at p is less than the level by more than a tie. A source on a side of the cell has no paths to a point
-  // that rounding puts behind it, so the distance is that of a point in the cell; distances are 1-Lipschitz.
+  // True if the distance at p is less than the level by more than `tie`. Rounding may put p outside the cell, behind a source
+  // on a side of the cell, from which it has no path. So the distance is evaluated at a point inside; distances are
+  // 1-Lipschitz.
   bool is_covered_in_cell(const Point& p) const
   {
     const FT& error = m_arcs.tolerances().error;
@@ -332,7 +339,7 @@ private:
     });
   }
 
-  // True if the loop whose pieces begin at `first` runs to and fro along one arc, up to a tie. A piece runs backward then.
+  // True if the loop whose pieces begin at `first` runs forward and backward along one arc, up to the tolerance `tie`.
   bool encloses_nothing(std::size_t first) const
   {
     const auto begin = m_pieces.begin() + std::ptrdiff_t(first);
@@ -360,9 +367,9 @@ private:
     return false;
   }
 
-  // Index of a part that the run shares with a chain; none if there is none. Where a chain changes arcs, it may go back and
-  // forth within a tie: a run that starts near the end of a longer part does not share it. A part without extent, where a chain
-  // starts and ends at one point, is never shared.
+  // Index of a followed part that the run overlaps, `none` if there is none. Where a chain changes arcs, it may go back and
+  // forth by up to `tie`, so a run that starts this near to the end of a longer part does not count. A part of no extent, where
+  // a chain starts and ends at one point, does not count.
   std::size_t followed_by(const Run& run) const
   {
     const Arc& a = m_arcs[run.arc];

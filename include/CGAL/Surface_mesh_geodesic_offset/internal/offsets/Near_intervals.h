@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The intervals of a straight segment where the distance is less than a level: the union of one interval per window. The
-// segment is an edge, or it divides a face.
+// segment is an edge, or it divides a face. A point is near if its distance is less than the level, and far otherwise.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_NEAR_INTERVALS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_NEAR_INTERVALS_H
@@ -50,8 +50,8 @@ public:
   }
 
   // Adds the interval [lo, hi], where the distance is below the level by at most `depth`. As the distance is 1-Lipschitz, the
-  // interval is extended at each end by the depth there (d_lo, d_hi), which closes gaps of rounding between neighbouring
-  // windows. `reversed`: lo and hi count from the other end of the segment.
+  // interval is extended at each end by level - d_lo and level - d_hi, with the distances d_lo and d_hi at its ends. This
+  // closes gaps due to rounding between consecutive windows. `reversed`: lo and hi count from the other end of the segment.
   void add(FT lo, FT hi, const FT& d_lo, const FT& d_hi, const FT& depth, bool reversed)
   {
     if (!(lo < hi)) return;
@@ -71,16 +71,18 @@ public:
   // Adds a window in a face, on the segment from o in the unit direction u.
   void add_window(const Face_window<FT>& w, const Point& o, const Point& u, bool reversed)
   {
-    // From a point of the face all straight paths are valid, so rounding of a ray along the segment does not matter.
+    // The image is a point of the face, so straight paths from it to all points of the face are on the surface. The cone is not
+    // tested: a ray may run along the segment up to rounding.
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) return add_disk(w.image(), FT(m_level - w.sigma), o, u, reversed, FT(0), m_length);
-    // Add the ends of a source segment as points too: rounding may leave a perpendicular edge at an end beside its strips.
+    // Add the ends of a source segment as points, too. An edge perpendicular to it at an end may be outside its rays by
+    // rounding.
     if (w.origin >= STARTS_IN_FACE)
       for (const Point& end : {w.left, w.right}) add_disk(end, FT(m_level - w.start_value), o, u, reversed, FT(0), m_length);
     cut_cone(w, o, u, [&](FT lo, FT hi) {
       if (w.is_parallel() ? cut_near_part(true, dot(w.image(), u), FT(0), FT(m_level - w.distance_at(o)), lo, hi)
                           : cut_near_part(w.image(), FT(m_level - w.sigma), o, u, lo, hi))
       {
-        // A point without a path lies behind the source of a strip by less than the slack, so on the source.
+        // A point without a path is behind the source segment by less than the slack, so it is on the segment up to rounding.
         const auto distance = [&](const FT& t) {
           const FT d = w.path_length(o + t * u);
           return Number_policy<FT>::is_finite(d) ? d : w.start_value;
@@ -101,8 +103,8 @@ public:
 
   // Calls out(t, falling) for the ends of the united intervals, by increasing t from 0 to the length, alternately from far to
   // near (`falling`) and from near to far. Intervals and gaps up to interval_gap() are dropped, and so are intervals up to
-  // longest_shallow_interval(), or at a far end of the segment, whose depth is at most half of interval_gap(). The caller
-  // decides whether the ends of the segment are near, so the number of calls is odd exactly if they differ.
+  // longest_shallow_interval(), or at an end of the segment that is not near, whose depth is at most half of interval_gap().
+  // The caller decides which ends of the segment are near. The number of calls is odd exactly if one end is near.
   template <class Function>
   void for_each_end(bool source_is_near, bool target_is_near, const Function& out)
   {
@@ -149,7 +151,7 @@ private:
 
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  // Depths decide what rounding leaves open; exact numbers have none.
+  // Depth of an interval. It is needed only with rounding, to recognize shallow intervals; zero with exact numbers.
   template <class Function>
   static FT depth(const Function& f)
   {
@@ -157,8 +159,8 @@ private:
     else return FT(0);
   }
 
-  // True if the level only touches the segment, in an interval of the given width. `reaches_end`: up to a far end of the
-  // segment, which is on the level then.
+  // True if an interval is due to rounding: the level only touches the segment. `reaches_end`: the interval extends to an end
+  // of the segment that is not near, so this end is on the level up to rounding.
   bool is_shallow(const FT& width, const FT& depth, bool reaches_end) const
   {
     if (!(width > m_gap)) return true;
@@ -182,7 +184,8 @@ private:
     add_whole(lo, hi, depth([&] { return FT(r - internal::length(c - nearest())); }), reversed);
   }
 
-  // Clips [lo, hi] to the part where the distance from an image (x : y : w), in the frame of the segment, is less than r.
+  // Clips [lo, hi] to the part where the distance from an image, in the frame of the segment, is less than r. The image is the
+  // point (x, y), or the direction (x, y) of parallel rays (see Window).
   static bool cut_near_part(bool parallel, const FT& x, const FT& y, const FT& r, FT& lo, FT& hi)
   {
     if (parallel)
@@ -208,8 +211,8 @@ private:
     return cut_near_part(false, dot(v, u), cross(u, v), r, lo, hi);
   }
 
-  // Calls f(lo, hi) for the part of the segment reached by a window's rays. A source along the segment is in front of it up to
-  // rounding.
+  // Calls f(lo, hi) for the part of the segment in the cone of a window. If the source runs along the segment up to rounding,
+  // the segment counts as in front of the source.
   template <class Function>
   void cut_cone(const Face_window<FT>& w, const Point& o, const Point& u, const Function& f) const
   {
@@ -218,7 +221,7 @@ private:
     if (!clip(-cross(l, o - w.left), -cross(l, u), FT(0), lo, hi)) return;
     if (!clip(cross(r, o - w.right), cross(r, u), FT(0), lo, hi)) return;
     if (w.is_parallel() && (is_inexact || w.origin == STARTS_IN_FACE))
-    { // in front of the source or chord; by rounding, rays along the chord pass points behind it
+    { // only points in front of the source or chord: rays along the chord also pass points behind it, by rounding
       const FT nearest = w.origin == STARTS_IN_FACE ? w.start_value : (std::min)(w.distance_at(w.left), w.distance_at(w.right));
       if (!clip(w.distance_at(o) - nearest, -dot(w.image(), u), Offset_tolerances<FT>::ray_slack(m_length), lo, hi)) return;
     }

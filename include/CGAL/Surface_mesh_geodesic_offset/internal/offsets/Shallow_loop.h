@@ -42,8 +42,8 @@ public:
     const Index v = closed ? faces.size() > 2 ? common_vertex(faces) : no_index
                            : vertex_cut_off(pieces.front(), pieces.back());
     if ((!closed || faces.size() > 2) && !is_common(v, faces)) return false; // more than one vertex inside
-    // A curve this short is a point up to rounding, and so is the sign of its area. Around a source, its level or the angle of the
-    // surface would be below rounding.
+    // A curve this short is a point up to rounding, and the sign of its area is rounding. Around a source, its level or the
+    // angle of the surface would be below rounding.
     const bool has_area = sum > Offset_tolerances<FT>(magnitude).error;
     if (has_area && CGAL::is_positive(signed_area(pieces, faces, v))) return false; // around a source
     // The distance rises by at most half the length.

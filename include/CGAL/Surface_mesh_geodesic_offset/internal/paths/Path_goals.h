@@ -40,8 +40,8 @@ public:
   // plus the longest edge. Each change of the frame adds a rounding error to the direction of the path.
   static constexpr double roundings_of_miss = 1 << 12;
 
-  // Relative distance, as a fraction of the length of an edge or of a straight part. A path this close to a vertex may pass through
-  // the vertex.
+  // Relative distance, as a fraction of the length of an edge or of a straight part. A path this close to a vertex may pass
+  // through the vertex.
   static constexpr double nearby = 1. / (1 << 30);
 
   // Largest distance by which a straight part of the given length misses its goal. `extent`: longest edge of the faces that it
@@ -92,8 +92,8 @@ public:
   }
 
   // True if a path to the given source may pass through a vertex or end there: the shortest path of the vertex has the same
-  // source and side, or the vertex is a point of the source. A vertex with another source is excluded even if the two sources tie
-  // there, so that the path keeps its source.
+  // source and side, or the vertex is a point of the source. A vertex with another source is excluded even if the two sources
+  // tie there, so that the path keeps its source.
   bool may_pass_through(Index v, Source_ref source_ref) const
   {
     if (is_source(v) && is_at_vertex(source_ref, v)) return true;
@@ -110,9 +110,9 @@ public:
     return goal.face != no_index && (face == goal.face || face == goal.other_face);
   }
 
-  // True if the goal is a point of the closed face of the walk. Then the straight segment to the goal is the shortest path, since
-  // it is the shortest in space; `distance` receives its length. Always false for source segments. `is_first`: in the first face
-  // of the path, all three corners are tested; in later faces, only the corner opposite to the entered halfedge.
+  // True if the goal is a point of the closed face of the walk. Then the straight segment to the goal is the shortest path,
+  // since it is the shortest in space; `distance` receives its length. Always false for source segments. `is_first`: in the
+  // first face of the path, all three corners are tested; in later faces, only the corner opposite to the entered halfedge.
   bool is_in_sight(const Goal& goal, const Straight_walk<FT>& walk, bool is_first, FT& distance) const
   {
     if (goal.vertex != no_index)
@@ -177,8 +177,8 @@ public:
     return goal.vertex == no_index || goal.end.is_at_source() ? goal.end : end_at_vertex(goal.vertex, h, p, direction, start);
   }
 
-  // Overload for a straight part that reaches the vertex v of the face of h. If v is a source, the path ends there, and the source
-  // windows in the face determine the side of the source.
+  // Overload for a straight part that reaches the vertex v of the face of h. If v is a source, the path ends there, and the
+  // source windows in the face determine the side of the source.
   End end_at_vertex(Index v, Index h, const Point& p, const Point& direction, const Path_start<FT>& start) const
   {
     const Surface_point_ at_v = Surface_point_::at_vertex(v);
@@ -247,9 +247,9 @@ public:
   }
 
   // True if a path to a source segment ends in the face that the walk has entered; `end` receives the end. `extent`: longest
-  // edge of the crossed faces. The direction of the path has a rounding error, so the path may end on the source segment adjacent
-  // to its goal, in the next face. `has_missed`: a first walk found no end within this error. Then the nearest point of any source
-  // is accepted: where coincident sources overlap in part, rounding may exchange their windows.
+  // edge of the crossed faces. The direction of the path has a rounding error, so the path may end on the source segment
+  // adjacent to its goal, in the next face. `has_missed`: a first walk found no end within this error. Then the nearest point
+  // of any source is accepted: where coincident sources overlap in part, rounding may exchange their windows.
   bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
   {
     const Index face = walk.face();
@@ -308,8 +308,8 @@ private:
     return Source_ref();
   }
 
-  // Segment of the path in a face, from `first` to `last`. `before` tells the side of a source segment from which the path comes:
-  // the first point, or a point farther back on the path if the first point is on the source segment up to rounding.
+  // Segment of the path in a face, from `first` to `last`. `before` tells the side of a source segment from which the path
+  // comes: the first point, or a point farther back on the path if the first point is on the source segment up to rounding.
   struct Way
   {
     Point first, last, before;
@@ -331,14 +331,14 @@ private:
   // A point counts as inside a cone up to this distance, in units of rounding of the longest edge.
   static constexpr double reach_roundings = 64;
 
-  // Distance of `before` from a source segment, along the path, in the same units. Unless the path meets the segment at an angle of
-  // less than 2^-10, a point this far away is in the cones of one side only.
+  // Distance of `before` from a source segment, along the path, in the same units. Unless the path meets the segment at an
+  // angle of less than 2^-10, a point this far away is in the cones of one side only.
   static constexpr double clear_roundings = 1024 * reach_roundings;
 
-  // Search for the end of a path, for its segment from p to q in a face: the source point nearest to q, at most `nearest` from q
-  // and at most `longest` from p. `known`: the source reference of the window at the start of the path. Several parts of sources
-  // may tie, since windows of collinear segments merge and sources may coincide; End_preference gives the order among them.
-  // `only_known_source`: parts of other sources are not accepted.
+  // Search for the end of a path, for its segment from p to q in a face: the source point nearest to q, at most `nearest` from
+  // q and at most `longest` from p. `known`: the source reference of the window at the start of the path. Several parts of
+  // sources may tie, since windows of collinear segments merge and sources may coincide; End_preference gives the order among
+  // them. `only_known_source`: parts of other sources are not accepted.
   struct End_search
   {
     const Source_ref known;

@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Whether two expressions apply the same operations to the same constants, as those of a number that is computed twice
+// True if two expressions apply the same operations to the same constants, as those of a number that is computed twice
 // in the same way.
 class Radical_likeness
 {

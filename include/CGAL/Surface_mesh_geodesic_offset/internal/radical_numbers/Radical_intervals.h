@@ -41,7 +41,7 @@ struct Double_interval
   bool has_sign() const { return low > 0 || high < 0 || (low == 0 && high == 0); }
   int sign() const { return low > 0 ? 1 : high < 0 ? -1 : 0; }
 
-  // Whether all doubles in the interval are within a few units in the last place of the number.
+  // True if all doubles in the interval are within a few units in the last place of the number.
   bool is_tight() const
   {
     if (above(low) >= high) return true; // also numbers beyond the range of doubles
@@ -146,7 +146,7 @@ public:
   int sign() const { return mpfr_sgn(m_low) > 0 ? 1 : mpfr_sgn(m_high) < 0 ? -1 : 0; }
 
   double low_to_nearest() const { return mpfr_get_d(m_low, MPFR_RNDN); }
-  // Whether all numbers in the interval are less than 2^-bits in absolute value.
+  // True if all numbers in the interval are less than 2^-bits in absolute value.
   bool is_below(std::size_t bits) const
   {
     for (mpfr_srcptr x : {&m_low[0], &m_high[0]})

@@ -9,8 +9,9 @@
 // (Radical_sum.h, Radical_field.h) with nested roots as symbols; CORE decides only the remaining cases. Evaluation is
 // lazy and starts with intervals.
 //
-// A number is a reference to an expression, which other numbers may share. Expressions cache what is known of their
-// values, without locks: numbers with common subexpressions must not be used by several threads at once.
+// A number is a reference to an expression, which other numbers may share. Expressions cache bounds and
+// other properties of their values, without locks: numbers with common subexpressions must not be used by several threads at
+// once.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NUMBER_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_RADICAL_NUMBERS_RADICAL_NUMBER_H

@@ -181,7 +181,7 @@ public:
 
   // Uncertainty of the direction of a segment of the given length, an angle, from the rounding of its ends in a face. Zero if
   // not significant().
-  FT lost_angle(Index face, const FT& segment) const
+  FT direction_uncertainty(Index face, const FT& segment) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
     else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
@@ -240,7 +240,7 @@ private:
       const bool is_fan = is_narrow &&
                           (from_is_inside ? CGAL::is_positive(cross(*from, target - p)) : is_border_edge(face, (k + 2) % 3)) &&
                           (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
-      if (is_fan || lost_angle(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
+      if (is_fan || direction_uncertainty(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
       out.push_back({face,
@@ -273,9 +273,9 @@ private:
     add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, source_ref, entry, beyond_edges);
   }
 
-  // 2^-24 radians: lost_angle() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r behind the
-  // edge. Such a ray may meet the next edge at an angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8 L at this
-  // distance, the widest gap that Lower_envelope closes.
+  // 2^-24 radians: direction_uncertainty() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r
+  // behind the edge. Such a ray may meet the next edge at an angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8
+  // L at this distance, the widest gap that Lower_envelope closes.
   static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
 
   // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between

@@ -37,7 +37,7 @@ public:
     const std::size_t n = points.size();
     if (n == 0) return;
     std::vector<Segment> segments;
-    FT left_out(0); // length since the last segment
+    FT left_out(0); // length of the degenerate segments since the last segment
     for (std::size_t i = 0; i + 1 < n + (closed ? 1 : 0); ++i)
     {
       Segment s;
@@ -46,7 +46,7 @@ public:
       if (make_segment(p, q, i, left_out, s)) segments.push_back(s);
       else m_out.add_primitive({source, s.part, true}, {p, q}); // sends no rays, but certified bounds count it
     }
-    if (segments.empty() || (closed && segments.size() == 1)) // the way back was left out, so neither is longer
+    if (segments.empty() || (closed && segments.size() == 1)) // a single segment is as short as those that lead back
     {
       m_out.add_point(source, points.front());
       return;
@@ -102,12 +102,13 @@ private:
     unsigned edge; // bit of the halfedge that contains both ends, or 0
     Index part;
     Point direction; // unit vector from a to b
-    FT lost;         // uncertainty of the direction, an angle
+    FT uncertainty;  // of the direction, an angle
   };
 
-  // From the point with the given number. Returns false if the two points coincide, exactly or as one point of a face or an edge;
-  // throws if they have no face in common. Such a segment has no direction, and no sides. `left_out`: the length of the segments
-  // for which false was returned since the last other one: many of them are a segment together.
+  // Makes the segment from p, the point with the given number, to q. Returns false for a degenerate segment, which has no
+  // direction and no sides: the points are equal, or count as one point of a face or an edge. Throws if they have no face in
+  // common. `left_out`: total length of the degenerate segments since the last segment. It is limited, so that a polyline of
+  // many tiny segments is not lost.
   bool make_segment(const Surface_point_& p, const Surface_point_& q, std::size_t number, FT& left_out, Segment& s) const
   {
     s.first = p;
@@ -142,31 +143,31 @@ private:
     }
     left_out = FT(0);
     s.direction = (FT(1) / size) * (s.b - s.a);
-    s.lost = s.edge ? FT(0) : m_out.lost_angle(s.face, size);
+    s.uncertainty = s.edge ? FT(0) : m_out.direction_uncertainty(s.face, size);
     return true;
   }
 
-  // Gives a short segment the direction of a neighbour if both are equal up to rounding. Otherwise their strips would leave a
-  // gap that grows with the distance, or overlap.
+  // Gives a short segment the direction of an adjacent segment if both are equal up to rounding. Otherwise the strips of rays
+  // of the two segments would overlap, or leave a gap that widens with the distance.
   void straighten(std::vector<Segment>& segments, bool closed) const
   {
     const std::size_t m = segments.size(), steps = closed ? 2 * m : m;
     for (std::size_t j = 1; j < steps; ++j)
     {
       Segment& s = segments[j % m];
-      follow(segments[(j - 1) % m], s.first, s);
+      take_direction(segments[(j - 1) % m], s.first, s);
     }
     for (std::size_t j = steps - 1; j > 0; --j)
     {
       Segment& s = segments[(j - 1) % m];
-      follow(segments[j % m], s.second, s);
+      take_direction(segments[j % m], s.second, s);
     }
   }
 
-  // p: the common point of both segments.
-  void follow(const Segment& known, const Surface_point_& p, Segment& s) const
+  // Gives s the direction of `known`, if that is more certain and equal up to rounding. p: the common point of both segments.
+  void take_direction(const Segment& known, const Surface_point_& p, Segment& s) const
   {
-    if (!(known.lost < s.lost) || p.kind == Surface_point_::VERTEX) return;
+    if (!(known.uncertainty < s.uncertainty) || p.kind == Surface_point_::VERTEX) return;
     const Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
     // The rounding of a large face must not count in a tiny face next to it.
     const FT size =
@@ -174,7 +175,7 @@ private:
     const FT off = CGAL::abs(cross(t, s.b - s.a)); // of the end of the segment
     if (!CGAL::is_positive(dot(t, s.direction)) || off > Number_policy<FT>::rounding(8) * size) return;
     s.direction = t;
-    s.lost = known.lost;
+    s.uncertainty = known.uncertainty;
   }
 
   void add_segment(Index source, const Segment& s)
@@ -201,7 +202,7 @@ private:
     {
       const Point v = frame.corner(k) - s.a;
       const FT foot = dot(t, v);
-      // On the normal through an end, up to the rounding of its direction.
+      // A corner on the normal through an end of the segment counts as beside the segment, up to the rounding of its direction.
       const FT direction = Number_policy<FT>::rounding(16) * (size + extent) / size;
       const FT allowance = (std::min)(direction, Number_policy<FT>::rounding(1 << 20)) * (size + length(v));
       if (foot < -allowance || foot > size + allowance) continue;
@@ -219,7 +220,7 @@ private:
     return p.element == h ? p.x : FT(m_mesh[h].length - p.x);
   }
 
-  // Direction of the segment at its second end (backward) or its first end, as a ray at a mesh vertex.
+  // Direction of the segment from one of its ends, a mesh vertex, towards the other end.
   Ray ray_of(const Segment& s, bool at_second) const
   {
     const Index v = (at_second ? s.second : s.first).element;
@@ -237,8 +238,8 @@ private:
     return {h, u.x, u.y};
   }
 
-  // Overload for a point p inside an edge or a face: a vector in the frame of the point's halfedge or face. A repeated point
-  // may be named by the opposite halfedge in the segment.
+  // Variant of ray_of() for an end p inside an edge or a face: a vector in the frame of the halfedge or face of p. The segment
+  // may give the same point by the opposite halfedge.
   Point vector_of(const Segment& s, bool at_second, const Surface_point_& p) const
   {
     return vector_at_point(m_mesh, p, s.face, at_second ? FT(-1) * s.direction : s.direction);
@@ -251,7 +252,7 @@ private:
     {
       const Ray r = ray_of(s, at_second);
       m_out.add_seed_at_source(p.element, source_ref);
-      add_gap(p.element, r, r, source_ref, m_out.lost_angle(s.face, length(s.b - s.a)));
+      add_sector_between(p.element, r, r, source_ref, m_out.direction_uncertainty(s.face, length(s.b - s.a)));
       add_other_fans(p.element, r.corner, no_index, source_ref);
       return;
     }
@@ -268,25 +269,26 @@ private:
     const Source_ref left(primitive, Source_side::LEFT), right(primitive, Source_side::RIGHT);
     if (p.kind == Surface_point_::VERTEX)
     {
-      const FT lost = (std::max)(m_out.lost_angle(in.face, length(in.b - in.a)), m_out.lost_angle(out.face, length(out.b - out.a)));
+      const FT uncertainty = (std::max)(m_out.direction_uncertainty(in.face, length(in.b - in.a)),
+                                        m_out.direction_uncertainty(out.face, length(out.b - out.a)));
       const Ray r_in = ray_of(in, true), r_out = ray_of(out, false);
       m_out.add_seed_at_source(p.element, left);
       if (same_fan(r_in.corner, r_out.corner))
       {
-        add_gap(p.element, r_out, r_in, left, lost);
-        add_gap(p.element, r_in, r_out, right, lost);
+        add_sector_between(p.element, r_out, r_in, left, uncertainty);
+        add_sector_between(p.element, r_in, r_out, right, uncertainty);
       }
       else
       {
-        add_gap(p.element, r_out, r_out, left, lost);
-        add_gap(p.element, r_in, r_in, left, lost);
+        add_sector_between(p.element, r_out, r_out, left, uncertainty);
+        add_sector_between(p.element, r_in, r_in, left, uncertainty);
       }
       add_other_fans(p.element, r_in.corner, r_out.corner, left);
       return;
     }
     const Point u_in = vector_of(in, true, p), u_out = vector_of(out, false, p);
     const FT turn = cross(u_in, u_out);
-    // Counterclockwise from out to in is the left side, which is reflex where in is right of out.
+    // The left side is the sector counterclockwise from u_out to u_in. It is reflex if u_in is to the right of u_out.
     const bool reflex_left = !CGAL::is_negative(turn);
     m_out.add_seeds_of_point(p, [&](const Point& v) {
       const Point &first = reflex_left ? u_in : u_out, &last = reflex_left ? u_out : u_in; // of the side that is not reflex
@@ -294,14 +296,14 @@ private:
       return is_between == reflex_left ? right : left;
     });
     // u_in points backward along the incoming segment; on a straight polyline u_in and u_out are opposite.
-    const FT straight = -dot(u_in, u_out), lost = (std::max)(in.lost, out.lost);
+    const FT straight = -dot(u_in, u_out), uncertainty = (std::max)(in.uncertainty, out.uncertainty);
     const auto add_side = [&](bool is_left) {
       const Point from = quarter_turn(is_left ? u_out : u_in), to = FT(-1) * quarter_turn(is_left ? u_in : u_out);
       m_out.add_flat_sector(p, &from, &to, is_left ? left : right);
     };
     if (!CGAL::is_zero(turn) || !CGAL::is_positive(straight)) add_side(reflex_left);
-    // Rounding leaves open which side is reflex.
-    if (CGAL::is_positive(lost) && CGAL::abs(turn) <= FT(2) * lost * straight) add_side(!reflex_left);
+    // On an almost straight polyline, rounding decides which side is reflex; then rays start on both sides.
+    if (CGAL::is_positive(uncertainty) && CGAL::abs(turn) <= FT(2) * uncertainty * straight) add_side(!reflex_left);
   }
 
   bool same_fan(Index c, Index d) const
@@ -324,20 +326,21 @@ private:
     });
   }
 
-  // Uncertainty of a segment 2^-28 edges long. On edges at its vertex, rounding then turns rays from its other end by 2^-25,
-  // and a path that bends by this angle is longer by 2^-53 of its length.
-  static FT largest_lost_angle() { return FT(1. / (1 << 18)); }
+  // Uncertainty of the direction of a segment with the length of 2^-28 edges. On the edges at its vertex, rounding then turns
+  // the rays from its other end by 2^-25. A path that bends by this angle is longer by 2^-53 of its length.
+  static FT largest_uncertainty() { return FT(1. / (1 << 18)); }
 
-  // Adds the rays that can be shortest between two neighbouring source directions a and b (counterclockwise) at a vertex: a
-  // right angle away from each, less the uncertainty `lost` of the directions. A larger uncertainty belongs to a segment so
-  // short that rounding loses the rays from its other end on the edges at v; then rays start from v in all directions.
-  void add_gap(Index v, const Ray& a, const Ray& b, Source_ref source_ref, const FT& lost)
+  // Adds the rays from a vertex in the sector between two consecutive source segments, with directions a and b,
+  // counterclockwise. Rays can be shortest if their angle to each segment is at least a right angle, minus the uncertainty of
+  // the directions. If the uncertainty exceeds largest_uncertainty(), the segment is so short that rounding loses the rays from
+  // its other end on the edges at v. Then rays start from v in all directions of the sector.
+  void add_sector_between(Index v, const Ray& a, const Ray& b, Source_ref source_ref, const FT& uncertainty)
   {
-    if (lost > largest_lost_angle())
+    if (uncertainty > largest_uncertainty())
     {
       const Index first = m_mesh.first_on_border(a.corner);
       if (a.corner == b.corner)
-      { // all directions except a wedge in one corner, unless the gap is this wedge
+      { // all directions except a wedge in one corner; nothing if the sector is this wedge
         if (!CGAL::is_positive(cross(a.x, a.y, b.x, b.y)))
           m_out.fans.push_back({v, Ray(), Ray(), first != no_index ? first : a.corner, source_ref});
       }
@@ -349,14 +352,14 @@ private:
       }
       return;
     }
-    const Ray from = m_sector.turn_ccw(a, 1, lost), to = m_sector.turn_cw(b, 1, lost);
+    const Ray from = m_sector.turn_ccw(a, 1, uncertainty), to = m_sector.turn_cw(b, 1, uncertainty);
     if (m_sector.passes_border(a, b))
     {
       const Index first = m_mesh.first_on_border(a.corner);
       if (from.corner != no_index) m_out.fans.push_back({v, from, Ray(), first, source_ref});
       if (to.corner != no_index) m_out.fans.push_back({v, Ray(), to, first, source_ref});
     }
-    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b, lost) &&
+    else if (from.corner != no_index && to.corner != no_index && m_sector.is_reflex(a, b, uncertainty) &&
              m_sector.come_in_order(a, from, to))
       m_out.fans.push_back({v, from, to, from.corner, source_ref});
   }
@@ -374,7 +377,8 @@ private:
       c = n;
     } while (c != no_index && c != first);
     if (rays.empty()) m_out.fans.push_back({v, Ray(), Ray(), first, source_ref});
-    for (std::size_t i = 0; i < rays.size(); ++i) add_gap(v, rays[i], rays[(i + 1) % rays.size()], source_ref, FT(0));
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      add_sector_between(v, rays[i], rays[(i + 1) % rays.size()], source_ref, FT(0));
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -174,7 +174,7 @@ public:
     return add({IN_FACE, point, Graph_traits::null_vertex(), Graph_traits::null_halfedge(), 0, w});
   }
 
-  // Whether a point is farther than the snap distance from all edges of its face.
+  // True if a point is farther than the snap distance from all edges of its face.
   bool is_inside(const Flat_face& f, const Weights& w) const
   {
     for (int k = 0; k < 3; ++k)

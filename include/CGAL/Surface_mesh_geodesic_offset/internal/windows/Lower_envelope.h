@@ -50,8 +50,8 @@ public:
   // length. It is sorted and disjoint, and valid until the next call. If a comparison of distances is undecided, as with exact
   // numbers (Interval_filter), both windows keep the part in question, and consecutive windows overlap there.
   //
-  // Rounding may leave narrow gaps between windows. A gap is closed if the distances beside it agree and are less than `passed`,
-  // the distance that the front has passed. Otherwise, a window that fills the gap may still arrive.
+  // Rounding may leave narrow gaps between windows. A gap is closed if the distances beside it agree and are less than
+  // `passed`, the distance that the front has passed. Otherwise, a window that fills the gap may still arrive.
   const Window_sequence<FT>& operator()(const Window* first, const Window* last, const FT& length,
                                         const Window* more = nullptr, const Window* more_last = nullptr,
                                         const End& source = End(), const End& target = End(),
@@ -156,8 +156,8 @@ private:
   // over much of its length.
   static constexpr double short_edge = 1. / (1 << 24);
 
-  // Largest gap to be closed between windows of different images: 2^-8 of the length of the halfedge. On a short edge, as across
-  // a narrow row of faces, it may be the whole edge.
+  // Largest gap to be closed between windows of different images: 2^-8 of the length of the halfedge. On a short edge, as
+  // across a narrow row of faces, it may be the whole edge.
   static FT widest_gap(const Window& w, const FT& length)
   {
     const FT by_distance = (std::min)(length, FT(short_edge) * w.d0);
@@ -247,8 +247,8 @@ private:
     m_envelope.push_back(w);
   }
 
-  // Returns true if m, the last window of the envelope, is wider than rounding when the next window begins at t. Records m as an
-  // occupant if it may occupy a gap between the windows beside it.
+  // Returns true if m, the last window of the envelope, is wider than rounding when the next window begins at t. Records m as
+  // an occupant if it may occupy a gap between the windows beside it.
   BOOST_FORCEINLINE bool check_width(const Window& m, const FT& t)
   {
     const FT width = t - m.b0;
@@ -299,8 +299,8 @@ private:
 
   // Handles occupants: narrow windows in a gap between the windows a and w beside them. An occupant is impossible as a shortest
   // path: at each of its ends, its distance exceeds that of the adjacent window by more than the length between them along the
-  // halfedge. (The narrow window of a corner between two strips exceeds neither.) An occupant is removed if the gap is as narrow
-  // as rounding, and replaced by an extension of a or w if this closes the gap.
+  // halfedge. (The narrow window of a corner between two strips exceeds neither.) An occupant is removed if the gap is as
+  // narrow as rounding, and replaced by an extension of a or w if this closes the gap.
   void close_occupied_gaps()
   {
     std::size_t removed = 0;
@@ -319,7 +319,8 @@ private:
           const Gap gap = gap_between(a, w);
           if (gap.filled_by == Gap::NONE) break;
           m_envelope[i] =
-            gap.filled_by == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance) : new_part(w, a.b1, gap.distance, w.b0, w.d0);
+            gap.filled_by == Gap::FIRST ? new_part(a, a.b1, a.d1, w.b0, gap.distance)
+                                        : new_part(w, a.b1, gap.distance, w.b0, w.d0);
           ++i;
         }
         m_has_closed_gaps = true;
@@ -383,8 +384,8 @@ private:
 
   // Finds the window that fills the gap between a and w: an extension to the far end of the gap agrees up to rounding with the
   // distance of the other window there. Such a gap results from rounding of a bounding ray, or from a narrow window that was
-  // dropped. A gap left open behind an image near the edge would widen with the distance. The true paths in the gap bend by less
-  // than the square root of the relative rounding error of their length.
+  // dropped. A gap left open behind an image near the edge would widen with the distance. The true paths in the gap bend by
+  // less than the square root of the relative rounding error of their length.
   Gap gap_between(const Window& a, const Window& w)
   {
     const FT size = a.d1 + w.d0 + m_length, allowance = m_gap_rounding * size, gap = w.b0 - a.b1;
@@ -412,8 +413,8 @@ private:
     return false;
   }
 
-  // Adds the next window w of the sweep if it relates to the last window of the envelope in a usual way. Returns false without a
-  // change for other cases, which are left to add(). [next, end): the windows after w in the sweep.
+  // Adds the next window w of the sweep if it relates to the last window of the envelope in a usual way. Returns false without
+  // a change for other cases, which are left to add(). [next, end): the windows after w in the sweep.
   BOOST_FORCEINLINE bool adds_usual_case(const Window& w, const Window* const* next, const Window* const* end)
   {
     if (m_envelope.empty()) return false;
@@ -522,8 +523,8 @@ private:
       m_order.push_later(part(w, t, d, w.b1, w.d1));
   }
 
-  // Appends the part of w behind t, the end of the last window of the envelope. `t` is passed by value, since that window may be
-  // reallocated.
+  // Appends the part of w behind t, the end of the last window of the envelope. `t` is passed by value, since that window may
+  // be reallocated.
   BOOST_NOINLINE void begin_behind(const Window& w, FT t, const Window* const* next, const Window* const* end)
   {
     if (w.b1 - t > m_min_width) append_rest(w, t, w.distance_at(t), next, end);
