@@ -99,7 +99,7 @@ public:
 
   /// the traits
   typedef Traits_ Traits;
-  /// the mesh with what was set up of it
+  /// the prepared mesh: plane coordinates of its faces, traits and point locator
   typedef Geodesic_mesh<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Mesh;
   /// a set of sources
   typedef typename Mesh::Source_set Source_set;
@@ -176,7 +176,7 @@ public:
   /// \name Parts
   /// @{
 
-  /// the mesh with what was set up of it.
+  /// the prepared mesh: plane coordinates of its faces, traits and point locator.
   const Mesh& mesh() const { return m_mesh; }
 
   /// the sources of the next build.

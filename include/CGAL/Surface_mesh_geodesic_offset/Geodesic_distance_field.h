@@ -55,7 +55,7 @@ public:
   /// \name Types
   /// @{
 
-  /// the mesh with what was set up of it
+  /// the prepared mesh: plane coordinates of its faces, traits and point locator
   typedef GeodesicMesh Mesh;
   /// a vertex of the mesh
   typedef typename Mesh::vertex_descriptor vertex_descriptor;

@@ -63,7 +63,7 @@ public:
   /// a source
   struct Source
   {
-    Kind kind;                            ///< the kind, which says which of the other members has values
+    Kind kind;                            ///< the kind; it determines which of the other members have values
     vertex_descriptor vertex;             ///< the vertex of `VERTEX`
     std::vector<Face_location> locations; ///< the point of `LOCATION`, and the points of a polyline
     std::vector<edge_descriptor> edges;   ///< the edges of `EDGES`

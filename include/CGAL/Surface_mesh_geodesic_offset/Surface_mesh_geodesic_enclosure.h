@@ -59,7 +59,7 @@ public:
 
   /// the traits
   typedef Traits_ Traits;
-  /// the mesh with what was set up of it
+  /// the prepared mesh: plane coordinates of its faces, traits and point locator
   typedef Geodesic_mesh<Traits, VertexIndexMap, FaceIndexMap, VertexPointMap> Mesh;
   /// a set of sources
   typedef typename Mesh::Source_set Source_set;
@@ -103,7 +103,7 @@ public:
   /// The functions that add a source are those of `Surface_mesh_geodesic_offset`, with the same parameters and exceptions.
   /// @{
 
-  /// the mesh with what was set up of it.
+  /// the prepared mesh: plane coordinates of its faces, traits and point locator.
   const Mesh& mesh() const { return m_mesh; }
 
   /// the sources of the next build.
@@ -189,7 +189,7 @@ public:
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than some
   ///         1e-4, no window may be certainly nearer than another one, so that the number of windows doubles in each face;
   ///         or if a path may cross 2^16 faces without a bend, or a distance is uncertain by more than a quarter of the mean
-  ///         edge, beyond what is proven
+  ///         edge: the error analysis does not cover these cases
   /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60, or an edge is shorter than 1e-60 times the
   ///         longest one
   template <class NamedParameters = parameters::Default_named_parameters>

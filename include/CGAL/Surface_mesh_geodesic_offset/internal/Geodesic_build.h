@@ -52,8 +52,8 @@ public:
     field.start_from(before.field, initial.start_values);
   }
 
-  // Propagates without a consumer of finalized faces. `may_search`: false if the request is known to need no farthest point; the
-  // search is not instantiated then.
+  // Propagates without a consumer of finalized faces. `may_search`: false if no request needs the farthest point; then the
+  // search is not instantiated.
   template <class Concurrency_tag = Sequential_tag, bool may_search = false>
   void propagate(const Traits& traits)
   {
@@ -98,7 +98,7 @@ public:
 
   const Source_set<FT> sources;
   const Initial_windows<FT> initial;
-  FT maximum; // distances up to this one are final
+  FT maximum; // distances up to this value are final
   const bool kept;
   bool is_cancelled = false, has_all_targets = false;
   Geodesic_field<FT> field;

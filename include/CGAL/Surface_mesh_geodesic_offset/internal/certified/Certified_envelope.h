@@ -63,11 +63,11 @@ private:
   // Processes a window; the next one begins at `next`.
   BOOST_FORCEINLINE void insert(const Window& w, double next)
   {
-    if (m_envelope.empty() || !follows(w, next)) add(w);
+    if (m_envelope.empty() || !adds_usual_case(w, next)) add(w);
   }
 
-  // Fast path for a window behind the last one of the envelope; false if the general case is needed.
-  BOOST_FORCEINLINE bool follows(const Window& w, double next)
+  // Fast path for the usual relations of w to the last window of the envelope. Returns false without a change in other cases.
+  BOOST_FORCEINLINE bool adds_usual_case(const Window& w, double next)
   {
     Window& a = m_envelope.back();
     const double overlap = a.b1 - w.b0;

@@ -57,7 +57,7 @@ public:
     return place;
   }
 
-  // True if the region is on the right of a piece inside a face, as far as can be told.
+  // True if the region is on the right of a piece inside a face; false if this is unknown.
   bool is_right_of(const Curve_piece& piece)
   {
     const Double_double_2 m = piece.geometry.inner_point();

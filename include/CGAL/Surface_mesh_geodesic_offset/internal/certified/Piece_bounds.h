@@ -295,8 +295,8 @@ private:
     m_directions.push_back(std::atan2(d.x.high * u.y + d.y.high * u.x, d.x.high * u.x - d.y.high * u.y));
   }
 
-  // True if all directions have a positive product with one of them: they leave a gap of more than half a turn. The margin is
-  // far above the rounding of directions.
+  // True if one of the directions has a positive scalar product with all directions: all lie within less than half a turn. The
+  // margin of the test is far above the rounding of directions.
   bool are_in_half_plane()
   {
     const bool is_unknown = m_has_unknown;

@@ -64,7 +64,7 @@ public:
     for (int k = 0; k < 3; ++k) add_corner(k);
   }
 
-  // Overload for one point: of the kept windows, only those that give p its distance up to rounding.
+  // Overload for one point: of the kept windows, only windows whose distance at p is the given one up to rounding.
   void set_face_at(Index face, const Point& p, const FT& distance)
   {
     start(face);

@@ -44,7 +44,7 @@ class Geodesic_field
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  FT maximum = Number_policy<FT>::infinity(); // distances up to this one are final after the build
+  FT maximum = Number_policy<FT>::infinity(); // distances up to this value are final after the build
   std::vector<FT> distance;       // per vertex
   std::vector<Backtrace<FT>> back; // per vertex
   std::map<Index, Backtrace<FT>> back_of_sector; // of pseudo-sources whose backtrace changed after the build

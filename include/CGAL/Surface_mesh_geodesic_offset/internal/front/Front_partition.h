@@ -59,7 +59,7 @@ private:
   // number of faces. Smaller parts have too many windows on their borders and too many turns.
   static int bits_of_a_part(Index faces)
   {
-#ifdef CGAL_GEODESIC_OFFSET_BITS_OF_A_PART // for tests, which want many parts of small meshes
+#ifdef CGAL_GEODESIC_OFFSET_BITS_OF_A_PART // for tests, which divide small meshes into many parts
     int bits = CGAL_GEODESIC_OFFSET_BITS_OF_A_PART;
 #else
     constexpr double least = 12; // square roots

@@ -33,7 +33,7 @@ struct Offset_tolerances
   static FT edge_rounding(const FT& edge_length) { return unit(4) * edge_length; }
 
   // Equally spaced levels without an end must be this far apart: 2^10 u times the longest edge of the mesh, the level shift at the
-  // distance of an edge, so that distances tell them apart there. Binding test: test_degenerate_levels.
+  // distance of an edge, so that distances distinguish them there. Binding test: test_degenerate_levels.
   static FT least_spacing(const FT& longest_edge) { return unit(10) * longest_edge; }
 
   // Near intervals of a segment, and gaps between them, up to this length are dropped: two errors of a distance, 2^6 u times

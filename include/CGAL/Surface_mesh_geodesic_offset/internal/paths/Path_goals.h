@@ -308,7 +308,7 @@ private:
     return Source_ref();
   }
 
-  // Segment of the path in a face, from `first` to `last`. `before` tells the side of a source segment from which the path
+  // Segment of the path in a face, from `first` to `last`. `before` determines the side of a source segment from which the path
   // comes: the first point, or a point farther back on the path if the first point is on the source segment up to rounding.
   struct Way
   {
