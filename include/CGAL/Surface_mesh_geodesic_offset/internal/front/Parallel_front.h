@@ -67,9 +67,9 @@ public:
   }
 
   // Notifies the front of changes of the state from outside.
-  void look_at_all_parts()
+  void refresh_all_parts()
   {
-    for (Index i = 0; i < m_part.size(); ++i) look_at(i);
+    for (Index i = 0; i < m_part.size(); ++i) refresh_part(i);
   }
 
   // Examines the faces of the bucket. Appends finalized faces to `passed`.
@@ -208,7 +208,7 @@ private:
     receive(i, worker);
     f(worker, i);
     CGAL_postcondition((m_state.part(i).queue.*number)() == 0);
-    look_at(i);
+    refresh_part(i);
     Waiting& w = m_waiting[i];
     w.recipients = part.sender.recipients();
     w.pending = Index(part.sender.pending());
@@ -255,10 +255,11 @@ private:
       }
       updates.clear();
     }
-    for_each_bit(changed, [this](Index i) { this->look_at(i); });
+    for_each_bit(changed, [this](Index i) { this->refresh_part(i); });
   }
 
-  void look_at(Index i)
+  // Updates the summary of the pending work of a part.
+  void refresh_part(Index i)
   {
     const Bucket_queue& queue = m_state.awake_part(i).queue;
     Waiting& w = m_waiting[i];

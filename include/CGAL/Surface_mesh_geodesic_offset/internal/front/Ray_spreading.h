@@ -74,9 +74,9 @@ public:
   {
     typedef Wavefront_state<FT> State;
     char& state = m_state.vertex_state[v];
-    const bool waits = state & State::WAITS;
-    if (!waits && !m_state.lacks_margins(v)) return;
-    const bool in_all_directions = waits && ((state & State::WAS_HIDDEN) ||
+    const bool is_pending = state & State::IS_PENDING;
+    if (!is_pending && !m_state.lacks_margins(v)) return;
+    const bool in_all_directions = is_pending && ((state & State::WAS_HIDDEN) ||
                                              m_state.is_beside_image(v, m_state.field.back[v].pseudo_source));
     const bool ties = state & State::TIES;
     state = char(State::HAS_SPREAD | (ties ? State::TIES | State::HAS_MARGINS : 0));
@@ -85,13 +85,13 @@ public:
     const Source_ref source_ref = m_state.field.source_ref[v];
     if (in_all_directions)
       return m_mesh.for_each_fan(v, [&](Index first) { spread(v, Ray(), Ray(), first, source_ref, v, front); });
-    if (waits && m_mesh.can_be_pseudo_source(v))
+    if (is_pending && m_mesh.can_be_pseudo_source(v))
       m_sector.for_each_sector_behind(
         back, [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, source_ref, v, front); });
     m_sector.for_each_margin_behind(
       back, ties, m_state.hidden_angle(v),
       [&](const Ray& from, const Ray& to, Index first) { spread(v, from, to, first, source_ref, v, front, true); });
-    if (waits && m_mesh.has_several_fans(v))
+    if (is_pending && m_mesh.has_several_fans(v))
       m_mesh.for_each_fan(v, [&](Index first) {
         if (!in_fan(back.corner, first)) spread(v, Ray(), Ray(), first, source_ref, v, front);
       });

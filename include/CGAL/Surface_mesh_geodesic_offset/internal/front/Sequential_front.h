@@ -81,7 +81,7 @@ public:
   }
 
   // Notifies the front of changes of the state from outside.
-  void look_at_all_parts() {}
+  void refresh_all_parts() {}
 
   // Examines the faces of the bucket. Appends finalized faces to `passed`.
   void pass_faces(const Face_finalizer<FT>& passing, Passed_faces& passed) { passing.examine_bucket(0, passed); }

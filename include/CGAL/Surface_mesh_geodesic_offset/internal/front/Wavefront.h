@@ -139,10 +139,10 @@ private:
     const std::size_t last = m_state.current() + buckets_ahead();
     if (m_state.bucket_of(m_next_start_value) > last) return;
     const FT last_value = (std::max)(m_next_start_value, FT(double(last) * m_state.bucket_width()));
-    m_front.look_at_all_parts();
+    m_front.refresh_all_parts();
     m_state.unfinished.oldest(m_state.current()); // forgets the buckets before
     m_spreading.start(m_first_primitive, m_last_started, last_value);
-    m_front.look_at_all_parts();
+    m_front.refresh_all_parts();
     m_last_started = last_value;
     m_next_start_value = m_start_values.next(m_first_primitive, m_last_started);
   }
@@ -152,7 +152,7 @@ private:
   {
     if (!(m_next_start_value <= m_state.maximum) || !Number_policy<FT>::is_finite(m_next_start_value)) return false;
     m_state.jump_to((std::max)(m_state.bucket_of(m_next_start_value), m_state.current()));
-    m_front.look_at_all_parts();
+    m_front.refresh_all_parts();
     return true;
   }
 
@@ -168,7 +168,7 @@ private:
     if (m_passed.hidden.empty()) return false;
     for (Index h : m_passed.hidden) m_state.reveal_vertex(h);
     m_passed.hidden.clear();
-    m_front.look_at_all_parts();
+    m_front.refresh_all_parts();
     return true;
   }
 

@@ -51,8 +51,20 @@ public:
   typedef Vertex_update<FT> Update;
   typedef Window_output<FT, Window> Output;
 
-  enum Vertex_state : char { WAITS = 1, HAS_SPREAD = 2, IS_BENT = 4, WAS_HIDDEN = 8, TIES = 16, HAS_MARGINS = 32 };
-  enum Face_state : char { SCHEDULED = 1, BOUNDED = 2 };
+  enum Vertex_state : char
+  {
+    IS_PENDING = 1, // rays have to be started from it, usually because it is a pseudo-source
+    HAS_SPREAD = 2, // these rays have been started
+    IS_BENT = 4,    // its path is bent, see Vertex_update
+    WAS_HIDDEN = 8, // every window missed it through rounding, see reveal_vertex()
+    TIES = 16,      // paths from several images may tie there
+    HAS_MARGINS = 32 // rays of its margins have been started, see Vertex_sector
+  };
+  enum Face_state : char
+  {
+    SCHEDULED = 1, // the front has reached the face
+    BOUNDED = 2    // the face is in the bucket in which it will be finalized, see Face_finalizer
+  };
 
   // Data of a part of the front. An operation on an element changes only the data of its part and of the element.
   struct alignas(64) Part
@@ -146,7 +158,7 @@ public:
     const FT& d = a.distance;
     FT& known = field.distance[v];
     FT rounding = known * Number_policy<FT>::rounding(64);
-    if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // not often
+    if (a.is_bent != bool(vertex_state[v] & IS_BENT) && a.back.corner != no_index) // rarely
       rounding += Number_policy<FT>::rounding(64) * (mesh[a.back.corner].length + mesh[mesh.previous(a.back.corner)].length);
     if (!a.is_bent && (vertex_state[v] & IS_BENT) && !(vertex_state[v] & HAS_SPREAD) && CGAL::abs(FT(d - known)) <= rounding)
     {
@@ -166,14 +178,14 @@ public:
     if (ties) return;
     field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
     field.source_ref[v] = a.source_ref;
-    vertex_state[v] &= char(~(WAITS | IS_BENT | WAS_HIDDEN | TIES | HAS_MARGINS));
+    vertex_state[v] &= char(~(IS_PENDING | IS_BENT | WAS_HIDDEN | TIES | HAS_MARGINS));
     if (a.is_bent) vertex_state[v] |= IS_BENT;
     if (a.is_beside_end) vertex_state[v] |= TIES;
     Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
     if (a.back.corner == no_index || d > maximum) return; // fans of sources start elsewhere
     if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, FT(least_hiding_distance))) return;
-    vertex_state[v] |= WAITS;
+    vertex_state[v] |= IS_PENDING;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
 
@@ -265,7 +277,7 @@ public:
     if (!is_shorter(a.distance, field.distance[v])) return;
     vertex_state[v] &= char(~HAS_SPREAD);
     update_vertex(v, a);
-    vertex_state[v] |= WAITS | WAS_HIDDEN;
+    vertex_state[v] |= IS_PENDING | WAS_HIDDEN;
     Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
     queue.push_vertex(queue.bucket_of(a.distance), v);
   }
