@@ -209,7 +209,7 @@ public:
         search_at_corner(face, [&](const Face_frame<FT>& f, const Point& corner) {
           const Index to = corner_at(v, face);
           Point u = back;
-          if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return Way{corner, corner, corner};
+          if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return Way{corner, corner, corner, corner};
           return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.length());
         }, around);
     if (around.is_found()) return {at_v, around.end.source_ref};
@@ -249,17 +249,27 @@ public:
   // True if a path to a source segment ends in the face that the walk has entered; `end` receives the end. `extent`: longest
   // edge of the crossed faces. The direction of the path has a rounding error, so the path may end on the source segment
   // adjacent to its goal, in the next face. `has_missed`: a first walk found no end within this error. Then the nearest point
-  // of any source is accepted: where coincident sources overlap in part, rounding may exchange their windows.
-  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& extent, bool has_missed, End& end) const
+  // of any source is accepted: where coincident sources overlap in part, rounding may exchange their windows. `reach`: length
+  // of the straight part of the path.
+  bool ends_on_segment(const Straight_walk<FT>& walk, const Path_start<FT>& start, const FT& reach, const FT& extent, bool has_missed,
+                       End& end) const
   {
     const Index face = walk.face();
     const Face_frame<FT> frame(m_mesh, face);
     const int edge = int(walk.halfedge() % 3);
     const Point p = frame.from_halfedge(edge, walk.position()), q = frame.from_halfedge(edge, walk.goal());
-    const FT way = length(q - p), longest = way + Number_policy<FT>::rounding(256) * (start.distance + extent);
-    const FT nearest = has_missed ? FT(way + longest) : miss(way, start, extent);
+    const Point direction = frame.vector_from_halfedge(edge, walk.direction());
+    const FT length_of_way = length(q - p), rounding = Number_policy<FT>::rounding(256) * (start.distance + extent);
+    Way way = way_in(frame, p, q, direction, start.length());
+    FT longest = length_of_way + rounding, nearest = has_missed ? FT(length_of_way + longest) : miss(length_of_way, start, extent);
+    if (Number_policy<FT>::is_inexact && has_missed && CGAL::is_positive(length(direction)))
+    { // the straight part will be aimed at the end, and may turn by as much as rounding of its length allows
+      way.start = q - (reach / length(direction)) * direction;
+      longest = reach + rounding;
+      nearest += square_root<FT>(FT(2) * longest * rounding);
+    }
     End_search search{start.source_ref, longest, nearest, !has_missed};
-    find_end(frame, face, way_in(frame, p, q, frame.vector_from_halfedge(edge, walk.direction()), start.length()), search);
+    find_end(frame, face, way, search);
     end = search.end;
     return search.is_found();
   }
@@ -287,7 +297,7 @@ private:
     for (; !ring.empty(); ring.swap(next), next.clear())
     {
       End_search search{start.source_ref, nearest, nearest, false};
-      for (const Visit& v : ring) find_end(Face_frame<FT>(m_mesh, v.face), v.face, {v.position, v.position, v.position}, search);
+      for (const Visit& v : ring) find_end(Face_frame<FT>(m_mesh, v.face), v.face, {v.position, v.position, v.position, v.position}, search);
       if (search.is_found()) return search.end.source_ref;
       for (const Visit& v : ring)
       {
@@ -310,15 +320,16 @@ private:
 
   // Segment of the path in a face, from `first` to `last`. `before` determines the side of a source segment from which the path
   // comes: the first point, or a point farther back on the path if the first point is on the source segment up to rounding.
+  // The length of the path counts from `start`.
   struct Way
   {
-    Point first, last, before;
+    Point first, last, before, start;
   };
 
   // Makes the segment from p to q, of a path with the given direction and length.
   static Way way_in(const Face_frame<FT>& frame, const Point& p, const Point& q, const Point& direction, const FT& distance)
   {
-    Way way{p, q, p};
+    Way way{p, q, p, p};
     if constexpr (Number_policy<FT>::is_inexact)
     {
       const FT clear = (std::min)(distance, FT(Number_policy<FT>::rounding(clear_roundings) * frame.longest_edge()));
@@ -335,8 +346,8 @@ private:
   // angle of less than 2^-10, a point this far away is in the cones of one side only.
   static constexpr double clear_roundings = 1024 * reach_roundings;
 
-  // Search for the end of a path, for its segment from p to q in a face: the source point nearest to q, at most `nearest` from
-  // q and at most `longest` from p. `known`: the source reference of the window at the start of the path. Several parts of
+  // Search for the end of a path, for its segment to q in a face: the source point nearest to q, at most `nearest` from q and at
+  // most `longest` from Way::start. `known`: the source reference of the window at the start of the path. Several parts of
   // sources may tie, since windows of collinear segments merge and sources may coincide; End_preference gives the order among
   // them. `only_known_source`: parts of other sources are not accepted.
   struct End_search
@@ -364,7 +375,7 @@ private:
 
   void find_end(const Face_frame<FT>& frame, Index face, const Way& way_to_end, End_search& search) const
   {
-    const Point &p = way_to_end.first, &q = way_to_end.last, &before = way_to_end.before;
+    const Point &q = way_to_end.last, &before = way_to_end.before;
     typedef typename Interval_filter<FT>::Bound Bound;
     const Bound limit = Interval_filter<FT>::upper_bound(estimate(search.nearest));
     const FT allowance = Number_policy<FT>::rounding(reach_roundings) * frame.longest_edge();
@@ -378,7 +389,7 @@ private:
             !is_in_face(place.second, face))
           return;
         const Foot foot = foot_in(face, frame, way_to_end, source_ref.primitive());
-        const Point way = foot.position - p, miss = foot.position - q;
+        const Point way = foot.position - way_to_end.start, miss = foot.position - q;
         if (CGAL::certainly(estimate(dot(way, way)) > CGAL::square(estimate(search.longest)))) return;
         const Bound off = Interval_filter<FT>::upper_bound(CGAL::sqrt(estimate(dot(miss, miss))));
         if (!(off <= limit)) return;

@@ -302,8 +302,10 @@ private:
       const bool ties = field.tie(d, start.distance), is_straight = field.contains(i, q);
       // A straight path is preferred to a path around the end of a window that is shorter by rounding.
       const bool may_start = ties || (is_straight && field.tie_in_margin(d, start.distance));
-      const int preference = may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) +
-                                         2 * int(field.preference(i, q) & 1) + int(stays) : -1;
+      // A path around the end of a strip leads to the end of the segment, as the rays of the cap do.
+      const bool is_of_its_kind = is_straight ? field.preference(i, q) & 1 : !w.is_parallel();
+      const int preference =
+        may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_of_its_kind) + int(stays) : -1;
       if (preference < best.preference || (preference == best.preference && !(d < best.length))) continue;
       best = {preference, d};
       set(start, field.face(), q, w);

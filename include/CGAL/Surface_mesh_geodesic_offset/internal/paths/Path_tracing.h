@@ -230,7 +230,7 @@ private:
       const FT beside = m_goals.miss(reach, start, extent);
       if (crossing.goal.y <= beside)
       {
-        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, extent, has_missed, end))
+        if (End end; goal.is_segment() && m_goals.ends_on_segment(walk, start, reach, extent, has_missed, end))
         {
           Point position;
           unsigned edges;
