@@ -308,7 +308,7 @@ private:
         may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_of_its_kind) + int(stays) : -1;
       if (preference < best.preference || (preference == best.preference && !(d < best.length))) continue;
       best = {preference, d};
-      set(start, field.face(), q, w);
+      set(start, field.face(), q, w, is_straight);
     }
   }
 
@@ -361,14 +361,18 @@ private:
     start.to = is_parallel ? start.from + start.length() * image : image;
   }
 
-  void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w) const
+  // `is_straight`: false for a path around the end of the window. Such a path leads to the end of a strip, where another source
+  // or the rays of the cap begin; the image of a point, behind the end, is more precise than the end.
+  void set(Path_start<FT>& start, Index face, const Point& p, const Face_window<FT>& w, bool is_straight) const
   {
     set_source(w.source_ref, start);
     start.pseudo_source = w.pseudo_source();
     start.halfedge = 3 * face;
     start.exit = w.origin <= ENTERS_HALFEDGE_2 ? int(w.edge) : -1;
     start.from = p;
-    set_goal(start, w.image(), w.is_parallel());
+    if (!Number_policy<FT>::is_inexact || is_straight || !w.is_parallel()) return set_goal(start, w.image(), w.is_parallel());
+    const Point end = w.end_around(p);
+    set_goal(start, end + (w.distance_at(end) - start.start_value) * w.image(), false);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -98,6 +98,12 @@ struct Face_window
     return is_straight ? (std::max)(d, start_value) : d;
   }
 
+  // End of the chord around which the shorter path to p leads.
+  const Point& end_around(const Point& p) const
+  {
+    return distance_at(left) + length(p - left) <= distance_at(right) + length(p - right) ? left : right;
+  }
+
 private:
   bool starts_in_strip() const { return is_parallel() && origin == STARTS_IN_FACE; }
 
