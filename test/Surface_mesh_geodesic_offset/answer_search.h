@@ -43,8 +43,9 @@ public:
   typedef Surface_mesh::Halfedge_index Halfedge_index;
   typedef Surface_mesh::Face_index Face_index;
 
-  /// BESIDE: sources and points beside vertices, edges and each other, on meshes with faces of very different sizes.
-  enum Sources { SPREAD, COINCIDING, BESIDE };
+  /// BESIDE: sources and points beside vertices, edges and each other, on meshes with faces of very different sizes. IN_FACES:
+  /// polylines in faces, beside their edges.
+  enum Sources { SPREAD, COINCIDING, BESIDE, IN_FACES };
 
   /// Up to `printed` faults are written to `log`; with `describes`, sources, query and path, too.
   Answer_search(std::ostream& log, std::size_t printed, std::size_t queries, Sources sources, bool describes = false)
@@ -224,6 +225,50 @@ private:
     return result;
   }
 
+  /// A point of the face beyond the edge that is nearest to a location, above its place on the edge or up to 1e-2 of the edge
+  /// beside that. Bounding rays of segments along the edge lead there.
+  Face_location beyond_edge(const Face_location& l)
+  {
+    const std::size_t k = std::size_t(std::min_element(l.second.begin(), l.second.end()) - l.second.begin());
+    const auto corners = checker_->locations().corners(l.first);
+    const Vertex_index p = corners[(k + 1) % 3], q = corners[(k + 2) % 3];
+    const Halfedge_index h = mesh_->opposite(mesh_->halfedge(p, q));
+    if (mesh_->is_border(h)) return l;
+    const Vertex_index apex = mesh_->target(mesh_->next(h));
+    const Vector_3 edge = mesh_->point(q) - mesh_->point(p), to_apex = mesh_->point(apex) - mesh_->point(p);
+    const double foot = edge * to_apex / edge.squared_length(), height = std::pow(10, uniform(random_, -6, 0));
+    const double aside = uniform(random_) < 0.3 ? 0 : std::pow(10, uniform(random_, -16, -2)) * uniform(random_, -1, 1);
+    const double place = l.second[(k + 2) % 3] / (l.second[(k + 1) % 3] + l.second[(k + 2) % 3]) + aside;
+    const double of_q = place - height * foot, of_p = 1 - height - of_q;
+    if (of_p < 0 || of_q < 0) return l;
+    Face_location result(mesh_->face(h), {0, 0, 0});
+    const auto there = checker_->locations().corners(result.first);
+    for (std::size_t i = 0; i < 3; ++i) result.second[i] = there[i] == p ? of_p : there[i] == q ? of_q : height;
+    return result;
+  }
+
+  /// Polylines that stay in a face, with vertices beside its edges, but not so near that they are put on them.
+  std::vector<Known_source> sources_in_faces()
+  {
+    std::vector<Known_source> result;
+    for (std::size_t i = 0, n = 1 + uniform_index(random_, 2); i < n; ++i)
+    {
+      Known_source source{Known_source::POLYLINE, {}, false, {}};
+      const auto f = face();
+      for (std::size_t k = 0, m = 2 + uniform_index(random_, 3); k < m; ++k)
+      {
+        const double a = std::pow(10, uniform(random_, -12.6, -6)), t = uniform(random_);
+        source.locations.push_back(uniform(random_) < 0.7 ? Face_location(f, turned(a, t * (1 - a), 1 - a - t * (1 - a))) : anywhere());
+        source.locations.back().first = f;
+      }
+      source.is_closed = source.locations.size() > 2 && uniform(random_) < 0.4;
+      if (uniform(random_) < 0.15) source.locations.insert(source.locations.end(), source.locations.rbegin() + 1, source.locations.rend());
+      result.push_back(source);
+    }
+    if (uniform(random_) < 0.3) result.push_back(point_source(any_location(0.5)));
+    return result;
+  }
+
   Face_location any_location(double lattice) { return uniform(random_) < lattice ? on_lattice() : anywhere(); }
 
   /// Beside a vertex or an edge by 1e-16 to 1e-6.
@@ -372,6 +417,12 @@ private:
     return result;
   }
 
+  Face_location vertex_of(const std::map<std::size_t, Known_source>& sources)
+  {
+    const Known_source& s = std::next(sources.begin(), std::ptrdiff_t(uniform_index(random_, sources.size())))->second;
+    return s.locations[uniform_index(random_, s.locations.size())];
+  }
+
   /// A point of a source, or beside it.
   Face_location at_source(const std::map<std::size_t, Known_source>& sources)
   {
@@ -396,6 +447,7 @@ private:
     const std::vector<Known_source> list =
       kind_of_sources_ == SPREAD       ? spread_sources(geodesic, counts)
       : kind_of_sources_ == COINCIDING ? coinciding_sources(geodesic, counts)
+      : kind_of_sources_ == IN_FACES   ? sources_in_faces()
                                        : sources_beside(geodesic, counts);
     std::map<std::size_t, Known_source> sources;
     for (const Known_source& s : list) sources[s.add_to(geodesic)] = s;
@@ -410,6 +462,7 @@ private:
       const Face_location query = choice < 0.35                                          ? on_lattice()
                                   : choice < (kind_of_sources_ == SPREAD ? 0.45 : 0.65) ? at_source(sources)
                                   : kind_of_sources_ == BESIDE                           ? closely_beside()
+                                  : kind_of_sources_ == IN_FACES                         ? beyond_edge(vertex_of(sources))
                                   : choice < 0.75                                        ? beside_boundary()
                                                                                          : anywhere();
       if (is_vertex && mesh_->is_isolated(v)) continue;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Do distance, nearest source, signed distance, gradient and path of a point agree? On meshes of 17 kinds, with points, joined
-// polylines, runs of collinear segments and edges as sources; or with sources that overlap and coincide.
+// polylines, runs of collinear segments and edges as sources; or with sources that overlap and coincide,
+// or with polylines in faces, beside their edges.
 //
-//   answer_search spread|coinciding|beside [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
+//   answer_search spread|coinciding|beside|in_faces [--seed N] [--meshes N] [--queries N] [--printed N] [--describe 1]
 //
 // Case i has the seed N + i, which determines its mesh, its sources and its queries (--queries per mesh); so `--seed N --meshes 1`
 // repeats a case.
@@ -19,6 +20,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <string>
 
 namespace {
@@ -49,15 +51,17 @@ int run(const test::Seed_range_options& options, test::Answer_search::Sources so
 
 int main(int argc, char** argv)
 {
-  const std::string sources = argc > 1 ? argv[1] : "";
-  if (sources != "spread" && sources != "coinciding" && sources != "beside")
+  static const std::map<std::string, test::Answer_search::Sources> kinds = {{"spread", test::Answer_search::SPREAD},
+                                                                            {"coinciding", test::Answer_search::COINCIDING},
+                                                                            {"beside", test::Answer_search::BESIDE},
+                                                                            {"in_faces", test::Answer_search::IN_FACES}};
+  const auto kind = kinds.find(argc > 1 ? argv[1] : "");
+  if (kind == kinds.end())
   {
-    std::cerr << "answer_search: the first argument is spread, coinciding or beside\n";
+    std::cerr << "answer_search: the first argument is spread, coinciding, beside or in_faces\n";
     return 2;
   }
   return test::run_search("answer_search", "--queries", 33, argc - 1, argv + 1, [&](const test::Seed_range_options& options) {
-    return run(options, sources == "spread"       ? test::Answer_search::SPREAD
-                        : sources == "coinciding" ? test::Answer_search::COINCIDING
-                                                  : test::Answer_search::BESIDE);
+    return run(options, kind->second);
   });
 }
