@@ -123,6 +123,8 @@ void known_cases()
   run(Answer_search::BESIDE, {175, 712, 940, 1254, 1535});
   // segments shorter than 1e-8 of an edge: their points have distance 0, also where rounding puts them behind both sides
   run(Answer_search::BESIDE, {333, 510, 1643, 2152, 2297, 2503});
+  // beyond an edge, two strips of a corner beside it leave no cone
+  run(Answer_search::BESIDE, {2100017232});
 }
 
 // Polylines with steps inside a face or along an edge, in units of 2^-53 of the perimeter of the face: up to 16 units they are points.
@@ -207,6 +209,7 @@ GEODESIC_OFFSET_TEST(test_answers)
     {"located polylines", test_answers::located_polylines},
     {"spread sources", [] { test_answers::run(Answer_search::SPREAD, 1, 1500); }},
     {"coinciding sources", [] { test_answers::run(Answer_search::COINCIDING, 1, 1500); }},
-    {"sources beside vertices", [] { test_answers::run(Answer_search::BESIDE, 1, 500); }}};
+    {"sources beside vertices", [] { test_answers::run(Answer_search::BESIDE, 1, 500); }},
+    {"polylines in faces", [] { test_answers::run(Answer_search::IN_FACES, 1, 1000); }}};
   return test::run_tests("test_answers", tests);
 }
