@@ -200,7 +200,9 @@ public:
     if (!CGAL::is_positive(angle)) return;
     const Index first = m_mesh->first_on_border(back.corner);
     const Ray before = half_turn_ccw(back, angle), behind = half_turn_cw(back, angle);
-    const Ray from = turn_ccw(back, 2), to = turn_cw(back, 2);
+    // The other end of a hidden gap at a border vertex: no rays start in its sector if the total angle is pi up to rounding.
+    const FT beyond = first == no_index ? FT(0) : FT(-hidden);
+    const Ray from = half_turn_ccw(back, beyond), to = half_turn_cw(back, beyond);
     if (first == no_index && !(exist(before, from) && exist(to, behind))) return;
     if (before.corner != no_index) f(before, from, first);
     if (behind.corner != no_index) f(to, behind, first);

@@ -147,8 +147,8 @@ private:
     return true;
   }
 
-  // Gives a short segment the direction of an adjacent segment if both are equal up to rounding. Otherwise the strips of rays
-  // of the two segments would overlap, or leave a gap that widens with the distance.
+  // Gives a short segment the direction of an adjacent segment, or the opposite one, if both are equal up to rounding. Otherwise
+  // the strips of rays of the two segments would overlap, or leave a gap that widens with the distance.
   void straighten(std::vector<Segment>& segments, bool closed) const
   {
     const std::size_t m = segments.size(), steps = closed ? 2 * m : m;
@@ -164,16 +164,22 @@ private:
     }
   }
 
-  // Gives s the direction of `known`, if that is more certain and equal up to rounding. p: the common point of both segments.
+  // Largest distance of an end of a segment from the line of another segment with an equal direction, in units of rounding of
+  // the longest edge: the coordinates of each of the three points are sums of two products.
+  static constexpr double roundings_of_line = 16;
+
+  // Gives s the direction of `known`, or the opposite one, if that is more certain and equal up to rounding. p: the common point
+  // of both segments.
   void take_direction(const Segment& known, const Surface_point_& p, Segment& s) const
   {
     if (!(known.uncertainty < s.uncertainty) || p.kind == Surface_point_::VERTEX) return;
-    const Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
+    Point t = vector_in_face(m_mesh, p, s.face, vector_at_point(m_mesh, p, known.face, known.direction));
+    if (CGAL::is_negative(dot(t, s.direction))) t = FT(-1) * t;
     // The rounding of a large face must not count in a tiny face next to it.
     const FT size =
       (std::min)(Face_frame<FT>(m_mesh, s.face).longest_edge(), Face_frame<FT>(m_mesh, known.face).longest_edge());
     const FT off = CGAL::abs(cross(t, s.b - s.a)); // of the end of the segment
-    if (!CGAL::is_positive(dot(t, s.direction)) || off > Number_policy<FT>::rounding(8) * size) return;
+    if (!CGAL::is_positive(dot(t, s.direction)) || off > Number_policy<FT>::rounding(roundings_of_line) * size) return;
     s.direction = t;
     s.uncertainty = known.uncertainty;
   }
