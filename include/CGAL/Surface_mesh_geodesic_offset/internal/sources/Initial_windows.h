@@ -259,7 +259,8 @@ private:
     else return height > -rounding_of_height(frame);
   }
 
-  // Adds the rays from p, in the frame of a face, that cross its halfedge k between the directions `from` and `to`.
+  // Adds the rays from p, in the frame of a face, that cross its halfedge k between the directions `from` and `to`, and a seed at
+  // the vertex behind the edge if they reach it.
   void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Source_ref source_ref)
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
@@ -269,8 +270,12 @@ private:
     const auto turned = [&](const Point& u) {
       return beyond.vector_from_halfedge(entry, FT(-1) * frame.vector_to_halfedge(k, u));
     };
-    const Point first = turned(from), last = turned(to);
-    add_sector_in_face(m_mesh.face(g), beyond.from_halfedge(entry, frame.to_twin(k, p)), &first, &last, source_ref, entry, beyond_edges);
+    const Point first = turned(from), last = turned(to), image = beyond.from_halfedge(entry, frame.to_twin(k, p));
+    const int apex = (entry + 2) % 3;
+    const Point back = image - beyond.corner(apex);
+    if (!CGAL::is_positive(cross(first, back)) && !CGAL::is_negative(cross(last, back)))
+      seed_corner(m_mesh.face(g), beyond, apex, length(back), back, source_ref);
+    add_sector_in_face(m_mesh.face(g), image, &first, &last, source_ref, entry, beyond_edges);
   }
 
   // 2^-24 radians: direction_uncertainty() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r
