@@ -230,9 +230,9 @@ private:
       // Seen from p, the right end of the edge is its source.
       const Point source = frame.corner(k), target = frame.corner((k + 1) % 3);
       Point right = source, left = target;
-      if (from && !clip(p, *from, FT(1), right, left)) continue;
-      if (to && !clip(p, *to, FT(-1), right, left)) continue;
-      const bool is_narrow = dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k);
+      const bool is_clipped = (!from || clip(p, *from, FT(1), right, left)) && (!to || clip(p, *to, FT(-1), right, left));
+      const bool is_narrow =
+        !is_clipped || dot(left - right, frame.direction(k)) <= Number_policy<FT>::rounding(64) * frame.edge_length(k);
       // A sector within a half turn is bounded by the ends of the edge that lie inside it.
       const bool from_is_inside = from && CGAL::is_positive(cross(source - p, *from));
       const bool to_is_inside = to && CGAL::is_positive(cross(*to, target - p));
@@ -240,6 +240,8 @@ private:
       const bool is_fan = is_narrow &&
                           (from_is_inside ? CGAL::is_positive(cross(*from, target - p)) : is_border_edge(face, (k + 2) % 3)) &&
                           (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
+      // Rounding may reverse the ends of a narrow sector on the edge.
+      if (!is_clipped && !(is_fan && from_is_inside && to_is_inside)) continue;
       if (is_fan || direction_uncertainty(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
