@@ -13,6 +13,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
 
+#include <boost/config.hpp>
+
+#include <algorithm>
+
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
@@ -61,10 +65,10 @@ public:
       if (l.window.origin == STARTS_AT_CORNER) continue; // its rays were started with the fans
       const Face_frame<FT> frame(m_mesh, l.face);
       for (int k = 0; k < 3; ++k)
-        if (l.window.edge == 3 || l.window.edge == k) add_exit(l.face, frame, k, l.window); // 3: rays to all edges
+        if (l.window.edge == 3 || l.window.edge == k) add_exit(l.face, frame, k, l.window, m_state); // 3: rays to all edges
     }
     for (const auto& l : m_initial.beyond_edges)
-      if (starts(l.window)) add_exit(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window);
+      if (starts(l.window)) add_exit(l.face, Face_frame<FT>(m_mesh, l.face), int(l.window.edge), l.window, m_state);
   }
 
   // Starts the rays of a pending pseudo-source, in the sectors and margins behind it (Vertex_sector). `front` receives the
@@ -99,7 +103,8 @@ public:
 
 private:
   // Adds the window beyond halfedge k of a face: the part of the rays of a window in the face that cross the halfedge.
-  void add_exit(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local)
+  template <class Front>
+  void add_exit(Index face, const Face_frame<FT>& frame, int k, const Face_window<FT>& local, Front& front) const
   {
     const Index g = m_mesh.twin(3 * face + Index(k));
     if (g == no_index) return;
@@ -126,7 +131,7 @@ private:
     w.d1 = w.distance_at(w.b1);
     // the terms of the distances, in the frame of the face and in that of the edge
     const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
-    if (cut_behind_source(local.start_value, size, w)) m_state.add(g, w);
+    if (cut_behind_source(local.start_value, size, w)) front.add(g, w);
   }
 
   // Ensures that the image of w lies on the near side of the edge that its rays cross (see Initial_windows). If rounding has
@@ -197,6 +202,8 @@ private:
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
+      if (Number_policy<FT>::is_inexact && m_mesh[e].apex_y < FT(Initial_windows<FT>::nearest_edge) * (length + m_mesh[h].length))
+        spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
       Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), source_ref,
                Window::make_bits(false, pseudo_source)};
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
@@ -207,6 +214,29 @@ private:
       w.d1 = w.distance_at(w.b1);
       front.add(g, w);
     });
+  }
+
+  // Starts the rays in a corner next to the opposite edge a second time, in the face beyond this edge (Initial_windows).
+  template <class Front>
+  BOOST_NOINLINE void spread_beyond(Index h, const Ray* lower, const Ray* upper, const FT& sigma, Source_ref source_ref,
+                                    Index pseudo_source, Front& front, bool is_margin) const
+  {
+    Initial_windows<FT> rays(m_mesh);
+    rays.add_rays_beyond(h, lower, upper, source_ref);
+    const auto surcharge = [&](const FT& d) { return is_margin ? m_sector.margin_surcharge(d) : FT(0); };
+    for (const auto& s : rays.seeds)
+    {
+      const FT d = sigma + s.distance;
+      front.update_vertex(s.vertex, {d + surcharge(d), s.back, source_ref, pseudo_source});
+    }
+    for (auto& l : rays.beyond_edges)
+    {
+      const Face_frame<FT> frame(m_mesh, l.face);
+      front.schedule(l.face);
+      l.window.sigma = sigma + surcharge(sigma + (std::max)(length(l.window.left - l.window.image()), length(l.window.right - l.window.image())));
+      l.window.bits = Window::make_bits(false, pseudo_source);
+      add_exit(l.face, frame, int(l.window.edge), l.window, front);
+    }
   }
 
   Wavefront_state<FT>& m_state;

@@ -213,6 +213,29 @@ public:
     }
   }
 
+  // For a vertex next to the opposite edge of a face: adds the rays from the source of h in the face of h, counterclockwise from
+  // `lower` to `upper` (null: the edge of the corner), to `beyond_edges` and `seeds`.
+  void add_rays_beyond(Index h, const Ray* lower, const Ray* upper, Source_ref source_ref)
+  {
+    const int k = int(h % 3);
+    const Face_frame<FT> frame(m_mesh, m_mesh.face(h));
+    const Point p = frame.corner(k);
+    const auto direction = [&](const Ray* r, const Point& end) {
+      return r ? frame.vector_from_halfedge(k, Point{r->x, r->y}) : end - p;
+    };
+    add_sector_beyond(m_mesh.face(h), frame, (k + 1) % 3, p, direction(lower, frame.corner((k + 1) % 3)),
+                      direction(upper, frame.corner((k + 2) % 3)), source_ref);
+  }
+
+  // 2^-24 radians: direction_uncertainty() at the distance of nearest_edge from an edge.
+  static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
+
+  // Distance of an image from an edge, as a part of the longest edge L, up to which rays start beyond the edge: 2^-22. The
+  // directions of bounding rays are off by 2 u L / r behind an edge at the distance r. Such a ray may meet the next edge at an
+  // angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8 L at this distance, the widest gap that Lower_envelope
+  // closes.
+  static constexpr double nearest_edge = 1. / (1 << 22);
+
 private:
   // Appends the rays of a sector in a face to `out`. The point p lies inside the face (entry -1), on its halfedge `entry`, or
   // behind that halfedge.
@@ -279,11 +302,6 @@ private:
       seed_corner(m_mesh.face(g), beyond, apex, length(back), back, source_ref);
     add_sector_in_face(m_mesh.face(g), image, &first, &last, source_ref, entry, beyond_edges);
   }
-
-  // 2^-24 radians: direction_uncertainty() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r
-  // behind the edge. Such a ray may meet the next edge at an angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8
-  // L at this distance, the widest gap that Lower_envelope closes.
-  static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
 
   // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between
   // them.
