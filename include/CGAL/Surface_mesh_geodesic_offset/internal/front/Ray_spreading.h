@@ -202,7 +202,7 @@ private:
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
-      if (Number_policy<FT>::is_inexact && m_mesh[e].apex_y < FT(Initial_windows<FT>::nearest_edge) * (length + m_mesh[h].length))
+      if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < FT(least_clear_distance) * length)
         spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
       Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), source_ref,
                Window::make_bits(false, pseudo_source)};

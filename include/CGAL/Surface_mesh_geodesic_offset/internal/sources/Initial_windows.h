@@ -227,15 +227,6 @@ public:
                       direction(upper, frame.corner((k + 2) % 3)), source_ref);
   }
 
-  // 2^-24 radians: direction_uncertainty() at the distance of nearest_edge from an edge.
-  static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
-
-  // Distance of an image from an edge, as a part of the longest edge L, up to which rays start beyond the edge: 2^-22. The
-  // directions of bounding rays are off by 2 u L / r behind an edge at the distance r. Such a ray may meet the next edge at an
-  // angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8 L at this distance, the widest gap that Lower_envelope
-  // closes.
-  static constexpr double nearest_edge = 1. / (1 << 22);
-
 private:
   // Appends the rays of a sector in a face to `out`. The point p lies inside the face (entry -1), on its halfedge `entry`, or
   // behind that halfedge.
@@ -302,6 +293,11 @@ private:
       seed_corner(m_mesh.face(g), beyond, apex, length(back), back, source_ref);
     add_sector_in_face(m_mesh.face(g), image, &first, &last, source_ref, entry, beyond_edges);
   }
+
+  // 2^-24 radians: direction_uncertainty() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r
+  // behind the edge. Such a ray may meet the next edge at an angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8
+  // L at this distance, the widest gap that Lower_envelope closes.
+  static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
 
   // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between
   // them.
