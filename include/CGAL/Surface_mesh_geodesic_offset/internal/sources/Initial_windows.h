@@ -256,7 +256,7 @@ private:
                           (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
       // Rounding may reverse the ends of a narrow sector on the edge.
       if (!is_clipped && !(is_fan && from_is_inside && to_is_inside)) continue;
-      if (is_fan || direction_uncertainty(face, distance_to_chord(frame, k, p, right, left)) > FT(least_angle_beyond_edges))
+      if (is_fan || loses_rays_beyond(face, frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
       out.push_back({face,
@@ -294,10 +294,28 @@ private:
     add_sector_in_face(m_mesh.face(g), image, &first, &last, source_ref, entry, beyond_edges);
   }
 
-  // 2^-24 radians: direction_uncertainty() at the distance r = 2^-22 L. The directions of bounding rays are off by 2 u L / r
-  // behind the edge. Such a ray may meet the next edge at an angle of only r / L, and the gap there is 2 u L^3 / r^2 wide: 2^-8
-  // L at this distance, the widest gap that Lower_envelope closes.
-  static constexpr double least_angle_beyond_edges = 1. / (1 << 24);
+  // True if rays from p that cross edge k between `right` and `left` must start beyond the edge, since Lower_envelope may not
+  // close the gaps that rounding of their directions leaves. `first` and `last`: the crossings of bounding rays, or null.
+  bool loses_rays_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point* first, const Point* last,
+                         const Point& right, const Point& left) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return false;
+    const FT r = distance_to_chord(frame, k, p, right, left), size = frame.longest_edge();
+    if (direction_uncertainty(face, r) > FT(least_angle_beyond_edges)) return true;
+    FT nearest = size;
+    for (const Point* const crossing : {first, last})
+      if (crossing != nullptr)
+        for (const int end : {k, (k + 1) % 3}) nearest = (std::min)(nearest, length(*crossing - frame.corner(end)));
+    return r * nearest < FT(grazing_beyond_edges) * size * size;
+  }
+
+  // 2^-16 radians. The lower envelope closes the gaps that smaller angles leave on the edges behind, unless rays graze them.
+  static constexpr double least_angle_beyond_edges = 1. / (1 << 16);
+
+  // 2^-44. The directions of bounding rays are off by 2 u L / r behind an edge at the distance r from the image. Such a ray may
+  // graze an edge at the end of the crossed one, from which it has the distance a at the beginning, at the angle a / L. The gap
+  // there is 2 u L^3 / (r a) wide: 2^-8 L, the widest that Lower_envelope closes, for r a = 2^-44 L^2.
+  static constexpr double grazing_beyond_edges = 1. / (1ull << 44);
 
   // 2^-32 radians. Where a polyline bends by less, Lower_envelope closes the gap between its strips, and no rays start between
   // them.
