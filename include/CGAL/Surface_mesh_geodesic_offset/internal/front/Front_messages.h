@@ -129,8 +129,16 @@ public:
     else box(part, Number_policy<FT>::infinity()).faces.push_back(f);
   }
 
-  // Of the updates of this round, the last two count for the ends of g.
+  // Precondition: the ends of g are the last two vertices that were updated.
   void add(Index g, Window& w)
+  {
+    CGAL_precondition(m_last[0].vertex == m_state->mesh.source(g) || m_last[1].vertex == m_state->mesh.source(g));
+    CGAL_precondition(m_last[0].vertex == m_state->mesh.target(g) || m_last[1].vertex == m_state->mesh.target(g));
+    add_apart(g, w);
+  }
+
+  // Variant for a halfedge apart from the vertex of the rays. Updates of its ends in this round may not trim the window.
+  void add_apart(Index g, Window& w)
   {
     if (m_state->admits(g, distance(m_state->mesh.source(g)), distance(m_state->mesh.target(g)), w))
       box_for_windows(m_state->parts.of_halfedge(g), minimum(w)).single_windows.push_back({g, w});

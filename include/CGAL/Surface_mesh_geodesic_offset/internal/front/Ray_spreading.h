@@ -131,7 +131,7 @@ private:
     w.d1 = w.distance_at(w.b1);
     // the terms of the distances, in the frame of the face and in that of the edge
     const FT size = (std::max)({m_mesh[g].length, FT(CGAL::abs(local.sigma)), FT(CGAL::abs(w.sigma))});
-    if (cut_behind_source(local.start_value, size, w)) front.add(g, w);
+    if (cut_behind_source(local.start_value, size, w)) front.add_apart(g, w);
   }
 
   // Ensures that the image of w lies on the near side of the edge that its rays cross (see Initial_windows). If rounding has

@@ -299,6 +299,9 @@ public:
     if (admits(g, field.distance[mesh.source(g)], field.distance[mesh.target(g)], w)) append(g, w);
   }
 
+  // The same for a halfedge apart from the vertex of the rays; the parallel sender has its own variant.
+  void add_apart(Index g, Window& w) { add(g, w); }
+
   // Trims a window by the distances ds and dt at the ends of g. Returns true if a part of it remains within the maximum.
   bool admits(Index g, const FT& ds, const FT& dt, Window& w) const
   {
