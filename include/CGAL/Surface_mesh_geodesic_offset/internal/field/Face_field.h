@@ -121,6 +121,8 @@ public:
   // the distances and an edge larger (Lower_envelope::close_gap).
   bool tie_in_margin(const FT& d, const FT& e) const { return d - e <= FT(8) * rounding_of(e); }
 
+  bool is_cap(std::size_t i) const { return m_windows[i].source_ref.side() == Source_side::CAP; }
+
   bool contains(std::size_t i, const Point& p) const { return m_windows[i].contains(p, rounding_of(FT(0))); }
 
   int preference(std::size_t i, const Point& p) const { return 2 * int(contains(i, p)) + int(!is_cap(i)); }
@@ -157,8 +159,6 @@ private:
   {
     return Number_policy<FT>::rounding(64) * (distance + m_size);
   }
-
-  bool is_cap(std::size_t i) const { return m_windows[i].source_ref.side() == Source_side::CAP; }
 
   void add(const Window_in_face& w, const FT& lowest)
   {

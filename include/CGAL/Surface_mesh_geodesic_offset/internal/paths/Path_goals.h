@@ -209,7 +209,7 @@ public:
         search_at_corner(face, [&](const Face_frame<FT>& f, const Point& corner) {
           const Index to = corner_at(v, face);
           Point u = back;
-          if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return Way{corner, corner, corner, corner};
+          if (!Number_policy<FT>::is_inexact || !turn_to_corner(m_mesh, from, to, ccw, u)) return way_at(corner);
           return way_in(f, corner, corner, FT(-1) * f.vector_from_halfedge(int(to % 3), u), start.length());
         }, around);
     if (around.is_found()) return {at_v, around.end.source_ref};
@@ -297,7 +297,7 @@ private:
     for (; !ring.empty(); ring.swap(next), next.clear())
     {
       End_search search{start.source_ref, nearest, nearest, false};
-      for (const Visit& v : ring) find_end(Face_frame<FT>(m_mesh, v.face), v.face, {v.position, v.position, v.position, v.position}, search);
+      for (const Visit& v : ring) find_end(Face_frame<FT>(m_mesh, v.face), v.face, way_at(v.position), search);
       if (search.is_found()) return search.end.source_ref;
       for (const Visit& v : ring)
       {
@@ -325,6 +325,8 @@ private:
   {
     Point first, last, before, start;
   };
+
+  static Way way_at(const Point& p) { return {p, p, p, p}; }
 
   // Makes the segment from p to q, of a path with the given direction and length.
   static Way way_in(const Face_frame<FT>& frame, const Point& p, const Point& q, const Point& direction, const FT& distance)

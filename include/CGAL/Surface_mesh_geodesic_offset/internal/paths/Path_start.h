@@ -303,7 +303,7 @@ private:
       // A straight path is preferred to a path around the end of a window that is shorter by rounding.
       const bool may_start = ties || (is_straight && field.tie_in_margin(d, start.distance));
       // A path around the end of a strip leads to the end of the segment, as the rays of the cap do.
-      const bool is_of_its_kind = is_straight ? field.preference(i, q) & 1 : !w.is_parallel();
+      const bool is_of_its_kind = is_straight ? !field.is_cap(i) : !w.is_parallel();
       const int preference =
         may_start ? 8 * int(is_straight && ties) + 4 * int(is_straight) + 2 * int(is_of_its_kind) + int(stays) : -1;
       if (preference < best.preference || (preference == best.preference && !(d < best.length))) continue;

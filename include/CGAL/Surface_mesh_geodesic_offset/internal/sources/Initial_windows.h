@@ -184,7 +184,7 @@ public:
   FT direction_uncertainty(Index face, const FT& segment) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return FT(0);
-    else return significant(Number_policy<FT>::rounding(128) * Face_frame<FT>(m_mesh, face).longest_edge(), segment);
+    else return direction_uncertainty(Face_frame<FT>(m_mesh, face).longest_edge(), segment);
   }
 
   // Rounding error of the height of a point of a face over an edge: half a unit of the longest edge for the product, and for the
@@ -256,7 +256,7 @@ private:
                           (to_is_inside ? CGAL::is_positive(cross(source - p, *to)) : is_border_edge(face, (k + 1) % 3));
       // Rounding may reverse the ends of a narrow sector on the edge.
       if (!is_clipped && !(is_fan && from_is_inside && to_is_inside)) continue;
-      if (is_fan || loses_rays_beyond(face, frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
+      if (is_fan || loses_rays_beyond(frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
         add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
       if (is_narrow) continue;
       out.push_back({face,
@@ -296,12 +296,12 @@ private:
 
   // True if rays from p that cross edge k between `right` and `left` must start beyond the edge, since Lower_envelope may not
   // close the gaps that rounding of their directions leaves. `first` and `last`: the crossings of bounding rays, or null.
-  bool loses_rays_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point* first, const Point* last,
-                         const Point& right, const Point& left) const
+  static bool loses_rays_beyond(const Face_frame<FT>& frame, int k, const Point& p, const Point* first, const Point* last,
+                                const Point& right, const Point& left)
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     const FT r = distance_to_chord(frame, k, p, right, left), size = frame.longest_edge();
-    if (direction_uncertainty(face, r) > FT(least_angle_beyond_edges)) return true;
+    if (direction_uncertainty(size, r) > FT(least_angle_beyond_edges)) return true;
     FT nearest = size;
     for (const Point* const crossing : {first, last})
       if (crossing != nullptr)
@@ -326,6 +326,12 @@ private:
     const FT along = frame.along(k, p), height = frame.height(k, p);
     const FT beyond = (std::max)({FT(frame.along(k, right) - along), FT(along - frame.along(k, left)), FT(0)});
     return square_root<FT>(height * height + beyond * beyond);
+  }
+
+  // Overload for the longest edge of the face.
+  static FT direction_uncertainty(const FT& longest_edge, const FT& segment)
+  {
+    return significant(Number_policy<FT>::rounding(128) * longest_edge, segment);
   }
 
   // Angle of an arc of the given length at a distance, at most 1. Zero up to 2^-30: a path that bends by this angle is longer
