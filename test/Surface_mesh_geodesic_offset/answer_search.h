@@ -417,16 +417,21 @@ private:
     return result;
   }
 
+  const Known_source& any_of(const std::map<std::size_t, Known_source>& sources)
+  {
+    return std::next(sources.begin(), std::ptrdiff_t(uniform_index(random_, sources.size())))->second;
+  }
+
   Face_location vertex_of(const std::map<std::size_t, Known_source>& sources)
   {
-    const Known_source& s = std::next(sources.begin(), std::ptrdiff_t(uniform_index(random_, sources.size())))->second;
+    const Known_source& s = any_of(sources);
     return s.locations[uniform_index(random_, s.locations.size())];
   }
 
   /// A point of a source, or beside it.
   Face_location at_source(const std::map<std::size_t, Known_source>& sources)
   {
-    const Known_source& s = std::next(sources.begin(), std::ptrdiff_t(uniform_index(random_, sources.size())))->second;
+    const Known_source& s = any_of(sources);
     if (s.locations.empty()) return on_lattice();
     const std::size_t i = uniform_index(random_, s.locations.size());
     Face_location result = s.locations[i];

@@ -61,13 +61,11 @@ public:
     const Soup soup = make_mesh(kind, seed);
     const bool is_polyline = kind == 0;
     static const char* const names[5] = {"polylines on flat discs", "flat discs", "cones", "saddles", "bent discs"};
-    Near_vertex_counts& counts = counts_[names[kind]];
-    ++counts.meshes;
-    const std::size_t before = counts.wrong;
-    const Generated_mesh<Surface_mesh> data(soup);
-    if (is_polyline) check_polyline(soup, data, counts, seed);
-    else check_points(soup, data, counts, seed);
-    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+    count_mesh(names[kind], [&](Near_vertex_counts& counts) {
+      const Generated_mesh<Surface_mesh> data(soup);
+      if (is_polyline) check_polyline(soup, data, counts, seed);
+      else check_points(soup, data, counts, seed);
+    });
   }
 
   /// Compares the distances from a polyline with the reference.
@@ -99,6 +97,17 @@ public:
 private:
   typedef Geodesic::Face_location Face_location;
 
+  /// Calls check(counts) for a mesh of a kind.
+  template <class Check>
+  void count_mesh(const std::string& kind, const Check& check)
+  {
+    Near_vertex_counts& counts = counts_[kind];
+    ++counts.meshes;
+    const std::size_t before = counts.wrong;
+    check(counts);
+    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+  }
+
   void run_around(unsigned seed)
   {
     const std::size_t kind = uniform_index(random_, 5);
@@ -106,13 +115,11 @@ private:
     Soup soup = kind == 4 ? changed(large_beside_small_faces()) : make_graded_mesh(kind, seed);
     for (auto& t : soup.triangles) // the first corner is the origin of coordinates in the face
       std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
-    Near_vertex_counts& counts = counts_[names[kind]];
-    ++counts.meshes;
-    const std::size_t before = counts.wrong;
-    const Generated_mesh<Surface_mesh> data(soup);
-    const auto v = data.vertices[kind == 4 ? 4 : uniform_index(random_, soup.points.size())];
-    check_polyline_around(soup, data, v, counts, seed);
-    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+    count_mesh(names[kind], [&](Near_vertex_counts& counts) {
+      const Generated_mesh<Surface_mesh> data(soup);
+      const auto v = data.vertices[kind == 4 ? 4 : uniform_index(random_, soup.points.size())];
+      check_polyline_around(soup, data, v, counts, seed);
+    });
   }
 
   void run_in_needles(unsigned seed)
@@ -122,11 +129,9 @@ private:
     Soup soup = kind < 2 ? needle_bands(kind == 1) : needle_fan(kind == 3);
     for (auto& t : soup.triangles)
       std::rotate(t.begin(), t.begin() + std::ptrdiff_t(uniform_index(random_, 3)), t.end());
-    Near_vertex_counts& counts = counts_[names[kind]];
-    ++counts.meshes;
-    const std::size_t before = counts.wrong;
-    check_points(soup, Generated_mesh<Surface_mesh>(soup), counts, seed);
-    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
+    count_mesh(names[kind], [&](Near_vertex_counts& counts) {
+      check_points(soup, Generated_mesh<Surface_mesh>(soup), counts, seed);
+    });
   }
 
   /// A bounding ray of the segment runs along the edge, and rays of its end cross the edge far from the vertex. The heights of
@@ -135,36 +140,18 @@ private:
   {
     const std::size_t kind = uniform_index(random_, 4);
     static const char* const names[4] = {"flat discs", "flat grids", "almost flat discs", "almost flat grids"};
-    Soup soup = kind % 2 == 0 ? make_mesh(1, seed) : small_grid();
+    const std::size_t columns = 1 + uniform_index(random_, 3), rows = 1 + uniform_index(random_, 3);
+    // Diagonals by a seed of their own: those of consecutive seeds are alike.
+    Soup soup = kind % 2 == 0 ? make_mesh(1, seed) : planar_grid(columns, rows, Diagonals::random, 1, 0, static_cast<unsigned>(random_()));
     const double noise = kind < 2 ? 0 : std::pow(10, uniform(random_, -9, -3));
     for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), noise * uniform(random_, -1, 1));
-    Near_vertex_counts& counts = counts_[names[kind]];
-    ++counts.meshes;
-    const std::size_t before = counts.wrong;
-    const Generated_mesh<Surface_mesh> data(soup);
-    const std::vector<Location> segment = perpendicular_segment(soup);
-    Geodesic geodesic(data.mesh);
-    if (kind < 2) compare_polyline_in_plane(soup, data, segment, counts, seed);
-    else compare_polyline(soup, data, geodesic, {location(soup, data, segment[0]), location(soup, data, segment[1])}, false, counts, seed);
-    counts.wrong_meshes += counts.wrong > before ? 1 : 0;
-  }
-
-  /// Grid of at most 3 x 3 squares, each with either diagonal.
-  Soup small_grid()
-  {
-    const std::size_t columns = 1 + uniform_index(random_, 3), rows = 1 + uniform_index(random_, 3);
-    Soup soup;
-    for (std::size_t j = 0; j <= rows; ++j)
-      for (std::size_t i = 0; i <= columns; ++i) soup.points.push_back(Point_3(double(i), double(j), 0));
-    for (std::size_t j = 0; j < rows; ++j)
-      for (std::size_t i = 0; i < columns; ++i)
-      {
-        const std::size_t a = j * (columns + 1) + i, b = a + columns + 1;
-        const bool rises = uniform(random_) < 0.5;
-        soup.add_triangle({a, a + 1, rises ? b + 1 : b});
-        soup.add_triangle({rises ? a : a + 1, b + 1, b});
-      }
-    return soup;
+    count_mesh(names[kind], [&](Near_vertex_counts& counts) {
+      const Generated_mesh<Surface_mesh> data(soup);
+      const std::vector<Location> segment = perpendicular_segment(soup);
+      if (kind < 2) return compare_polyline_in_plane(soup, data, segment, counts, seed);
+      Geodesic geodesic(data.mesh);
+      compare_polyline(soup, data, geodesic, {location(soup, data, segment[0]), location(soup, data, segment[1])}, false, counts, seed);
+    });
   }
 
   /// Segment in a triangle from a point within 1e-16 to 1e-3 edge lengths of a corner, in a direction within 1e-16 to 1e-2 of

@@ -13,38 +13,19 @@
 // to the distance plus the longest edge, and to the distance plus the longest edge near by. The exit code is 1 if a distance is wrong, and 2 for wrong options.
 
 #include "near_vertex_search.h"
+#include "search_options.h"
 
 #include <cstdio>
-#include <exception>
 #include <iostream>
-#include <stdexcept>
+#include <map>
 #include <string>
 
 namespace {
 
-int run(int argc, char** argv)
+int run(const test::Seed_range_options& options, test::Near_vertex_search::Sources sources)
 {
-  unsigned seed = 1;
-  std::size_t meshes = 1000, queries = 200, printed = 50;
-  const std::string kind = argc > 1 ? argv[1] : "";
-  typedef test::Near_vertex_search Search;
-  const Search::Sources sources = kind == "around"          ? Search::AROUND
-                                  : kind == "needles"       ? Search::IN_NEEDLES
-                                  : kind == "perpendicular" ? Search::PERPENDICULAR
-                                                            : Search::BESIDE;
-  for (int i = sources != Search::BESIDE || kind == "beside" ? 2 : 1; i < argc; i += 2)
-  {
-    const std::string name = argv[i];
-    if (i + 1 == argc) throw std::invalid_argument(name + " needs a value, or is unknown");
-    const unsigned long value = std::stoul(argv[i + 1]);
-    if (name == "--seed") seed = static_cast<unsigned>(value);
-    else if (name == "--meshes") meshes = value;
-    else if (name == "--queries") queries = value;
-    else if (name == "--printed") printed = value;
-    else throw std::invalid_argument("unknown option " + name);
-  }
-  Search search(std::cout, printed, queries, sources);
-  for (std::size_t i = 0; i < meshes; ++i) search.run(seed + static_cast<unsigned>(i));
+  test::Near_vertex_search search(std::cout, options.printed, options.per_mesh, sources);
+  for (std::size_t i = 0; i < options.meshes; ++i) search.run(options.seed + static_cast<unsigned>(i));
   std::printf("| kind | meshes | queries | wrong | in meshes | worst | near |\n|---|---|---|---|---|---|---|\n");
   std::size_t wrong = 0;
   for (const auto& c : search.counts())
@@ -61,13 +42,14 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    return run(argc, argv);
-  }
-  catch (const std::exception& e)
-  {
-    std::cerr << "near_vertex_search: " << e.what() << '\n';
-    return 2;
-  }
+  typedef test::Near_vertex_search Search;
+  static const std::map<std::string, Search::Sources> kinds = {{"beside", Search::BESIDE},
+                                                               {"needles", Search::IN_NEEDLES},
+                                                               {"around", Search::AROUND},
+                                                               {"perpendicular", Search::PERPENDICULAR}};
+  const auto kind = kinds.find(argc > 1 ? argv[1] : "");
+  const int named = kind != kinds.end() ? 1 : 0; // without a kind: beside
+  return test::run_search("near_vertex_search", "--queries", 200, argc - named, argv + named, [&](const test::Seed_range_options& options) {
+    return run(options, named ? kind->second : Search::BESIDE);
+  });
 }
