@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Meshes split along offset curves: valid triangle meshes with the surface and topology of the original, new vertices on their
-// levels, curves of edges, and bands with the areas that the curves enclose.
+// levels, curves of edges, bands with the areas that the curves enclose, the nearest sources of faces, and calls of the visitor.
 
 #include "data_meshes.h"
 #include "generated_meshes.h"
@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -39,13 +40,15 @@ typedef Surface_mesh::Vertex_index Vertex_index;
 
 struct Totals
 {
-  std::size_t meshes = 0, located = 0, levels = 0, vertices = 0;
-  double off = 0, area = 0, surface = 0; // largest: off the level, of the diagonal; of areas of bands and surface, relative
+  std::size_t meshes = 0, splits = 0, located = 0, levels = 0, at_vertices = 0, on_edges = 0, vertices = 0;
+  std::size_t polylines = 0, sections = 0, boundaries = 0;
+  // largest: off the level, of the diagonal; of areas of bands, of the surface and of the band; of the surface
+  double off = 0, area = 0, of_band = 0, surface = 0;
 };
 Totals totals;
 
-// Chords, of the diagonal: areas of bands differ by the area between chords and arcs.
-constexpr double chord_tolerance = 1e-7;
+// Bands that are larger than this part of the surface have the areas that the curves enclose, up to this part of them.
+constexpr double compared_bands = 1e-2, area_tolerance = 1e-6;
 
 template <class Mesh>
 long euler_characteristic(const Mesh& mesh)
@@ -53,17 +56,31 @@ long euler_characteristic(const Mesh& mesh)
   return long(num_vertices(mesh)) - long(num_edges(mesh)) + long(num_faces(mesh));
 }
 
-// Levels between 0 and the largest distance; some at those of vertices, on which edges may lie as well.
+// Ten levels between 0 and the largest distance: if there are such, two at which an edge lies, and three at those of vertices.
 std::vector<double> levels_of(const Geodesic& geodesic, const Surface_mesh& mesh, Random& random)
 {
   const double largest = geodesic.largest_distance();
-  std::vector<double> levels;
-  for (int i = 0; i < 10; ++i)
+  const auto is_inside = [&](double d) { return d > 0.01 * largest && d < 0.99 * largest; };
+  std::vector<double> levels, on_edges;
+  for (const Edge_index e : mesh.edges())
+  {
+    const double d = geodesic.distance_to_sources(mesh.vertex(e, 0));
+    if (!is_inside(d) || std::abs(geodesic.distance_to_sources(mesh.vertex(e, 1)) - d) > 1e-14 * largest) continue;
+    const auto h = mesh.is_border(mesh.halfedge(e)) ? mesh.opposite(mesh.halfedge(e)) : mesh.halfedge(e);
+    if (std::abs(geodesic.distance_to_sources(Locations<Surface_mesh>(mesh).on_edge(h, 0.4)) - d) <= 1e-14 * largest)
+      on_edges.push_back(d);
+  }
+  for (std::size_t i = 0; i < 2 && !on_edges.empty(); ++i) levels.push_back(on_edges[uniform_index(random, on_edges.size())]);
+  totals.on_edges += levels.size();
+  for (int i = 0; i < 3; ++i)
   {
     const Vertex_index v(Surface_mesh::size_type(uniform_index(random, mesh.number_of_vertices())));
     const double d = mesh.is_isolated(v) ? 0 : geodesic.distance_to_sources(v);
-    levels.push_back(i % 2 == 1 && d > 0 && d < largest ? d : uniform(random, 0.01, 0.99) * largest);
+    if (!is_inside(d)) continue;
+    levels.push_back(d);
+    ++totals.at_vertices;
   }
+  while (levels.size() < 10) levels.push_back(uniform(random, 0.01, 0.99) * largest);
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
@@ -79,6 +96,38 @@ bool locates_itself(const Geodesic& geodesic, const Surface_mesh& mesh, double t
   return true;
 }
 
+struct Nearer
+{
+  double area, length; // of the points nearer than a level, and of its curves
+};
+
+// The integrals need levels that do not pass through vertices; the area between such a level and the given one is the length times
+// the distance of the levels, up to 1e-15 of the surface.
+Nearer nearer_than(double level, Offset_integrals& integrals, double diagonal)
+{
+  double beside = level;
+  const auto& at_vertices = integrals.vertex_distances();
+  for (auto v = std::upper_bound(at_vertices.begin(), at_vertices.end(), level + 1e-9 * diagonal);
+       v != at_vertices.begin() && *--v > beside - 1e-9 * diagonal;)
+    beside = *v - 2e-9 * diagonal;
+  const Level_measure measure = integrals.measure(beside);
+  return {measure.area() + measure.length * (level - beside), measure.length};
+}
+
+// The areas between chords of this tolerance and their arcs are at most 2/3 of it times the length: half of what the bands may be
+// off.
+double chord_tolerance_for(const std::vector<Nearer>& nearer, double surface, double diagonal)
+{
+  double result = 1e-7 * diagonal;
+  for (std::size_t i = 0; i < nearer.size(); ++i)
+  {
+    const double band = nearer[i].area - (i == 0 ? 0 : nearer[i - 1].area);
+    const double length = nearer[i].length + (i == 0 ? 0 : nearer[i - 1].length);
+    if (band > compared_bands * surface) result = (std::min)(result, 0.75 * area_tolerance * band / length);
+  }
+  return result;
+}
+
 void split(const std::string& name, const Surface_mesh& original, const Add_sources& add_sources, Random& random)
 {
   Report::instance().set_context(name);
@@ -86,6 +135,11 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
   add_sources(geodesic);
   geodesic.build(CGAL::parameters::keep_windows(true));
   const std::vector<double> levels = levels_of(geodesic, original, random);
+  const double diagonal = bounding_box_diagonal(original), old_area = CGAL::Polygon_mesh_processing::area(original);
+  Offset_integrals integrals(geodesic, original);
+  std::vector<Nearer> expected;
+  for (const double l : levels) expected.push_back(nearer_than(l, integrals, diagonal));
+  const double chord_tolerance = chord_tolerance_for(expected, old_area, diagonal);
   Surface_mesh mesh = original;
   Geodesic on_copy(mesh);
   add_sources(on_copy);
@@ -94,8 +148,6 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
   auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
   on_copy.vertex_distances(distance);
 
-  const auto box = CGAL::Polygon_mesh_processing::bbox(original);
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
   const std::size_t old_vertices = mesh.number_of_vertices();
   auto constrained = mesh.add_property_map<Edge_index, bool>("constrained", false).first;
   auto band = mesh.add_property_map<Face_index, std::size_t>("band").first;
@@ -103,15 +155,15 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
                                   CGAL::parameters::edge_is_constrained_map(constrained)
                                     .face_band_map(band)
                                     .vertex_distance_map(distance)
-                                    .chord_tolerance(chord_tolerance * diagonal));
-  ++totals.meshes;
+                                    .chord_tolerance(chord_tolerance));
+  ++totals.splits;
   totals.levels += levels.size();
 
   CHECK(CGAL::is_valid_polygon_mesh(mesh) || !CGAL::is_valid_polygon_mesh(original)); // cube-ouvert.off has an unused vertex
   CHECK(CGAL::is_triangle_mesh(mesh));
   CHECK(CGAL::is_closed(mesh) == CGAL::is_closed(original));
   CHECK(euler_characteristic(mesh) == euler_characteristic(original));
-  const double area = CGAL::Polygon_mesh_processing::area(mesh), old_area = CGAL::Polygon_mesh_processing::area(original);
+  const double area = CGAL::Polygon_mesh_processing::area(mesh);
   totals.surface = (std::max)(totals.surface, std::abs(area - old_area) / old_area);
   CHECK_DETAIL(std::abs(area - old_area) <= 1e-12 * old_area, values(area, old_area));
 
@@ -143,7 +195,7 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
     CHECK_DETAIL(off <= 1e-9 * diagonal, "vertex " + std::to_string(v) + " is off its level by " + std::to_string(off / diagonal));
   }
 
-  const double tolerance = 2 * chord_tolerance * diagonal;
+  const double tolerance = 2 * chord_tolerance + 1e-9 * diagonal;
   std::vector<double> areas(levels.size() + 1, 0);
   for (const Face_index f : mesh.faces())
   {
@@ -158,19 +210,35 @@ void split(const std::string& name, const Surface_mesh& original, const Add_sour
     CHECK_DETAIL((i == 0 || d >= levels[i - 1] - tolerance) && (i == levels.size() || d <= levels[i] + tolerance),
                  "face " + std::to_string(f) + " of band " + std::to_string(i) + " is at distance " + std::to_string(d));
   }
-  // The integrals need levels that do not pass through vertices.
-  Offset_integrals integrals(geodesic, original);
   double nearer = 0;
   for (std::size_t i = 0; i < levels.size(); ++i)
   {
     nearer += areas[i];
-    const auto& at_vertices = integrals.vertex_distances();
-    const auto next = std::lower_bound(at_vertices.begin(), at_vertices.end(), levels[i] - 1e-9 * diagonal);
-    if (next != at_vertices.end() && *next <= levels[i] + 1e-9 * diagonal) continue;
-    const double expected = integrals.measure(levels[i]).area();
-    totals.area = (std::max)(totals.area, std::abs(nearer - expected) / old_area);
-    CHECK_DETAIL(std::abs(nearer - expected) <= 1e-6 * old_area, "level " + std::to_string(i) + ": " + values(nearer, expected));
+    const double band = expected[i].area - (i == 0 ? 0 : expected[i - 1].area), off = std::abs(areas[i] - band);
+    totals.area = (std::max)({totals.area, std::abs(nearer - expected[i].area) / old_area, off / old_area});
+    if (band > compared_bands * old_area) totals.of_band = (std::max)(totals.of_band, off / band);
+    CHECK_DETAIL(std::abs(nearer - expected[i].area) <= area_tolerance * old_area &&
+                   off <= area_tolerance * (std::max)(band, compared_bands * old_area),
+                 "level " + std::to_string(i) + ": " + values(nearer, expected[i].area) + "; band " + values(areas[i], band));
   }
+}
+
+// Through neighbouring faces, with corners inside and on edges.
+std::vector<Geodesic::Face_location> random_polyline(const Surface_mesh& mesh, Random& random)
+{
+  const Locations<Surface_mesh> on_mesh(mesh);
+  Face_index f(Surface_mesh::size_type(uniform_index(random, mesh.number_of_faces())));
+  std::vector<Geodesic::Face_location> result = {{f, random_barycentric(random)}};
+  for (int i = 0; i < 8; ++i)
+  {
+    auto h = mesh.halfedge(f);
+    for (std::size_t k = uniform_index(random, 3); k > 0; --k) h = mesh.next(h);
+    if (mesh.is_border(mesh.opposite(h))) continue;
+    result.push_back(on_mesh.on_edge(h, uniform(random, 0.1, 0.9)));
+    f = mesh.face(mesh.opposite(h));
+    result.push_back({f, random_barycentric(random)});
+  }
+  return result;
 }
 
 void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned seed)
@@ -178,15 +246,29 @@ void split_from_all(const std::string& name, const Surface_mesh& mesh, unsigned 
   Random random(seed);
   const auto sections = random_plane_section(mesh, 2);
   const auto vertex = *mesh.vertices().begin();
+  ++totals.meshes;
   split(name + ", vertex", mesh, [&](Geodesic& g) { g.add_source_point(vertex); }, random);
+  const auto polyline = random_polyline(mesh, random);
+  if (polyline.size() > 1)
+  {
+    ++totals.polylines;
+    split(
+      name + ", polyline", mesh, [&](Geodesic& g) { g.add_source_polyline(polyline); }, random);
+  }
   if (!sections.empty() && sections[0].locations.size() > 2)
+  {
+    ++totals.sections;
     split(name + ", section", mesh, [&](Geodesic& g) {
       for (const auto& s : sections) g.add_source_polyline(s.locations, s.closed);
     }, random);
+  }
   if (!CGAL::is_closed(mesh))
+  {
+    ++totals.boundaries;
     split(name + ", boundary", mesh, [&](Geodesic& g) { 
       for (const auto& cycle : g.mesh().boundary_edges()) g.add_source_edges(cycle);
     }, random);
+  }
 }
 
 void generated_meshes()
@@ -205,10 +287,12 @@ void generated_meshes()
 
 void data_meshes()
 {
+  std::size_t readable = 0;
   for (const auto& file : data_files())
   {
     Surface_mesh mesh;
-    if (read_data_mesh(file, 1500, mesh).empty()) split_from_all(file.filename().string(), mesh, 1);
+    if (read_data_mesh(file, 1500, mesh).empty() && readable++ % number_of_cases(3, 1) == 0)
+      split_from_all(file.filename().string(), mesh, 1);
   }
 }
 
@@ -235,6 +319,137 @@ void squares()
   // the level along edges of the grid inserts no vertex beside those of the grid
   for (const auto v : mesh.vertices())
     for (const auto w : mesh.vertices()) CHECK(v == w || CGAL::squared_distance(mesh.point(v), mesh.point(w)) > 1e-6);
+}
+
+// Counts what a visitor hears of, and gives each new face the value of the face of which it is a part.
+struct Counts
+{
+  std::size_t split_edges = 0, edge_vertices = 0, vertices = 0, split_faces = 0, new_faces = 0;
+  bool in_edge = false, in_face = false, in_creation = false;
+};
+struct Visitor : CGAL::Default_offset_splitting_visitor<Surface_mesh>
+{
+  Counts& counts;
+  Surface_mesh::Property_map<Face_index, std::size_t> parent;
+  Face_index split_face;
+  halfedge_descriptor split_halfedge;
+
+  Visitor(Counts& c, const Surface_mesh::Property_map<Face_index, std::size_t>& p) : counts(c), parent(p) {}
+
+  void before_edge_split(halfedge_descriptor h, Surface_mesh&)
+  {
+    CHECK(!counts.in_edge && counts.split_faces == 0);
+    counts.in_edge = true;
+    split_halfedge = h;
+    ++counts.split_edges;
+  }
+  void edge_split(halfedge_descriptor h, Surface_mesh& mesh)
+  {
+    CHECK(counts.in_edge && mesh.next(h) == split_halfedge && std::size_t(mesh.target(h)) + 1 == mesh.number_of_vertices());
+    ++counts.edge_vertices;
+  }
+  void after_edge_split()
+  {
+    CHECK(counts.in_edge);
+    counts.in_edge = false;
+  }
+  void new_vertex_added(vertex_descriptor v, Surface_mesh& mesh)
+  {
+    CHECK(counts.in_edge != counts.in_face && std::size_t(v) + 1 == mesh.number_of_vertices());
+    CHECK(mesh.point(v) != Point_3(0, 0, 0)); // outside all meshes of this test
+    ++counts.vertices;
+  }
+  void before_subface_creations(face_descriptor f, Surface_mesh&)
+  {
+    CHECK(!counts.in_face && !counts.in_edge);
+    counts.in_face = true;
+    split_face = f;
+    ++counts.split_faces;
+  }
+  void before_subface_created(Surface_mesh&)
+  {
+    CHECK(counts.in_face && !counts.in_creation);
+    counts.in_creation = true;
+  }
+  void after_subface_created(face_descriptor f, Surface_mesh& mesh)
+  {
+    CHECK(counts.in_creation && std::size_t(f) + 1 == mesh.number_of_faces());
+    counts.in_creation = false;
+    parent[f] = parent[split_face];
+    ++counts.new_faces;
+  }
+  void after_subface_creations(Surface_mesh&)
+  {
+    CHECK(counts.in_face && !counts.in_creation);
+    counts.in_face = false;
+  }
+};
+
+// From several sources: the source of a face is nearest to its centroid, by a field of each source alone. The parts of a face have
+// its area.
+void sources_and_visitor()
+{
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    Report::instance().set_context("sources, seed " + std::to_string(seed));
+    Random random(seed);
+    Surface_mesh mesh = Generated_mesh<Surface_mesh>(seed % 2 == 0 ? icosphere(2) : torus(14, 10)).mesh;
+    const Surface_mesh original = mesh;
+    const double diagonal = bounding_box_diagonal(mesh);
+    Geodesic all(mesh);
+    std::deque<Geodesic> alone; // on the original, since the mesh changes
+    const auto add = [&](const auto& add_source) {
+      CHECK(add_source(all) == alone.size());
+      alone.emplace_back(original);
+      add_source(alone.back());
+      alone.back().build(CGAL::parameters::keep_windows(true));
+    };
+    for (int i = 0; i < 4; ++i)
+    {
+      const Vertex_index v(Surface_mesh::size_type(uniform_index(random, mesh.number_of_vertices())));
+      add([&](Geodesic& g) { return g.add_source_point(v); });
+    }
+    const auto polyline = random_polyline(mesh, random);
+    add([&](Geodesic& g) { return g.add_source_polyline(polyline); });
+    const auto field = all.build(CGAL::parameters::keep_windows(true));
+    std::vector<Offset_curve> curves;
+    all.offset_curves(std::vector<double>{0.3 * all.largest_distance(), 0.7 * all.largest_distance()},
+                      std::back_inserter(curves));
+
+    auto source = mesh.add_property_map<Face_index, std::size_t>("source", 99).first;
+    auto parent = mesh.add_property_map<Face_index, std::size_t>("parent").first;
+    for (const Face_index f : mesh.faces()) parent[f] = std::size_t(f);
+    Counts counts;
+    const auto without_windows = Geodesic(all).build();
+    CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves,
+                                                 CGAL::parameters::face_source_map(source).distance_field(without_windows)),
+                 std::logic_error);
+    CHECK(mesh.number_of_faces() == original.number_of_faces());
+    CGAL::split_along_offset_curves(
+      mesh, curves, CGAL::parameters::face_source_map(source).distance_field(field).visitor(Visitor(counts, parent)));
+
+    CHECK(counts.vertices == mesh.number_of_vertices() - original.number_of_vertices());
+    CHECK(counts.new_faces == mesh.number_of_faces() - original.number_of_faces());
+    CHECK(counts.split_edges > 50 && counts.edge_vertices >= counts.split_edges && counts.vertices > counts.edge_vertices);
+    CHECK(counts.split_faces > 50 && !counts.in_edge && !counts.in_face);
+    std::vector<double> areas(original.number_of_faces(), 0);
+    std::vector<std::size_t> faces_of(alone.size(), 0);
+    for (const Face_index f : mesh.faces())
+    {
+      areas[parent[f]] += CGAL::Polygon_mesh_processing::face_area(f, mesh);
+      if (!CHECK(source[f] < alone.size())) continue;
+      ++faces_of[source[f]];
+      const auto h = mesh.halfedge(f);
+      const auto center = alone[0].locate(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                         mesh.point(mesh.target(mesh.next(h)))));
+      double nearest = infinity;
+      for (const Geodesic& g : alone) nearest = (std::min)(nearest, g.distance_to_sources(center));
+      CHECK(alone[source[f]].distance_to_sources(center) <= nearest + 1e-9 * diagonal);
+    }
+    for (const Face_index f : original.faces())
+      CHECK(std::abs(areas[f] - CGAL::Polygon_mesh_processing::face_area(f, original)) <= 1e-12 * diagonal * diagonal);
+    CHECK(std::count(faces_of.begin(), faces_of.end(), 0) <= 1);
+  }
 }
 
 // The same split of a Polyhedron_3; components without curves; bad parameters leave the mesh as it was.
@@ -278,11 +493,18 @@ void other_meshes()
 GEODESIC_OFFSET_TEST(test_splitting)
 {
   const std::pair<const char*, void (*)()> tests[] = {
-    {"generated meshes", generated_meshes}, {"squares", squares}, {"other meshes", other_meshes}, {data_case, data_meshes}};
+    {"generated meshes", generated_meshes},
+    {"squares", squares},
+    {"sources and visitor", sources_and_visitor},
+    {"other meshes", other_meshes},
+    {data_case, data_meshes}};
   const int result = run_tests("test_splitting", tests);
   std::cout.precision(3);
-  std::cout << totals.meshes << " meshes, " << totals.located << " of them checked by locations, split along " << totals.levels << " levels; " << totals.vertices
-            << " vertices on curves, off by at most " << totals.off << " of the diagonal; areas of bands off by at most "
-            << totals.area << ", of surfaces by " << totals.surface << std::endl;
+  std::cout << totals.meshes << " meshes, " << totals.splits << " splits (" << totals.polylines << " from polylines, "
+            << totals.sections << " from sections, " << totals.boundaries << " from boundaries), " << totals.located
+            << " of them checked by locations, " << totals.levels << " levels, " << totals.at_vertices << " at vertices, "
+            << totals.on_edges << " along edges; " << totals.vertices << " vertices on curves, off by at most " << totals.off
+            << " of the diagonal; areas of bands off by at most " << totals.area << " of the surface, by " << totals.of_band
+            << " of bands above " << compared_bands << " of it; areas of surfaces by " << totals.surface << std::endl;
   return result;
 }

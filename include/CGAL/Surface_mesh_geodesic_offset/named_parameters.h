@@ -55,7 +55,8 @@ typedef Joined_tags<Path_call_parameters,
   Distance_call_parameters;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::geodesic_length_unit_t> Writing_parameters;
 typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
-                       internal_np::geodesic_face_band_t, internal_np::geodesic_vertex_distance_t>
+                       internal_np::visitor_t, internal_np::geodesic_face_band_t, internal_np::geodesic_face_source_t,
+                       internal_np::geodesic_distance_field_t, internal_np::geodesic_vertex_distance_t>
   Splitting_parameters;
 
 // True if all parameters of a sequence are in a list of tags; false for a type that is no sequence of parameters.

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/Default_offset_splitting_visitor.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Mesh_splitting.h>
@@ -18,6 +19,7 @@
 #include <boost/range/value_type.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -68,6 +70,19 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
     \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. In components of the surface
                     that no curve crosses the value is 0, unless `vertex_distance_map` is given.}
   \cgalParamNEnd
+  \cgalParamNBegin{face_source_map}
+    \cgalParamDescription{receives for each face the id of the source that is nearest to the centroid of the face; other points
+                          of the face may be nearer to others. `no_source()` of the field if no source reaches it}
+    \cgalParamType{a model of `WritablePropertyMap` with `face_descriptor` as key and `std::size_t` as value}
+    \cgalParamDefault{none}
+    \cgalParamExtra{Needs `distance_field`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{distance_field}
+    \cgalParamDescription{the distances on `tm` before the split, with kept windows and without a tolerance. It is used before
+                          the mesh changes.}
+    \cgalParamType{an instance of `Geodesic_distance_field`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_distance_map}
     \cgalParamDescription{the distances of the vertices before the split}
     \cgalParamType{a model of `ReadablePropertyMap` with `vertex_descriptor` as key and a number as value}
@@ -78,11 +93,18 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
     \cgalParamType{a model of `ReadWritePropertyMap` with `vertex_descriptor` as key and a 3D point as value}
     \cgalParamDefault{`get(boost::vertex_point, tm)`}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is called for each new vertex, split edge and new face}
+    \cgalParamType{a model of `OffsetSplittingVisitor`}
+    \cgalParamDefault{`Default_offset_splitting_visitor`}
+    \cgalParamExtra{The visitor is copied.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \pre All faces of `tm` are triangles, and the curves are of `tm` with these points.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then the mesh is unchanged
 \throws std::length_error as `Geodesic_offset_curve::points()`; then the mesh is unchanged
+\throws std::logic_error if `distance_field` has no kept windows, or has a tolerance; then the mesh is unchanged
 */
 template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
 void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
@@ -113,8 +135,27 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
 
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, diagonal, tolerance);
   for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));
+  splitting.triangulate();
+  constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;
+  if constexpr (has_sources)
+  {
+    static_assert(internal::has_parameter<internal_np::geodesic_distance_field_t, NamedParameters>,
+                  "Surface_mesh_geodesic_offset: face_source_map needs distance_field");
+    const auto field = parameters::get_parameter(np, internal_np::geodesic_distance_field);
+    typedef typename std::remove_const<decltype(field)>::type Field;
+    splitting.find_sources([&](const auto f, const std::array<double, 3>& w) {
+      typedef typename Field::FT FT;
+      const auto nearest = field.nearest_source(typename Field::Face_location(f, {FT(w[0]), FT(w[1]), FT(w[2])}));
+      return nearest ? nearest->source : Field::no_source();
+    });
+  }
+  auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                              Default_offset_splitting_visitor<TriangleMesh>());
   splitting.split(parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                               Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>()));
+                                               Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>()),
+                  visitor, [&]([[maybe_unused]] const auto f, [[maybe_unused]] const std::size_t source) {
+                    if constexpr (has_sources) put(parameters::get_parameter(np, internal_np::geodesic_face_source), f, source);
+                  });
   if constexpr (internal::has_parameter<internal_np::geodesic_face_band_t, NamedParameters>)
     splitting.write_bands(parameters::get_parameter(np, internal_np::geodesic_face_band), [&](auto f) {
       if constexpr (internal::has_parameter<internal_np::geodesic_vertex_distance_t, NamedParameters>)

@@ -28,6 +28,8 @@ CGAL_add_named_parameter(geodesic_chord_tolerance_t, geodesic_chord_tolerance, c
 CGAL_add_named_parameter(geodesic_length_unit_t, geodesic_length_unit, unit)
 
 CGAL_add_named_parameter(geodesic_face_band_t, geodesic_face_band, face_band_map)
+CGAL_add_named_parameter(geodesic_face_source_t, geodesic_face_source, face_source_map)
+CGAL_add_named_parameter(geodesic_distance_field_t, geodesic_distance_field, distance_field)
 CGAL_add_named_parameter(geodesic_vertex_distance_t, geodesic_vertex_distance, vertex_distance_map)
 
 #if CGAL_VERSION_NR < 1060000000 // CGAL has this parameter since 6.0

@@ -42,6 +42,7 @@ public:
   typedef typename Curve::Piece Piece;
   typedef Split_points<TriangleMesh, VertexPointMap> Points;
   typedef typename Points::Id Id;
+  typedef typename Points::Weights Weights;
 
   // `diagonal`: of the bounding box of the mesh.
   Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance)
@@ -67,15 +68,12 @@ public:
     }
   }
 
-  // Splits the mesh. Sets the map to true for the new edges of curves.
-  template <class EdgeIsConstrainedMap>
-  void split(EdgeIsConstrainedMap is_constrained)
+  // Triangulates the crossed faces. To be called once, when all curves are added.
+  void triangulate()
   {
     m_points.merge();
     for (const auto& e : m_points.edges_with_points()) add_faces_beside(e.halfedge);
-    std::vector<Triangulated_face> triangulated;
-    std::vector<Split_edge> edges;
-    Face_triangulation<Points, Piece> triangulate(m_points, m_tolerance);
+    Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance);
     for (Face_pieces& f : m_faces)
     {
       for (auto& p : f.pieces)
@@ -83,19 +81,43 @@ public:
         p.from = m_points.merged(p.from);
         p.to = m_points.merged(p.to);
       }
-      triangulate(f.face, f.pieces);
-      triangulated.push_back({f.face, m_points[triangulate.boundary()[0]].vertex, triangulate.boundary(),
-                              triangulate.triangles()});
-      edges.insert(edges.end(), triangulate.edges().begin(), triangulate.edges().end());
+      triangulation(f.face, f.pieces);
+      m_triangulated.push_back(
+        {f.face, m_points[triangulation.boundary()[0]].vertex, triangulation.boundary(), triangulation.triangles(), {}});
+      m_split_edges.insert(m_split_edges.end(), triangulation.edges().begin(), triangulation.edges().end());
     }
-    // From here on the mesh changes.
-    for (const auto& e : m_points.edges_with_points()) divide(e);
-    for (const Triangulated_face& f : triangulated) replace(f);
-    for (const Split_edge& e : edges)
+  }
+
+  // Finds the sources of the faces of the result, before the mesh changes. `source_of(face, weights)` is the nearest source of a
+  // point.
+  template <class Function>
+  void find_sources(const Function& source_of)
+  {
+    for (const face_descriptor f : faces(m_mesh))
+      if (get(m_number_at, f) == 0) m_sources.push_back({f, source_of(f, Weights{1. / 3, 1. / 3, 1. / 3})});
+    for (Triangulated_face& f : m_triangulated)
+      for (const auto& t : f.triangles)
+      {
+        Weights center = {0, 0, 0};
+        for (const Id id : t)
+          for (std::size_t k = 0; k < 3; ++k) center[k] += m_points.weights(f.face, id)[k] / 3;
+        f.sources.push_back(source_of(f.face, center));
+      }
+  }
+
+  // Changes the mesh. Sets the map to true for the new edges of curves. Calls `put_source(face, source)` for the results of
+  // find_sources().
+  template <class EdgeIsConstrainedMap, class Visitor, class PutSource>
+  void split(EdgeIsConstrainedMap is_constrained, Visitor& visitor, const PutSource& put_source)
+  {
+    for (const auto& e : m_points.edges_with_points()) divide(e, visitor);
+    for (const Triangulated_face& f : m_triangulated) replace(f, visitor, put_source);
+    for (const Split_edge& e : m_split_edges)
     {
       m_edges.push_back({halfedge_of(e), e.level});
       put(is_constrained, edge(m_edges.back().halfedge, m_mesh), true);
     }
+    for (const auto& s : m_sources) put_source(s.first, s.second);
   }
 
   // Writes the band of each face: the number of levels that its points are not nearer than. Faces in components of the surface
@@ -159,12 +181,13 @@ private:
     vertex_descriptor first; // source of the first halfedge of the face, before the split
     std::vector<Id> boundary; // from there on
     std::vector<std::array<Id, 3>> triangles;
+    std::vector<std::size_t> sources; // of the triangles, if they are requested
   };
 
   template <class Location>
   Id add(const Location& l)
   {
-    Flat_face::Weights w;
+    Weights w;
     for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(l.second[k]);
     return m_points.add(l.first, w);
   }
@@ -188,19 +211,28 @@ private:
   }
 
   // Inserts the points of an edge.
-  void divide(const typename Points::Edge_points& e)
+  template <class Visitor>
+  void divide(const typename Points::Edge_points& e, Visitor& visitor)
   {
+    visitor.before_edge_split(e.halfedge, m_mesh);
     for (const Id id : e.ids)
     {
-      const vertex_descriptor v = target(CGAL::Euler::split_edge(e.halfedge, m_mesh), m_mesh);
+      const halfedge_descriptor h = CGAL::Euler::split_edge(e.halfedge, m_mesh);
+      const vertex_descriptor v = target(h, m_mesh);
       put(m_vpm, v, m_points[id].point);
       m_points.set_vertex(id, v);
+      visitor.new_vertex_added(v, m_mesh);
+      visitor.edge_split(h, m_mesh);
     }
+    visitor.after_edge_split();
   }
 
   // Replaces a face, whose edges are divided, by its triangles.
-  void replace(const Triangulated_face& f)
+  template <class Visitor, class PutSource>
+  void replace(const Triangulated_face& f, Visitor& visitor, const PutSource& put_source)
   {
+    if (!f.sources.empty()) put_source(f.face, f.sources[0]);
+    if (f.triangles.size() == 1) return; // the face itself
     std::map<std::pair<Id, Id>, halfedge_descriptor> halfedge_between;
     halfedge_descriptor h = halfedge(f.face, m_mesh);
     while (source(h, m_mesh) != f.first) h = next(h, m_mesh);
@@ -209,42 +241,50 @@ private:
       CGAL_assertion(source(h, m_mesh) == m_points[f.boundary[i]].vertex);
       halfedge_between[{f.boundary[i], f.boundary[(i + 1) % f.boundary.size()]}] = h;
     }
-    bool is_first = true;
-    for (const std::array<Id, 3>& t : f.triangles)
+    visitor.before_subface_creations(f.face, m_mesh);
+    for (std::size_t i = 0; i < f.triangles.size(); ++i)
     {
-      const face_descriptor g = is_first ? f.face : add_face(m_mesh);
-      is_first = false;
+      const std::array<Id, 3>& t = f.triangles[i];
+      if (i != 0) visitor.before_subface_created(m_mesh);
+      const face_descriptor g = i == 0 ? f.face : add_face(m_mesh);
       std::array<halfedge_descriptor, 3> side;
-      for (std::size_t k = 0; k < 3; ++k) side[k] = between(t[k], t[(k + 1) % 3], halfedge_between);
+      for (std::size_t k = 0; k < 3; ++k) side[k] = between(t[k], t[(k + 1) % 3], halfedge_between, visitor);
       for (std::size_t k = 0; k < 3; ++k)
       {
         set_next(side[k], side[(k + 1) % 3], m_mesh);
         set_face(side[k], g, m_mesh);
       }
       set_halfedge(g, side[0], m_mesh);
+      if (i == 0) continue;
+      if (!f.sources.empty()) put_source(g, f.sources[i]);
+      visitor.after_subface_created(g, m_mesh);
     }
+    visitor.after_subface_creations(m_mesh);
   }
 
-  halfedge_descriptor between(Id from, Id to, std::map<std::pair<Id, Id>, halfedge_descriptor>& known)
+  template <class Visitor>
+  halfedge_descriptor between(Id from, Id to, std::map<std::pair<Id, Id>, halfedge_descriptor>& known, Visitor& visitor)
   {
     const auto it = known.find({from, to});
     if (it != known.end()) return it->second;
     const halfedge_descriptor h = halfedge(add_edge(m_mesh), m_mesh), g = opposite(h, m_mesh);
     known[{from, to}] = h;
     known[{to, from}] = g;
-    set_target(h, vertex_at(to, h), m_mesh);
-    set_target(g, vertex_at(from, g), m_mesh);
+    set_target(h, vertex_at(to, h, visitor), m_mesh);
+    set_target(g, vertex_at(from, g, visitor), m_mesh);
     return h;
   }
 
   // The vertex of a point; a new one, with the given halfedge, for a point in a face.
-  vertex_descriptor vertex_at(Id id, halfedge_descriptor h)
+  template <class Visitor>
+  vertex_descriptor vertex_at(Id id, halfedge_descriptor h, Visitor& visitor)
   {
     if (m_points[id].vertex != Graph_traits::null_vertex()) return m_points[id].vertex;
     const vertex_descriptor v = add_vertex(m_mesh);
     put(m_vpm, v, m_points[id].point);
     set_halfedge(v, h, m_mesh);
     m_points.set_vertex(id, v);
+    visitor.new_vertex_added(v, m_mesh);
     return v;
   }
 
@@ -261,6 +301,9 @@ private:
   const double m_tolerance;
   std::deque<Piece> m_pieces; // the addresses stay
   std::vector<Face_pieces> m_faces;
+  std::vector<Triangulated_face> m_triangulated;
+  std::vector<Split_edge> m_split_edges;                          // of the triangulations
+  std::vector<std::pair<face_descriptor, std::size_t>> m_sources; // of the faces that no curve crosses
   std::vector<Curve_edge> m_edges;
   typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces; later 1 + band
 };

@@ -232,6 +232,23 @@ public:
     return {k, halfedge_at(f, k) == p.halfedge};
   }
 
+  // Barycentric coordinates in a face of a point in it or on its boundary.
+  Weights weights(face_descriptor f, Id id) const
+  {
+    const Split_point& p = m_points[id];
+    if (p.place == IN_FACE) return p.weights;
+    Weights w = {0, 0, 0};
+    if (p.place == AT_VERTEX) w[std::size_t(corner_of(f, p.vertex))] = 1;
+    else
+    {
+      const std::pair<int, bool> side = side_with(f, id);
+      const double part = side.second ? p.part : 1 - p.part;
+      w[std::size_t(side.first)] = 1 - part;
+      w[std::size_t((side.first + 1) % 3)] = part;
+    }
+    return w;
+  }
+
   // Corner of the face at a vertex.
   int corner_of(face_descriptor f, vertex_descriptor v) const
   {
