@@ -22,6 +22,7 @@
 #include "geodesic_offset/progress.h"
 #include "geodesic_offset/reach.h"
 #include "geodesic_offset/sources.h"
+#include "geodesic_offset/split_output.h"
 #include "geodesic_offset/stats_output.h"
 #include "geodesic_offset/threads.h"
 #include "geodesic_offset/version.h"
@@ -150,6 +151,12 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
   if(!options.field.empty())
     files.add(options.field, [&](std::ostream& out) { write_field(out, input.soup(), solution.field); },
               bytes_of_field(input.soup(), solution.field));
+  if(!options.split.empty())
+  {
+    progress.show("splitting " + quoted(options.mesh));
+    const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
+    files.add(options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
+  }
   if(!options.picture.empty())
   {
     const Image image =

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -184,6 +185,37 @@ def ridge_unfolded(p):
 
 def chain_length(points):
     return sum(math.dist(p, q) for p, q in zip(points, points[1:]))
+
+
+def read_ply(path):
+    """Of each element of a binary PLY file the names of its properties and its rows, as dictionaries; a list is a tuple."""
+    codes = {"double": "d", "float": "f", "int": "i", "uint": "I", "uchar": "B"}
+    with open(path, "rb") as file:
+        header, body = file.read().split(b"end_header\n", 1)
+    lines = [line.split() for line in header.decode().split("\n")]
+    check(lines[:2] == [["ply"], ["format", "binary_little_endian", "1.0"]], "the header of a binary PLY file")
+    elements, at = {}, 0
+    for line in lines[2:]:
+        if line[:1] == ["element"]:
+            elements[line[1]] = (int(line[2]), properties := [])
+        elif line[:1] == ["property"]:
+            properties.append((line[-1], [codes[t] for t in line[1:-1] if t != "list"]))
+    result = {}
+    for name, (count, properties) in elements.items():
+        rows = []
+        for _ in range(count):
+            row = {}
+            for key, types in properties:
+                size = 1
+                for code in types:  # of a list: its length, its items
+                    values = struct.unpack_from("<%d%s" % (size, code), body, at)
+                    at += struct.calcsize("<%d%s" % (size, code))
+                    size = values[0]
+                row[key] = values if len(types) > 1 else values[0]
+            rows.append(row)
+        result[name] = ([key for key, _ in properties], rows)
+    check(at == len(body), "%d bytes behind the rows" % (len(body) - at))
+    return result
 
 
 def check_levels(stats, distances):

@@ -3,20 +3,13 @@
 """Signed distances and sides: the field, as VTK reads it too, and offsets as sources of another run."""
 
 import math
-import struct
 
-from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, run_test)
+from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, read_ply, run_test)
 
 
 def read_field(path):
     """Names of the vertex properties, and the vertices."""
-    with open(path, "rb") as file:
-        header, body = file.read().split(b"end_header\n", 1)
-    lines = header.decode().split("\n")
-    names = [l.split()[2] for l in lines if l.startswith("property double")]
-    count = [int(l.split()[2]) for l in lines if l.startswith("element vertex")][0]
-    size = 8 * len(names)
-    return names, [dict(zip(names, struct.unpack("<%dd" % len(names), body[i * size:(i + 1) * size]))) for i in range(count)]
+    return read_ply(path)["vertex"]
 
 
 def test_polylines(bench):

@@ -323,6 +323,9 @@ private:
     }
     expect_error(1, "no room for a field", in_shell("ulimit -f 1;", on_mesh({"--field", path("f.ply")})), {path("f.ply"), "large"},
                  before);
+    expect_error(1, "no room for a split mesh",
+                 in_shell("ulimit -f 4;", on_mesh({"--spacing", "0.1", "--split", path("s.ply")})), {path("s.ply"), "large"},
+                 before);
     if (!fs::exists("/dev/full")) return;
     Words with_output = arguments;
     with_output.insert(with_output.end(), {"--output", path("out.vtk")});

@@ -7,13 +7,13 @@
 #ifndef GEODESIC_OFFSET_FIELD_OUTPUT_H
 #define GEODESIC_OFFSET_FIELD_OUTPUT_H
 
+#include "byte_writer.h"
 #include "common.h"
 #include "mesh_input.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <ostream>
 #include <vector>
 
@@ -47,25 +47,6 @@ struct File_distances
   }
 };
 
-namespace internal {
-
-template <class Unsigned>
-void append_little_endian(std::vector<char>& bytes, Unsigned value)
-{
-  for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
-    bytes.push_back(static_cast<char>(static_cast<unsigned char>(value >> (8 * i))));
-}
-
-inline void append_double(std::vector<char>& bytes, double value)
-{
-  std::uint64_t bits;
-  static_assert(sizeof(bits) == sizeof(value), "doubles of 64 bits");
-  std::memcpy(&bits, &value, sizeof(bits));
-  append_little_endian(bytes, bits);
-}
-
-} // namespace internal
-
 // Size without the header.
 inline std::uintmax_t bytes_of_field(const Soup& soup, const File_distances& field)
 {
@@ -89,36 +70,21 @@ inline void write_field(std::ostream& out, const Soup& soup, const File_distance
       << "element face " << soup.polygons.size() << "\n"
       << "property list " << (small ? "uchar" : "uint") << " int vertex_indices\nend_header\n";
 
-  // one write per block, not per number
-  constexpr std::size_t block = 1 << 16;
-  std::vector<char> bytes;
-  const auto flush = [&](std::size_t at_least) {
-    if(bytes.size() >= at_least)
-    {
-      out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-      bytes.clear();
-    }
-  };
+  Byte_writer bytes(out);
   for(std::size_t i = 0; i < soup.points.size(); ++i)
   {
-    for(int c = 0; c < 3; ++c)
-      internal::append_double(bytes, soup.points[i][c]);
-    internal::append_double(bytes, field.distances[i]);
-    if(!field.signed_distances.empty())
-      internal::append_double(bytes, field.signed_distances[i]);
-    flush(block);
+    for(int c = 0; c < 3; ++c) bytes.write(soup.points[i][c]);
+    bytes.write(field.distances[i]);
+    if(!field.signed_distances.empty()) bytes.write(field.signed_distances[i]);
   }
   for(const Polygon& polygon : soup.polygons)
   {
     if(small)
-      internal::append_little_endian(bytes, static_cast<std::uint8_t>(polygon.size()));
+      bytes.write(static_cast<std::uint8_t>(polygon.size()));
     else
-      internal::append_little_endian(bytes, static_cast<std::uint32_t>(polygon.size()));
-    for(std::uint32_t v : polygon)
-      internal::append_little_endian(bytes, v);
-    flush(block);
+      bytes.write(static_cast<std::uint32_t>(polygon.size()));
+    for(std::uint32_t v : polygon) bytes.write(v);
   }
-  flush(0);
 }
 
 } // namespace geodesic_offset

@@ -129,7 +129,7 @@ inline void check_insides(const Sources& sources)
 
 } // namespace internal
 
-// Limit of computed distances: without a field or a picture, the largest offset distance.
+// Limit of computed distances: without an output of the whole surface, the largest offset distance.
 inline double distance_limit(const Options& options, const Levels& levels)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
@@ -146,8 +146,11 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
   Offsets offsets;
   const double limit = distance_limit(options, levels);
   internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), drawing, offsets);
-  const auto parameters = CGAL::parameters::distance_limit(limit).compute_largest_distance(true).visitor(
-    internal::Solving_bar(levels, collector, limit, progress));
+  const auto parameters =
+    CGAL::parameters::distance_limit(limit)
+      .compute_largest_distance(true)
+      .keep_windows(options.needs_windows())
+      .visitor(internal::Solving_bar(levels, collector, limit, progress));
   if(levels.empty())
   {
     geodesic.build(parameters.concurrency_tag(Concurrency_tag()));

@@ -58,6 +58,8 @@ inline Options checked_options(const po::variables_map& map)
   options.threads = number_of_threads(map);
   options.stitch = !map["no-stitch"].as<bool>();
   options.quiet = map["quiet"].as<bool>();
+  if(!options.split.empty() && !options.selection.is_everything())
+    throw Usage_error("--split needs the offsets on both sides with round ends, without --side and --end");
   check_different_files(options.files_read(), options.files_written());
   return options;
 }

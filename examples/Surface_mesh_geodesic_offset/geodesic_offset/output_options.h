@@ -22,6 +22,7 @@ struct Output_options
 {
   std::vector<std::string>             outputs; // offsets
   std::string                          field;
+  std::string                          split; // the mesh split along the offsets
   std::string                          picture;
   std::string                          stats;
   std::optional<double>                tolerance;
@@ -32,14 +33,17 @@ struct Output_options
   std::vector<std::string> files_written() const
   {
     std::vector<std::string> result = outputs;
-    for(const std::string& file : {field, picture, stats})
+    for(const std::string& file : {field, split, picture, stats})
       if(!file.empty())
         result.push_back(file);
     return result;
   }
 
   // Whether an output contains the distances of the whole surface.
-  bool shows_field() const { return !field.empty() || !picture.empty(); }
+  bool shows_field() const { return !field.empty() || !split.empty() || !picture.empty(); }
+
+  // Whether an output contains answers for points inside faces.
+  bool needs_windows() const { return !split.empty(); }
 };
 
 namespace internal {
@@ -56,6 +60,8 @@ inline po::options_description output_options_description()
     ("unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")
     ("field", word("FILE.ply"), "the input's vertices with their distances, signed ones too if there are polylines, "
                               "and its faces")
+    ("split", word("FILE.ply"), "the mesh split along the offsets, its faces with their band between the distances, the source "
+                              "nearest to their centroid, and the colour of the band")
     ("picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")
     ("view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")
     ("up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")
@@ -106,11 +112,13 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
   for(const std::string& output : options.outputs)
     check_offset_format(output);
   check_extension("field", options.field, ".ply");
+  check_extension("split", options.split, ".ply");
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
 
-  if(!options.outputs.empty() && map.count("distance") == 0 && map.count("spacing") == 0)
-    throw Usage_error("--output needs --distance or --spacing");
+  for(const char* option : {"output", "split"})
+    if(map.count(option) && map.count("distance") == 0 && map.count("spacing") == 0)
+      throw Usage_error("--" + std::string(option) + " needs --distance or --spacing");
   for(const char* option : {"view", "up"})
     if(map.count(option) && options.picture.empty())
       throw Usage_error("--" + std::string(option) + " needs --picture");
@@ -128,6 +136,7 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
 {
   options.outputs = option_words(map, "output");
   options.field   = option_word(map, "field");
+  options.split   = option_word(map, "split");
   options.picture = option_word(map, "picture");
   options.stats   = option_word(map, "stats");
   options.tolerance = optional_positive_number(map, "tolerance");

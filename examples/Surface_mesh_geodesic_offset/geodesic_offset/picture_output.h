@@ -41,13 +41,12 @@ inline View view_of(const Options& options, const Mesh& mesh, const Sources& sou
   return choose_view(mesh, points, up);
 }
 
-// If some faces are too large for interpolation, builds again with kept windows.
+// If some faces are too large for interpolation, builds again with kept windows unless the last build has them.
 template <class Concurrency_tag>
 Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Options& options, double largest, Progress& progress)
 {
   Face_distances distances(mesh, geodesic, largest);
-  if(!distances.need_windows())
-    return distances;
+  if(!distances.need_windows() || options.needs_windows()) return distances;
   if(geodesic.statistics().windows_propagated > most_kept_windows)
   {
     progress.warning("the colours of " + quoted(options.picture) + " are interpolated inside the large faces of the mesh: "

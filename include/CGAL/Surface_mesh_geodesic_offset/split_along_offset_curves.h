@@ -101,7 +101,8 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `tm` are triangles, and the curves are of `tm` with these points.
+\pre All faces of `tm` are triangles. The curves and the field are of `tm` with these points, or of a mesh that has the same
+descriptors: if `tm` is a copy of a `Surface_mesh`, curves and field of the original remain valid.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then the mesh is unchanged
 \throws std::length_error as `Geodesic_offset_curve::points()`; then the mesh is unchanged
 \throws std::logic_error if `distance_field` has no kept windows, or has a tolerance; then the mesh is unchanged

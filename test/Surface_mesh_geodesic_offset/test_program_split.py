@@ -1,0 +1,125 @@
+# Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mesh split along its offsets: bands, nearest sources and colours of its faces, as VTK reads it too."""
+
+import collections
+import math
+
+from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, polyline_text, read_ply, run_test,
+                           skip)
+
+FAR = (10.2, 2.1)  # a point source away from the segment
+
+
+def read_split(path):
+    """The corners and the other properties of the faces."""
+    elements = read_ply(path)
+    names, vertices = elements["vertex"]
+    check(names == ["x", "y", "z"], "properties of vertices %s" % names)
+    names, faces = elements["face"]
+    check(names == ["vertex_indices", "band", "source", "red", "green", "blue"], "properties of faces %s" % names)
+    points = [(v["x"], v["y"], v["z"]) for v in vertices]
+    check({i for f in faces for i in f["vertex_indices"]} == set(range(len(points))), "each vertex is used")
+    sides = collections.Counter((f["vertex_indices"][k - 1], f["vertex_indices"][k]) for f in faces for k in range(3))
+    check(max(sides.values()) == 1, "faces have the same orientation")
+    border = sum((j, i) not in sides for i, j in sides)
+    for f in faces:
+        f["corners"] = [points[i] for i in f["vertex_indices"]]
+    return points, faces, border
+
+
+def area(corners):
+    (a, b), (c, d), (e, f) = corners
+    return ((c - a) * (f - b) - (e - a) * (d - b)) / 2
+
+
+def octahedron(bench):
+    """A closed mesh, with a line over some of its faces."""
+    with open(bench.path("octahedron.off"), "w") as out:
+        out.write("OFF\n6 8 0\n6 0 0\n-6 0 0\n0 6 0\n0 -6 0\n0 0 6\n0 0 -6\n"
+                  "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
+    with open(bench.path("line.polylines.txt"), "w") as out:
+        out.write(polyline_text([(2, 2, 2), (-3, 2, 1)]))
+    return bench.path("octahedron.off"), "--source-polyline", bench.path("line.polylines.txt"), "--spacing", 1
+
+
+def test_bands(bench):
+    """Two sources in a plane: each face is in the band and near the source of its centroid, and bands have their areas."""
+    plane, levels = TILTED, [0.5, 1.25]
+    far = ("--source-point", ",".join("%.17g" % x for x in plane.space(FAR)))
+    split = bench.path("split.ply")
+    options = ("--tolerance", 1e-6, "--split", split)
+    bench.run(bench.grid(plane), *far, *bench.segment(plane), "--distance", 0.5, "--distance", 1.25, *options)
+    points, faces, border = read_split(split)
+    off = [min(abs(min(math.dist(q, FAR), from_segment(q)[0]) - d) for d in levels) for q in map(plane.plane, points)]
+    check(sum(x <= 1e-10 for x in off) == len(points) - 169, "new vertices are on their levels")
+    areas, colors = collections.Counter(), {}
+    for f in faces:
+        corners = [plane.plane(p) for p in f["corners"]]
+        center = tuple(sum(c[k] for c in corners) / 3 for k in range(2))
+        distances = (math.dist(center, FAR), from_segment(center)[0])
+        band = sum(min(distances) >= d for d in levels)
+        nearest = [d for d in levels if abs(min(distances) - d) < 1e-6]
+        check(f["band"] == band or nearest, "band %d at distance %g" % (f["band"], min(distances)))
+        check(distances[f["source"]] <= min(distances) + 1e-12, "source %d at %s" % (f["source"], center))
+        check(area(corners) > 0, "orientation of a face")
+        areas[f["band"], f["source"]] += area(corners)
+        colors.setdefault(f["band"], set()).add((f["red"], f["green"], f["blue"]))
+    check(len(colors) == 3 and all(len(c) == 1 for c in colors.values()) and len(set.union(*colors.values())) == 3,
+          "a colour for each band: %s" % colors)
+    length = math.dist((4.1, 5.2), (7.3, 6.4))
+    for band, (r, s) in enumerate(((0, 0.5), (0.5, 1.25))):
+        disk = math.pi * (s * s - r * r)
+        check_close(areas[band, 0], disk, 1e-5, "area of band %d around the point" % band)
+        check_close(areas[band, 1], disk + 2 * length * (s - r), 1e-5, "area of band %d around the segment" % band)
+    check_close(sum(areas.values()), 144, 1e-9, "area of all bands")
+    check(border == 48, "%d edges of the border, which no offset reaches" % border)
+
+    # an unreached part is beyond all distances and has no source; a closed surface stays closed
+    with open(bench.grid(HORIZONTAL)) as file:
+        lines = file.read().split("\n")
+    lines[1] = "172 289 0"
+    lines[2 + 169:2 + 169] = ["20 0 0", "21 0 0", "20 1 0"]
+    with open(bench.path("parts.off"), "w") as file:
+        file.write("\n".join(lines).rstrip("\n") + "\n3 169 170 171\n")
+    bench.run(bench.path("parts.off"), *bench.center(HORIZONTAL), "--spacing", 1.5, "--split", split)
+    points, faces, _ = read_split(split)
+    apart = [f for f in faces if f["corners"][0][0] > 15]
+    last = max(f["band"] for f in faces)
+    check(len(apart) == 1 and apart[0]["source"] == -1 and apart[0]["band"] == last, "an unreached part: %s" % apart)
+    check(all(f["source"] == 0 for f in faces if f not in apart), "the only source")
+    for f in faces:
+        if f not in apart:
+            d = from_center(tuple(sum(c[k] for c in f["corners"]) / 3 for k in range(2)))
+            check(abs(d / 1.5 - f["band"] - 0.5) <= 0.5 + 1e-2, "band %d at distance %g" % (f["band"], d))
+    bench.run(*octahedron(bench), "--split", split)
+    check(read_split(split)[2] == 0, "a closed mesh stays closed")
+
+
+def test_vtk(bench):
+    try:
+        from vtkmodules.vtkIOPLY import vtkPLYReader
+        from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+    except ImportError:
+        skip("python3-vtk9")
+    split = bench.path("split.ply")
+    bench.run(*octahedron(bench), "--split", split)
+    points, faces, _ = read_split(split)
+    reader = vtkPLYReader()
+    reader.SetFileName(split)
+    reader.Update()
+    data = reader.GetOutput()
+    check(data.GetNumberOfPoints() == len(points) and data.GetNumberOfPolys() == len(faces), "PLY in VTK")
+    colors = data.GetCellData().GetArray("RGB")
+    if check(colors is not None, "colours in VTK"):
+        for i, f in enumerate(faces):
+            check(colors.GetTuple3(i) == (f["red"], f["green"], f["blue"]), "colour of face %d" % i)
+    edges = vtkFeatureEdges()
+    edges.SetInputConnection(reader.GetOutputPort())
+    edges.FeatureEdgesOff()
+    edges.Update()
+    check(edges.GetOutput().GetNumberOfCells() == 0, "VTK finds border edges or edges with several faces")
+
+
+if __name__ == "__main__":
+    run_test(bands=test_bands, vtk=test_vtk)
