@@ -16,6 +16,7 @@
 #include "geodesic_offset/offset_report.h"
 #include "geodesic_offset/options.h"
 #include "geodesic_offset/output_file.h"
+#include "geodesic_offset/paths.h"
 #include "geodesic_offset/picture_output.h"
 #include "geodesic_offset/png_output.h"
 #include "geodesic_offset/program_main.h"
@@ -62,16 +63,21 @@ Mesh_input load(const Options& options, Run_figures& figures, Progress& progress
   return input;
 }
 
+void report(const Moved_points& moved, const Mesh_input& input, const std::string& kind, Progress& progress)
+{
+  if(const std::string remark = moved.remark(); !remark.empty())
+    progress.line(kind + ": " + remark);
+  if(const std::string far = moved.warning(input.bounding_box_diagonal()); !far.empty())
+    progress.warning(far);
+}
+
 Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& geodesic, Progress& progress)
 {
   Sources sources(input, options, geodesic.mesh());
   sources.add_to(geodesic);
   for(const std::string& remark : sources.remarks())
     progress.line("sources: " + remark);
-  if(const std::string moved = sources.moved_points().remark(); !moved.empty())
-    progress.line("sources: " + moved);
-  if(const std::string far = sources.moved_points().warning(input.bounding_box_diagonal()); !far.empty())
-    progress.warning(far);
+  report(sources.moved_points(), input, "sources", progress);
   if(const std::string useless = useless_side(options, sources); !useless.empty())
     progress.warning(useless);
   return sources;
@@ -113,6 +119,14 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   figures.largest_distance = geodesic.largest_distance();
   figures.covered_distance = geodesic.covered_distance();
 
+  if(options.farthest_point)
+  {
+    const Point p = sources.point_of(geodesic.farthest_point().first);
+    figures.farthest_point = p;
+    progress.line("farthest point: " + full_number(p.x()) + ',' + full_number(p.y()) + ',' + full_number(p.z()) +
+                  " at distance " + full_number(figures.largest_distance));
+  }
+
   const bool is_complete = figures.largest_distance < figures.covered_distance;
   progress.line("distances: " + std::string(is_complete ? "up to " : "computed up to ") +
                   short_number(figures.largest_distance) + ", " +
@@ -141,8 +155,8 @@ Output_files::Report writing_bar(Progress& progress)
 }
 
 template <class Concurrency_tag>
-void write(const Solution& solution, const Mesh_input& input, const Sources& sources, Geodesic& geodesic,
-           const Options& options, const Run_figures& figures, Progress& progress)
+void write(const Solution& solution, const Mesh_input& input, const Sources& sources, const Path_queries& queries,
+           Geodesic& geodesic, const Options& options, const Run_figures& figures, Progress& progress)
 {
   const std::vector<Offset_curve>& curves = solution.offsets.curves;
   const Stopwatch time;
@@ -157,10 +171,13 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
     const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
     files.add(options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
   }
+  const std::vector<Surface_path> paths = queries.paths(geodesic, progress);
+  for(const std::string& file : options.path_outputs)
+    files.add(file, [&](std::ostream& out) { write_paths(out, file, paths); });
   if(!options.picture.empty())
   {
     const Image image =
-      picture_of<Concurrency_tag>(geodesic, input.mesh(), sources, options, curves, figures.largest_distance, progress);
+      picture_of<Concurrency_tag>(geodesic, input.mesh(), sources, options, curves, paths, figures.largest_distance, progress);
     files.add(options.picture, [&](std::ostream& out) { write_png(out, image); });
   }
   if(!options.stats.empty())
@@ -190,6 +207,8 @@ void run(const Options& options, Concurrency_tag tag)
   progress.show("sources");
   Geodesic geodesic(input.mesh(), CGAL::parameters::concurrency_tag(tag));
   const Sources sources = find_sources(input, options, geodesic, progress);
+  const Path_queries queries(input, options, geodesic.mesh());
+  report(queries.moved_points(), input, "paths", progress);
   figures.setup_seconds = setup_time.seconds();
   progress.line("sources: " + counted(geodesic.number_of_sources(), "source"), figures.setup_seconds);
 
@@ -197,7 +216,7 @@ void run(const Options& options, Concurrency_tag tag)
   {
     const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
     const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, figures, progress);
-    write<Concurrency_tag>(solution, input, sources, geodesic, options, figures, progress);
+    write<Concurrency_tag>(solution, input, sources, queries, geodesic, options, figures, progress);
   }
   catch(const std::bad_alloc&)
   {

@@ -539,7 +539,7 @@ private:
     const Program_result help = expect_good("help", {"--help"});
     for (const char* option : {"--source-vertex", "--source-point", "--source-polyline", "--source-plane", "--source-boundary",
                                "--source-sharp-edges", "--distance", "--spacing", "--start", "--count", "--maximum-distance",
-                               "--side", "--end", "--tolerance", "--output", "--unit", "--field", "--split", "--picture", "--view",
+                               "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point", "--tolerance", "--output", "--unit", "--field", "--split", "--picture", "--view",
                                "--up", "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
       CHECK_DETAIL(contains(help.output, option), option);
     check_line(help.output, {"2  0 0 0  1 0 0.5"}); // format of polylines

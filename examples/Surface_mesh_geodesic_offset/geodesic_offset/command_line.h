@@ -76,6 +76,19 @@ inline std::optional<std::size_t> optional_whole_number(const po::variables_map&
   return number;
 }
 
+// Indices of vertices.
+inline std::vector<std::size_t> indices(const po::variables_map& map, const char* name)
+{
+  std::vector<std::size_t> result;
+  for(const std::string& w : option_words(map, name))
+  {
+    result.emplace_back();
+    if(!parse_index(w, result.back()))
+      throw Usage_error("--" + std::string(name) + " must be a vertex index, not " + quoted(w));
+  }
+  return result;
+}
+
 // Parses the options of the description, and words without an option as "mesh".
 inline po::variables_map parsed_command_line(int argc, const char* const* argv, const po::options_description& description)
 {

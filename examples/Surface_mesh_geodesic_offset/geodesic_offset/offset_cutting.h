@@ -129,11 +129,11 @@ inline void check_insides(const Sources& sources)
 
 } // namespace internal
 
-// Limit of computed distances: without an output of the whole surface, the largest offset distance.
+// Limit of computed distances: unless the whole surface is needed, the largest offset distance.
 inline double distance_limit(const Options& options, const Levels& levels)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
-  if(levels.empty() || levels.is_open_ended() || options.shows_field())
+  if(levels.empty() || levels.is_open_ended() || options.needs_field())
     return maximum;
   return std::min(maximum, levels.largest());
 }

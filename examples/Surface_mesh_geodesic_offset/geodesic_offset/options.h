@@ -12,6 +12,7 @@
 #include "level_options.h"
 #include "output_options.h"
 #include "polyline_file.h"
+#include "query_options.h"
 #include "source_options.h"
 #include "threads.h"
 
@@ -19,23 +20,37 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace geodesic_offset {
 
-struct Options : Source_options, Level_options, Output_options
+struct Options : Source_options, Level_options, Query_options, Output_options
 {
   std::optional<std::size_t> threads;
   bool                       stitch = true;
   bool                       quiet = false;
   bool                       help = false;
   bool                       version = false;
+
+  std::vector<std::string> files_written() const
+  {
+    std::vector<std::string> result = Output_options::files_written();
+    result.insert(result.end(), path_outputs.begin(), path_outputs.end());
+    return result;
+  }
+
+  // Whether distances are needed on the whole surface.
+  bool needs_field() const { return shows_field() || has_paths() || farthest_point; }
+
+  // Whether answers are needed for points inside faces.
+  bool needs_windows() const { return !split.empty() || !path_points.empty(); }
 };
 
 namespace internal {
 
 inline po::options_description options_description()
 {
-  po::options_description all("geodesic_offset MESH [sources] [levels] [outputs]\n\n"
+  po::options_description all("geodesic_offset MESH [sources] [levels] [queries] [outputs]\n\n"
                               "Exact geodesic distances on a triangle mesh and exact geodesic offsets of curves.\n"
                               "MESH is an .off, .obj, .ply or .stl file");
   po::options_description others("Others");
@@ -45,7 +60,7 @@ inline po::options_description options_description()
     ("quiet", po::bool_switch(), "print only warnings and errors")
     ("version", po::bool_switch(), "print the version")
     ("help", po::bool_switch(), "print this");
-  all.add(source_options_description()).add(level_options_description()).add(output_options_description()).add(others);
+  all.add(source_options_description()).add(level_options_description()).add(query_options_description()).add(output_options_description()).add(others);
   return all;
 }
 
@@ -54,6 +69,7 @@ inline Options checked_options(const po::variables_map& map)
   Options options;
   read_source_options(map, options);
   read_level_options(map, options);
+  read_query_options(map, options);
   read_output_options(map, options);
   options.threads = number_of_threads(map);
   options.stitch = !map["no-stitch"].as<bool>();

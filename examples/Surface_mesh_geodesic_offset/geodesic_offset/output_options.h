@@ -41,9 +41,6 @@ struct Output_options
 
   // Whether an output contains the distances of the whole surface.
   bool shows_field() const { return !field.empty() || !split.empty() || !picture.empty(); }
-
-  // Whether an output contains answers for points inside faces.
-  bool needs_windows() const { return !split.empty(); }
 };
 
 namespace internal {

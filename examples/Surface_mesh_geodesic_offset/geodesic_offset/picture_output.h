@@ -9,6 +9,7 @@
 #include "common.h"
 #include "face_distances.h"
 #include "options.h"
+#include "paths.h"
 #include "picture.h"
 #include "progress.h"
 #include "sources.h"
@@ -71,7 +72,8 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
 // by another build with the same distances.
 template <class Concurrency_tag>
 Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, const Options& options,
-                 const std::vector<Offset_curve>& curves, double largest, Progress& progress)
+                 const std::vector<Offset_curve>& curves, const std::vector<Surface_path>& paths, double largest,
+                 Progress& progress)
 {
   const Face_distances distances =
     internal::face_distances<Concurrency_tag>(geodesic, mesh, options, largest, progress);
@@ -86,6 +88,8 @@ Image picture_of(Geodesic& geodesic, const Mesh& mesh, const Sources& sources, c
     curve.points(picture.chord_tolerance(), std::back_inserter(polyline));
     picture.add_offset(polyline);
   }
+  for(const Surface_path& path : paths)
+    picture.add_path(path.points);
   return picture.render([&](double done) { progress.show("picture", done); });
 }
 

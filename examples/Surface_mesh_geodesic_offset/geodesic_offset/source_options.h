@@ -76,12 +76,7 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
 {
   options.mesh = mesh_option(map);
 
-  for(const std::string& w : option_words(map, "source-vertex"))
-  {
-    options.source_vertices.emplace_back();
-    if(!parse_index(w, options.source_vertices.back()))
-      throw Usage_error("--source-vertex must be a vertex index, not " + quoted(w));
-  }
+  options.source_vertices = indices(map, "source-vertex");
   for(const std::string& w : option_words(map, "source-point"))
     options.source_points.push_back(numbers<3>("source-point", w));
   options.source_polylines = option_words(map, "source-polyline");

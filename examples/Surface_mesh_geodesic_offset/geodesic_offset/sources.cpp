@@ -11,24 +11,30 @@
 
 namespace geodesic_offset {
 
-template <class Name>
-Face_location Sources::put_on_surface(const Point& point, const Name& name)
+std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
+                                const std::string& mesh_file)
 {
-  // squares of lengths must be within the range of double
-  if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
-    throw Input_error(name() + " is too far away from the surface");
-  const std::pair<Face_location, double> located = m_geodesic.locate_with_distance(point);
-  m_moved.add(located.second, name);
-  return located.first;
+  const std::size_t n = input.soup().points.size();
+  if(i >= n)
+    throw Input_error(option + ' ' + std::to_string(i) + ": " + quoted(mesh_file) + " has only the vertices 0 to " +
+                      std::to_string(n - 1));
+  std::vector<Vertex> vertices;
+  input.for_each_vertex_of(i, [&](Vertex v) { vertices.push_back(v); });
+  if(vertices.empty())
+    throw Input_error(option + ' ' + std::to_string(i) + ": no face of " + quoted(mesh_file) + " has this vertex");
+  return vertices;
 }
 
 Sources::Sources(const Mesh_input& input, const Source_options& options, const Geodesic_mesh& geodesic)
   : m_input(input), m_mesh(input.mesh()), m_geodesic(geodesic)
 {
   for(std::size_t i : options.source_vertices)
-    add_vertex(i, options.mesh);
+  {
+    const std::vector<Vertex> vertices = vertices_at(input, i, "--source-vertex", options.mesh);
+    m_vertices.insert(m_vertices.end(), vertices.begin(), vertices.end());
+  }
   for(const std::array<double, 3>& p : options.source_points)
-    m_points.push_back(put_on_surface(Point(p[0], p[1], p[2]), [&] {
+    m_points.push_back(put_on_surface(geodesic, Point(p[0], p[1], p[2]), m_moved, [&] {
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
   for(const std::string& file : options.source_polylines)
@@ -74,21 +80,6 @@ Point Sources::point_of(const Face_location& location) const
   return CGAL::Polygon_mesh_processing::construct_point(location, m_mesh);
 }
 
-void Sources::add_vertex(std::size_t i, const std::string& mesh_file)
-{
-  const std::size_t n = m_input.soup().points.size();
-  if(i >= n)
-    throw Input_error("--source-vertex " + std::to_string(i) + ": " + quoted(mesh_file) + " has only the vertices 0 to " +
-                      std::to_string(n - 1));
-  bool used = false;
-  m_input.for_each_vertex_of(i, [&](Vertex v) {
-    used = true;
-    m_vertices.push_back(v);
-  });
-  if(!used)
-    throw Input_error("--source-vertex " + std::to_string(i) + ": no face of " + quoted(mesh_file) + " has this vertex");
-}
-
 void Sources::add_polyline(const File_polyline& from, const std::string& file)
 {
   const auto name = [&](std::size_t i) { return "point " + std::to_string(i); };
@@ -100,7 +91,7 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file)
   {
     const bool last_of_closed = polyline.is_closed && i + 1 == n;
     const Face_location location = last_of_closed ? polyline.locations.front()
-                                                  : put_on_surface(from.points[i], [&] { return line + ": " + name(i); });
+                                                  : put_on_surface(m_geodesic, from.points[i], m_moved, [&] { return line + ": " + name(i); });
     if(polyline.locations.empty())
     {
       polyline.locations.push_back(location);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -61,6 +62,22 @@ public:
            " the diagonal of its bounding box; does it have the unit of the mesh?";
   }
 };
+
+// Nearest point of the surface. name(): name of the point for messages. Throws Input_error.
+template <class Name>
+Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, Moved_points& moved, const Name& name)
+{
+  // squares of lengths must be within the range of double
+  if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
+    throw Input_error(name() + " is too far away from the surface");
+  const std::pair<Face_location, double> located = mesh.locate_with_distance(point);
+  moved.add(located.second, name);
+  return located.first;
+}
+
+// Vertices of the mesh at a vertex of the file, at least one. `option`: for messages. Throws Input_error.
+std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
+                                const std::string& mesh_file);
 
 class Sources
 {
@@ -131,6 +148,8 @@ public:
   const std::vector<std::string>& remarks() const { return m_remarks; }
   const Moved_points&             moved_points() const { return m_moved; }
 
+  Point point_of(const Face_location& location) const;
+
   std::vector<Point> points() const;
 
   // Closed polylines repeat their first point.
@@ -154,13 +173,6 @@ private:
     for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(location.first)))
       f(v, std::sqrt(CGAL::squared_distance(point, m_mesh.point(v))));
   }
-
-  template <class Name>
-  Face_location put_on_surface(const Point& point, const Name& name);
-
-  Point point_of(const Face_location& location) const;
-
-  void add_vertex(std::size_t i, const std::string& mesh_file);
 
   void add_polyline(const File_polyline& from, const std::string& file);
 

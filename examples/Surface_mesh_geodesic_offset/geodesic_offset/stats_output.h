@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Run_figures
   double      setup_seconds = 0;
   double      largest_distance = 0;        // of the surface, up to the covered distance
   double      covered_distance = infinity; // all distances up to it are known
+  std::optional<Point> farthest_point; // if requested
 };
 
 // Figures of one distance.
@@ -95,8 +97,11 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
     out << run.covered_distance;
   else
     out << "null";
-  out << ",\n"
-      << "  \"curves\": [";
+  out << ",\n";
+  if(run.farthest_point)
+    out << "  \"farthest_point\": [" << run.farthest_point->x() << ", " << run.farthest_point->y() << ", "
+        << run.farthest_point->z() << "],\n";
+  out << "  \"curves\": [";
   const char* separator = "\n";
   for(const Level_figures& level : levels)
   {
