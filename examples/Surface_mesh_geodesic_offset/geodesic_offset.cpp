@@ -104,7 +104,7 @@ struct Solution
 {
   Offsets              offsets;
   Geodesic::Statistics statistics;
-  File_distances       field;
+  File_field           field;
 };
 
 template <class Concurrency_tag>
@@ -115,7 +115,7 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   const Stopwatch time;
   Offsets offsets =
     build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing, progress);
-  File_distances field(input, geodesic, !options.field.empty() && sources.has_polylines());
+  File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details);
   figures.largest_distance = geodesic.largest_distance();
   figures.covered_distance = geodesic.covered_distance();
 
@@ -163,8 +163,8 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
   Output_files files(writing_bar(progress));
   const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
   if(!options.field.empty())
-    files.add(options.field, [&](std::ostream& out) { write_field(out, input.soup(), solution.field); },
-              bytes_of_field(input.soup(), solution.field));
+    files.add(options.field, [&](std::ostream& out) { write_field(out, options.field, input.soup(), solution.field); },
+              bytes_of_field(options.field, input.soup(), solution.field));
   if(!options.split.empty())
   {
     progress.show("splitting " + quoted(options.mesh));

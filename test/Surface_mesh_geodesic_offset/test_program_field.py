@@ -1,10 +1,12 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signed distances and sides: the field, as VTK reads it too, and offsets as sources of another run."""
+"""Signed distances and sides: the field in all formats, as VTK reads it too, and offsets as sources of another run."""
 
+import csv
 import math
 
-from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, read_ply, run_test)
+from program_bench import (A, B, HORIZONTAL, LENGTH, TILTED, check, check_close, from_center, from_segment, read_ply, run_test,
+                           skip)
 
 
 def read_field(path):
@@ -79,5 +81,78 @@ def test_field(bench):
     check(reader.GetOutput().GetNumberOfPoints() == 169 and reader.GetOutput().GetNumberOfPolys() == 288, "PLY in VTK")
 
 
+def test_details(bench):
+    """Nearest sources, sides and gradients, and the same columns in all formats."""
+    try:
+        from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+    except ImportError:
+        skip("python3-vtk9")
+    plane, far = TILTED, (10.2, 2.1)
+    sources = (bench.grid(plane), "--source-point", ",".join("%.17g" % x for x in plane.space(far)), *bench.segment(plane))
+    files = [bench.path("field" + extension) for extension in (".ply", ".vtk", ".csv")]
+    names = ["x", "y", "z", "distance", "signed_distance", "source", "side", "gradient_x", "gradient_y", "gradient_z"]
+    for limit in ((), ("--maximum-distance", 3)):
+        for file in files:
+            bench.run(*sources, *limit, "--field", file, "--field-details")
+        found, vertices = read_field(files[0])
+        check(found == names and len(vertices) == 169, "properties %s" % found)
+        kinds = set()
+        for v in vertices:
+            p = plane.plane((v["x"], v["y"], v["z"]))
+            to_far, (to_segment, side) = math.dist(p, far), from_segment(p)
+            gradient = (v["gradient_x"], v["gradient_y"], v["gradient_z"])
+            if limit and min(to_far, to_segment) > 3:
+                check(v["distance"] == math.inf and v["source"] == -1 and v["side"] == 0 and gradient == (0, 0, 0),
+                      "a vertex beyond the limit: %s" % v)
+                kinds.add(None)
+                continue
+            nearest = far
+            if to_far > to_segment:
+                t = ((p[0] - A[0]) * (B[0] - A[0]) + (p[1] - A[1]) * (B[1] - A[1])) / LENGTH ** 2
+                nearest = tuple(a + min(max(t, 0), 1) * (b - a) for a, b in zip(A, B))
+            else:
+                side = 0
+            kinds.add((v["source"], v["side"]))
+            check(v["source"] == (0 if nearest == far else 1), "source at %s" % (p,))
+            check(side is None or v["side"] == side, "side at %s" % (p,))
+            direction = plane.space(p), plane.space(nearest)
+            expected = [(a - b) / v["distance"] for a, b in zip(*direction)]
+            check(math.dist(gradient, expected) < 1e-9, "gradient %s at %s, not %s" % (gradient, p, expected))
+        check(kinds == {(0, 0), (1, 1), (1, 2), (1, 3)} | ({None} if limit else set()), "sources and sides: %s" % kinds)
+
+        with open(files[2], newline="") as file:
+            rows = list(csv.reader(file))
+        check(rows[0] == names and len(rows) == 170, "columns %s" % rows[0])
+        same = all(float(x) == v[name] or x == "nan" and math.isnan(v[name])
+                   for row, v in zip(rows[1:], vertices) for name, x in zip(names, row))
+        check(same, "the table has the numbers of the PLY file")
+        reader = vtkDelimitedTextReader()
+        reader.SetFileName(files[2])
+        reader.SetHaveHeaders(True)
+        reader.Update()
+        table = reader.GetOutput()
+        check(table.GetNumberOfRows() == 169 and table.GetNumberOfColumns() == 10, "the table in VTK")
+
+        reader = vtkPolyDataReader()
+        reader.SetFileName(files[1])
+        reader.ReadAllFieldsOn()
+        reader.Update()
+        data = reader.GetOutput()
+        check(data.GetNumberOfPoints() == 169 and data.GetNumberOfPolys() == 288, "the mesh in VTK")
+        arrays = data.GetPointData()
+        check({arrays.GetArrayName(k) for k in range(arrays.GetNumberOfArrays())}
+              == {"distance", "signed_distance", "source", "side", "gradient"}, "arrays in VTK")
+        check(arrays.GetScalars().GetName() == "distance", "distance is active")
+        for i, v in enumerate(vertices):
+            values = [*data.GetPoint(i), *(arrays.GetArray(name).GetTuple1(i) for name in names[3:7]),
+                      *arrays.GetArray("gradient").GetTuple3(i)]
+            check(all(a == v[name] or math.isnan(a) and math.isnan(v[name]) for name, a in zip(names, values)),
+                  "vertex %d in VTK: %s" % (i, values))
+    ids = data.GetCell(0).GetPointIds()
+    first = read_ply(files[0])["face"][1][0]["vertex_indices"]
+    check(tuple(ids.GetId(k) for k in range(3)) == first, "the first face")
+
+
 if __name__ == "__main__":
-    run_test(polylines=test_polylines, field=test_field)
+    run_test(polylines=test_polylines, field=test_field, details=test_details)

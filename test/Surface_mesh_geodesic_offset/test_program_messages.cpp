@@ -539,8 +539,9 @@ private:
     const Program_result help = expect_good("help", {"--help"});
     for (const char* option : {"--source-vertex", "--source-point", "--source-polyline", "--source-plane", "--source-boundary",
                                "--source-sharp-edges", "--distance", "--spacing", "--start", "--count", "--maximum-distance",
-                               "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point", "--tolerance", "--output", "--unit", "--field", "--split", "--picture", "--view",
-                               "--up", "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
+                               "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point",
+                               "--tolerance", "--output", "--unit", "--field", "--field-details", "--split", "--picture",
+                               "--view", "--up", "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
       CHECK_DETAIL(contains(help.output, option), option);
     check_line(help.output, {"2  0 0 0  1 0 0.5"}); // format of polylines
     CHECK(contains(help.output, "one polyline per line"));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Output of numbers as little-endian bytes, for binary .ply files.
+// Output of numbers as bytes, for binary files.
 
 #ifndef GEODESIC_OFFSET_BYTE_WRITER_H
 #define GEODESIC_OFFSET_BYTE_WRITER_H
@@ -14,16 +14,19 @@
 
 namespace geodesic_offset {
 
+enum class Byte_order { little, big };
+
 // Writes blocks: one call of the stream per number would take long.
 class Byte_writer
 {
   static constexpr std::size_t block = 1 << 16;
 
-  std::ostream& m_out;
+  std::ostream&     m_out;
+  Byte_order        m_order;
   std::vector<char> m_bytes;
 
 public:
-  explicit Byte_writer(std::ostream& out) : m_out(out) {}
+  Byte_writer(std::ostream& out, Byte_order order) : m_out(out), m_order(order) {}
   Byte_writer(const Byte_writer&) = delete;
   Byte_writer& operator=(const Byte_writer&) = delete;
   ~Byte_writer() { flush(); }
@@ -32,7 +35,10 @@ public:
   void write(Unsigned value)
   {
     for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
-      m_bytes.push_back(static_cast<char>(static_cast<unsigned char>(value >> (8 * i))));
+    {
+      const std::size_t place = m_order == Byte_order::little ? i : sizeof(Unsigned) - 1 - i;
+      m_bytes.push_back(static_cast<char>(static_cast<unsigned char>(value >> (8 * place))));
+    }
     if(m_bytes.size() >= block) flush();
   }
 

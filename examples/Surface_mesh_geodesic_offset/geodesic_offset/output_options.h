@@ -22,6 +22,7 @@ struct Output_options
 {
   std::vector<std::string>             outputs; // offsets
   std::string                          field;
+  bool                                 field_details = false; // sources, sides and gradients in the field
   std::string                          split; // the mesh split along the offsets
   std::string                          picture;
   std::string                          stats;
@@ -55,8 +56,9 @@ inline po::options_description output_options_description()
                               "(repeatable)")
     ("tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)")
     ("unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")
-    ("field", word("FILE.ply"), "the input's vertices with their distances, signed ones too if there are polylines, "
-                              "and its faces")
+    ("field", word("FILE"), "the input's vertices with their distances, signed ones too if there are polylines, as .ply or "
+                            ".vtk with its faces, or as .csv")
+    ("field-details", po::bool_switch(), "with --field: nearest source, its side, and gradient, too")
     ("split", word("FILE.ply"), "the mesh split along the offsets, its faces with their band between the distances, the source "
                               "nearest to their centroid, and the colour of the band")
     ("picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")
@@ -108,7 +110,11 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
 {
   for(const std::string& output : options.outputs)
     check_offset_format(output);
-  check_extension("field", options.field, ".ply");
+  if(!options.field.empty() && !has_extension(options.field, ".ply") && !has_extension(options.field, ".vtk") &&
+     !has_extension(options.field, ".csv"))
+    throw Usage_error("--field " + quoted(options.field) + " must end in .ply, .vtk or .csv");
+  if(options.field_details && options.field.empty())
+    throw Usage_error("--field-details needs --field");
   check_extension("split", options.split, ".ply");
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
@@ -133,6 +139,7 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
 {
   options.outputs = option_words(map, "output");
   options.field   = option_word(map, "field");
+  options.field_details = map["field-details"].as<bool>();
   options.split   = option_word(map, "split");
   options.picture = option_word(map, "picture");
   options.stats   = option_word(map, "stats");

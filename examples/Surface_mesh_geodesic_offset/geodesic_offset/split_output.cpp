@@ -36,7 +36,7 @@ void Split_mesh::write(std::ostream& out) const
       << "element face " << m_mesh.number_of_faces() << "\n"
       << "property list uchar int vertex_indices\nproperty int band\nproperty int source\n"
       << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
-  Byte_writer bytes(out);
+  Byte_writer bytes(out, Byte_order::little);
   for(Vertex v : m_mesh.vertices())
     for(int c = 0; c < 3; ++c) bytes.write(m_mesh.point(v)[c]);
   std::size_t last_band = 0;
