@@ -78,6 +78,9 @@ Sources find_sources(const Mesh_input& input, const Options& options, Geodesic& 
   for(const std::string& remark : sources.remarks())
     progress.line("sources: " + remark);
   report(sources.moved_points(), input, "sources", progress);
+  if(options.maximum_distance && *options.maximum_distance <= sources.smallest_start_value())
+    throw Input_error("--maximum-distance " + short_number(*options.maximum_distance) +
+                      " leaves no distances: the smallest --start-value is " + short_number(sources.smallest_start_value()));
   if(const std::string useless = useless_side(options, sources); !useless.empty())
     progress.warning(useless);
   return sources;
@@ -137,7 +140,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   if(!levels.empty())
     progress.line("offsets: " + counted(offsets.curves.size(), "curve") + " at " +
                   counted(level_figures(offsets.curves, {}).size(), "distance"));
-  for(const std::string& reason : missing_offsets(options, levels, offsets.curves, figures.largest_distance))
+  for(const std::string& reason : missing_offsets(options, levels, offsets.curves, sources.smallest_start_value(),
+                                                  figures.largest_distance))
     progress.warning(reason);
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
 }

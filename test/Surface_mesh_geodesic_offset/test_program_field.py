@@ -154,5 +154,70 @@ def test_details(bench):
     check(tuple(ids.GetId(k) for k in range(3)) == first, "the first face")
 
 
+def test_sources(bench):
+    """Start values, and one curve of a section, in files as VTK reads them."""
+    try:
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+    except ImportError:
+        skip("python3-vtk9")
+    plane, far, files = TILTED, (10.2, 2.1), (bench.path("field.vtk"), bench.path("offsets.vtk"))
+    reader = vtkPolyDataReader()
+    reader.ReadAllFieldsOn()
+
+    def read(path):
+        reader.SetFileName(path)
+        reader.Modified()
+        reader.Update()
+        return reader.GetOutput()
+
+    # the point begins at 2, the segment at 0.25: an offset at 2.75 is a circle of radius 0.75 and a stadium of 2.5
+    start = (2, 0.25)
+    stats = bench.run(bench.grid(plane), "--source-point", ",".join("%.17g" % x for x in plane.space(far)), *bench.segment(plane),
+                      "--start-value", "0,2", "--start-value", "1,0.25", "--field", files[0], "--field-details",
+                      "--distance", 2.75, "--output", files[1])
+    data = read(files[0])
+    distance, source = (data.GetPointData().GetArray(name) for name in ("distance", "source"))
+    for i in range(169):
+        p = plane.plane(data.GetPoint(i))
+        expected = (start[0] + math.dist(p, far), start[1] + from_segment(p)[0])
+        check_close(distance.GetTuple1(i), min(expected), 1e-12 * 12, "distance with start values")
+        check(abs(expected[0] - expected[1]) < 1e-9 or source.GetTuple1(i) == (0 if expected[0] < expected[1] else 1), "source")
+    data = read(files[1])
+    check(data.GetNumberOfPoints() > 20, "%d points of an offset" % data.GetNumberOfPoints())
+    for i in range(data.GetNumberOfPoints()):
+        p = plane.plane(data.GetPoint(i))
+        check_close(min(start[0] + math.dist(p, far), start[1] + from_segment(p)[0]), 2.75, 1e-9, "an offset with start values")
+    check(stats["curves"][0]["number"] > 0, "curves")
+    # of the boundary, too: all of the reach, so that a spacing finds the last offset
+    stats = bench.run(bench.grid(HORIZONTAL), "--source-boundary", "--start-value", "0,10", "--spacing", 1, "--start", 11)
+    check([level["distance"] for level in stats["curves"] if level["number"] > 0] == [11, 12, 13, 14, 15],
+          "offsets of the boundary with a start value: %s" % stats["curves"])
+    check_close(stats["largest_distance"], 16, 1e-9, "largest distance with a start value")
+    bench.run(bench.grid(HORIZONTAL), "--source-boundary", "--start-value", "0,10", "--distance", 9,
+              warning="no offset at distance 9: the smallest --start-value is 10")
+
+    # a section of two separate squares has two curves
+    with open(bench.grid(HORIZONTAL)) as file:
+        lines = file.read().rstrip("\n").split("\n")
+    points, faces = [tuple(map(float, line.split())) for line in lines[2:171]], lines[171:]
+    with open(bench.path("two.off"), "w") as out:
+        out.write("OFF\n338 576 0\n")
+        for shift in (0, 20):
+            out.writelines("%.17g %.17g %.17g\n" % (x + shift, y, z) for x, y, z in points)
+        for shift in (0, 169):
+            out.writelines("3 %d %d %d\n" % tuple(int(i) + shift for i in face.split()[1:]) for face in faces)
+    for near, low in (("6,1,3", 0), ("25,9,3", 20), (None, None)):
+        bench.run(bench.path("two.off"), "--source-plane", "0,1,0,-5.1", *(("--section-near", near) if near else ()),
+                  "--field", files[0])
+        data = read(files[0])
+        distance = data.GetPointData().GetArray("distance")
+        for i in range(338):
+            x, y, _ = data.GetPoint(i)
+            if low is None or low <= x <= low + 12:
+                check_close(distance.GetTuple1(i), abs(y - 5.1), 1e-12 * 12, "distance from the section")
+            else:
+                check(distance.GetTuple1(i) == math.inf, "the other part is not reached")
+
+
 if __name__ == "__main__":
-    run_test(polylines=test_polylines, field=test_field, details=test_details)
+    run_test(polylines=test_polylines, field=test_field, details=test_details, sources=test_sources)

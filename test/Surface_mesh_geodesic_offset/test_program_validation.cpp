@@ -384,6 +384,7 @@ void fields_of_the_other_program(const std::string& validate, const std::string&
     {&round, {"--source-polyline", curve}},
     {&round, {"--source-plane", "0.3,1,0.2,-0.1"}},
     {&round, {"--source-vertex", "5", "--source-point", "1,1,1", "--source-polyline", curve}},
+    {&round, {"--source-vertex", "5", "--source-plane", "0.3,1,0.2,-0.1", "--start-value", "0,0.1"}},
     {&flat, {"--source-boundary"}},
     {&flat, {"--source-plane", "1,0.2,0,-0.7", "--source-point", "1.7,0.6,0"}},
     {&flat, {"--source-polyline", curve}},

@@ -130,10 +130,11 @@ inline void check_insides(const Sources& sources)
 } // namespace internal
 
 // Limit of computed distances: unless the whole surface is needed, the largest offset distance.
-inline double distance_limit(const Options& options, const Levels& levels)
+inline double distance_limit(const Options& options, const Levels& levels, const Sources& sources)
 {
   const double maximum = options.maximum_distance.value_or(infinity);
-  if(levels.empty() || levels.is_open_ended() || options.needs_field())
+  if(levels.empty() || levels.is_open_ended() || options.needs_field() ||
+     levels.largest() <= sources.smallest_start_value()) // then there would be no distances at all
     return maximum;
   return std::min(maximum, levels.largest());
 }
@@ -144,7 +145,7 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
                       double tolerance, Drawing_check& drawing, Progress& progress)
 {
   Offsets offsets;
-  const double limit = distance_limit(options, levels);
+  const double limit = distance_limit(options, levels, sources);
   internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), drawing, offsets);
   const auto parameters =
     CGAL::parameters::distance_limit(limit)

@@ -39,19 +39,21 @@ inline std::string named_distances(const std::vector<double>& distances)
 
 } // namespace internal
 
-// One sentence per reason for named distances without offset. `curves` are sorted by distance; `reach` is the largest
-// computed distance.
+// One sentence per reason for named distances without offset. `curves` are sorted by distance; `start` is the smallest
+// start value of the sources, `reach` the largest computed distance.
 inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
-                                                const std::vector<Offset_curve>& curves, double reach)
+                                                const std::vector<Offset_curve>& curves, double start, double reach)
 {
-  std::vector<double> beyond_maximum, beyond_surface, not_selected;
+  std::vector<double> before_start, beyond_maximum, beyond_surface, not_selected;
   for(double distance : levels.named())
   {
     const auto it = std::lower_bound(curves.begin(), curves.end(), distance,
                                      [](const Offset_curve& c, double d) { return c.distance() < d; });
     if(it != curves.end() && it->distance() == distance)
       continue;
-    if(distance > options.maximum_distance.value_or(infinity))
+    if(distance <= start)
+      before_start.push_back(distance);
+    else if(distance > options.maximum_distance.value_or(infinity))
       beyond_maximum.push_back(distance);
     else if(distance > reach || options.selection.is_everything())
       beyond_surface.push_back(distance);
@@ -59,6 +61,9 @@ inline std::vector<std::string> missing_offsets(const Options& options, const Le
       not_selected.push_back(distance);
   }
   std::vector<std::string> reasons;
+  if(!before_start.empty())
+    reasons.push_back("no offset at " + internal::named_distances(before_start) + ": the smallest --start-value is " +
+                      short_number(start));
   if(!beyond_maximum.empty())
     reasons.push_back("no offset at " + internal::named_distances(beyond_maximum) + ": --maximum-distance is " +
                       short_number(*options.maximum_distance));

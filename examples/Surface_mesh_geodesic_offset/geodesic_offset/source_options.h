@@ -12,7 +12,9 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -27,6 +29,8 @@ struct Source_options
   std::vector<std::array<double, 4>> source_planes;
   std::vector<double>                source_sharp_edges;
   bool                               source_boundary = false;
+  std::optional<std::array<double, 3>> section_near; // only the nearest curve of each section
+  std::vector<std::pair<std::size_t, double>> start_values; // with the number of the source
 
   std::vector<std::string> files_read() const
   {
@@ -41,6 +45,7 @@ namespace internal {
 inline po::options_description source_options_description()
 {
   const auto words = [](const char* name) { return po::value<Words>()->value_name(name); };
+  const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description sources("Sources (repeatable, in any mix)");
   sources.add_options()
     ("source-vertex", words("I"), "vertex of the mesh, counted from 0 in the order of the file")
@@ -48,8 +53,10 @@ inline po::options_description source_options_description()
     ("source-polyline", words("FILE"), "polylines in a .polylines.txt file (see below); each point goes to the nearest point "
                                        "of the surface, consecutive points are joined by the shortest path on the surface")
     ("source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")
+    ("section-near", word("X,Y,Z"), "with --source-plane: only the curve of each section that is nearest to this point")
     ("source-boundary", po::bool_switch(), "all boundary edges")
-    ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees");
+    ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees")
+    ("start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0");
   return sources;
 }
 
@@ -95,6 +102,22 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
     options.source_sharp_edges.push_back(degrees);
   }
   options.source_boundary = map["source-boundary"].as<bool>();
+  if(map.count("section-near"))
+  {
+    if(options.source_planes.empty())
+      throw Usage_error("--section-near needs --source-plane");
+    options.section_near = numbers<3>("section-near", map["section-near"].as<std::string>());
+  }
+  for(const std::string& w : option_words(map, "start-value"))
+  {
+    const std::size_t comma = w.find(',');
+    options.start_values.emplace_back();
+    auto& [source, value] = options.start_values.back();
+    if(comma == std::string::npos || !parse_index(w.substr(0, comma), source) || !parse_number(w.substr(comma + 1), value) ||
+       value < 0)
+      throw Usage_error("--start-value must be the number of a source, a comma, and a number that is not negative, not " +
+                        quoted(w));
+  }
 
   if(options.source_vertices.empty() && options.source_points.empty() && options.source_polylines.empty() &&
      options.source_planes.empty() && options.source_sharp_edges.empty() && !options.source_boundary)

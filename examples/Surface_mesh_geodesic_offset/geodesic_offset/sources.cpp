@@ -41,11 +41,12 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
     for(const File_polyline& polyline : read_polylines(file))
       add_polyline(polyline, file);
   for(const std::array<double, 4>& plane : options.source_planes)
-    add_plane(plane, options.mesh);
+    add_plane(plane, options);
   if(options.source_boundary)
     add_boundary(options.mesh);
   for(double degrees : options.source_sharp_edges)
     add_sharp_edges(degrees, options.mesh);
+  set_start_values(options);
 }
 
 std::vector<Point> Sources::points() const
@@ -125,8 +126,28 @@ void Sources::add(Surface_polyline polyline, const std::string& name)
   m_polyline_names.push_back(name);
 }
 
-void Sources::add_plane(const std::array<double, 4>& plane, const std::string& mesh_file)
+std::size_t Sources::nearest_polyline(const std::vector<Surface_polyline>& polylines, const Point& point) const
 {
+  std::size_t nearest = 0;
+  double least = infinity;
+  for(std::size_t i = 0; i < polylines.size(); ++i)
+  {
+    const std::vector<Face_location>& locations = polylines[i].locations;
+    for(std::size_t k = polylines[i].is_closed ? 0 : 1; k < locations.size(); ++k)
+    {
+      const Kernel::Segment_3 segment(point_of(locations[k == 0 ? locations.size() - 1 : k - 1]), point_of(locations[k]));
+      const double distance = CGAL::squared_distance(point, segment);
+      if(distance < least)
+        nearest = i;
+      least = std::min(least, distance);
+    }
+  }
+  return nearest;
+}
+
+void Sources::add_plane(const std::array<double, 4>& plane, const Source_options& options)
+{
+  const std::string& mesh_file = options.mesh;
   auto section = m_geodesic.plane_section(Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]));
   const std::string name = "--source-plane " + short_number(plane[0]) + ',' + short_number(plane[1]) + ',' +
                            short_number(plane[2]) + ',' + short_number(plane[3]);
@@ -136,6 +157,15 @@ void Sources::add_plane(const std::array<double, 4>& plane, const std::string& m
   if(section.number_of_faces_in_plane != 0)
     m_remarks.push_back(counted(section.number_of_faces_in_plane, "face") +
                         " in the plane of a section: the border of this part of the surface is the source");
+  if(options.section_near)
+  {
+    if(section.polylines.empty())
+      throw Input_error(name + " only touches " + quoted(mesh_file) + ": there is no curve for --section-near");
+    const std::array<double, 3>& near = *options.section_near;
+    section.polylines = {section.polylines[nearest_polyline(section.polylines, Point(near[0], near[1], near[2]))]};
+    section.touched_edges.clear();
+    section.touched_vertices.clear();
+  }
   for(Surface_polyline& polyline : section.polylines)
     add(std::move(polyline), name + " on " + quoted(mesh_file));
   if(!section.touched_edges.empty())
@@ -145,10 +175,9 @@ void Sources::add_plane(const std::array<double, 4>& plane, const std::string& m
 
 void Sources::add_boundary(const std::string& mesh_file)
 {
-  for(Edge e : m_mesh.edges())
-    if(m_mesh.is_border(e))
-      m_boundary.push_back(e);
-  if(m_boundary.empty())
+  for(std::vector<Edge>& cycle : m_geodesic.boundary_edges())
+    m_boundary_cycles.push_back(std::move(cycle));
+  if(m_boundary_cycles.empty())
     throw Input_error("--source-boundary: " + quoted(mesh_file) + " has no boundary");
 }
 
@@ -160,6 +189,20 @@ void Sources::add_sharp_edges(double degrees, const std::string& mesh_file)
     throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
                       " has no edge with a larger angle");
   m_edges.push_back(std::move(edges));
+}
+
+void Sources::set_start_values(const Source_options& options)
+{
+  const std::size_t n =
+    m_vertices.size() + m_points.size() + m_polylines.size() + m_boundary_cycles.size() + m_edges.size();
+  m_start_values.assign(n, 0);
+  for(const auto& [source, value] : options.start_values)
+  {
+    if(source >= n)
+      throw Input_error("--start-value " + std::to_string(source) + ',' + short_number(value) + ": there are only the sources 0 to " +
+                        std::to_string(n - 1));
+    m_start_values[source] = value;
+  }
 }
 
 } // namespace geodesic_offset

@@ -11,6 +11,7 @@
 #include "polyline_file.h"
 #include "source_options.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -89,9 +90,10 @@ class Sources
   std::vector<Face_location>    m_points;
   std::vector<Surface_polyline> m_polylines;
   std::vector<std::string>      m_polyline_names;
-  std::vector<Edge>             m_boundary; // empty: not a source
+  std::vector<std::vector<Edge>> m_boundary_cycles; // empty: not a source
   std::vector<std::vector<Edge>> m_edges;
   std::vector<std::string>      m_remarks;
+  std::vector<double>           m_start_values; // of all sources
   Moved_points                  m_moved;
 
 public:
@@ -101,40 +103,47 @@ public:
   template <class Target>
   void add_to(Target& geodesic) const
   {
-    geodesic.add_source_points(m_vertices);
-    geodesic.add_source_points(m_points);
+    std::size_t number = 0;
+    const auto start = [&] { return CGAL::parameters::start_value(m_start_values[number++]); };
+    for(Vertex v : m_vertices)
+      geodesic.add_source_point(v, start());
+    for(const Face_location& location : m_points)
+      geodesic.add_source_point(location, start());
     for(const Surface_polyline& polyline : m_polylines)
-      geodesic.add_source_polyline(polyline.locations, polyline.is_closed);
-    if(!m_boundary.empty())
-      for(const std::vector<Edge>& cycle : m_geodesic.boundary_edges())
-        geodesic.add_source_edges(cycle);
+      geodesic.add_source_polyline(polyline.locations, polyline.is_closed, start());
+    for(const std::vector<Edge>& cycle : m_boundary_cycles)
+      geodesic.add_source_edges(cycle, start());
     for(const std::vector<Edge>& edges : m_edges)
-      geodesic.add_source_edges(edges);
+      geodesic.add_source_edges(edges, start());
   }
 
   // Only polylines have sides.
   bool has_polylines() const { return !m_polylines.empty(); }
 
+  double smallest_start_value() const { return *std::min_element(m_start_values.begin(), m_start_values.end()); }
+
   // Whether all sources are single points, away from the vertices of the mesh.
   bool are_points() const
   {
-    return m_vertices.empty() && m_polylines.empty() && m_boundary.empty() && m_edges.empty();
+    return m_vertices.empty() && m_polylines.empty() && m_boundary_cycles.empty() && m_edges.empty();
   }
 
-  // Calls f(vertex, length) for straight paths in a face from a source to a vertex, at least one per source.
+  // Calls f(vertex, length) for straight paths in a face from a source to a vertex, at least one per source. To the lengths the
+  // largest start value is added.
   template <class Function>
   void for_each_start(const Function& f) const
   {
+    const double start = *std::max_element(m_start_values.begin(), m_start_values.end());
     for(Vertex v : m_vertices)
-      f(v, 0.0);
+      f(v, start);
     for(const Face_location& location : m_points)
-      for_each_corner(location, f);
+      for_each_corner(location, start, f);
     for(const Surface_polyline& polyline : m_polylines)
       for(const Face_location& location : polyline.locations)
-        for_each_corner(location, f);
+        for_each_corner(location, start, f);
     for_each_edge([&](Edge e) {
-      f(m_mesh.vertex(e, 0), 0.0);
-      f(m_mesh.vertex(e, 1), 0.0);
+      f(m_mesh.vertex(e, 0), start);
+      f(m_mesh.vertex(e, 1), start);
     });
   }
 
@@ -159,30 +168,34 @@ private:
   template <class Function>
   void for_each_edge(const Function& f) const
   {
-    for(Edge e : m_boundary)
-      f(e);
-    for(const std::vector<Edge>& edges : m_edges)
-      for(Edge e : edges)
-        f(e);
+    for(const auto* sets : {&m_boundary_cycles, &m_edges})
+      for(const std::vector<Edge>& edges : *sets)
+        for(Edge e : edges)
+          f(e);
   }
 
   template <class Function>
-  void for_each_corner(const Face_location& location, const Function& f) const
+  void for_each_corner(const Face_location& location, double start, const Function& f) const
   {
     const Point point = point_of(location);
     for(Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(location.first)))
-      f(v, std::sqrt(CGAL::squared_distance(point, m_mesh.point(v))));
+      f(v, start + std::sqrt(CGAL::squared_distance(point, m_mesh.point(v))));
   }
 
   void add_polyline(const File_polyline& from, const std::string& file);
 
   void add(Surface_polyline polyline, const std::string& name);
 
-  void add_plane(const std::array<double, 4>& plane, const std::string& mesh_file);
+  void add_plane(const std::array<double, 4>& plane, const Source_options& options);
+
+  // The index of the polyline that is nearest to a point.
+  std::size_t nearest_polyline(const std::vector<Surface_polyline>& polylines, const Point& point) const;
 
   void add_boundary(const std::string& mesh_file);
 
   void add_sharp_edges(double degrees, const std::string& mesh_file);
+
+  void set_start_values(const Source_options& options);
 };
 
 } // namespace geodesic_offset
