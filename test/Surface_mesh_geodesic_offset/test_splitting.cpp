@@ -48,7 +48,9 @@ struct Totals
 Totals totals;
 
 // Bands that are larger than this part of the surface have the areas that the curves enclose, up to this part of them.
-constexpr double compared_bands = 1e-2, area_tolerance = 1e-6;
+// The smaller the bands, the more chords.
+const double compared_bands = number_of_cases(0.1, 0.01);
+constexpr double area_tolerance = 1e-6;
 
 template <class Mesh>
 long euler_characteristic(const Mesh& mesh)
