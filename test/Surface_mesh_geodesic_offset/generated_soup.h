@@ -217,6 +217,8 @@ struct Generated_mesh
 
   explicit Generated_mesh(const Soup& soup) : patches(soup.patches)
   {
+    if (soup.uv.size() != soup.triangles.size() || soup.patches.size() != soup.triangles.size())
+      throw std::logic_error("a triangle of the soup was added without add_triangle()");
     auto points = get(CGAL::vertex_point, mesh);
     for (const Point_3& p : soup.points)
     {

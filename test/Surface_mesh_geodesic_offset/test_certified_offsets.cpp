@@ -506,9 +506,7 @@ void use()
   {
     auto triangle = soup.triangles[i];
     for (auto& v : triangle) v += n;
-    soup.triangles.push_back(triangle);
-    soup.uv.push_back(soup.uv[i]);
-    if (soup.patches.size() == t + i) soup.patches.push_back(soup.patches[i]);
+    soup.add_triangle(triangle, soup.patches[i], soup.uv[i]);
   }
   const Generated_mesh<test::Surface_mesh> data(soup);
   Case c("two parts", data.mesh);

@@ -396,7 +396,7 @@ void far_apart()
   for (std::size_t i = 0; i < m; ++i)
   {
     const auto t = soup.triangles[i];
-    soup.triangles.push_back({{t[0] + n, t[1] + n, t[2] + n}});
+    soup.add_triangle({{t[0] + n, t[1] + n, t[2] + n}});
   }
   const Generated_mesh<Surface_mesh> data(soup);
   for (const double s : {3., 1e4, 1e9, 1e200})
