@@ -5,8 +5,8 @@
 import csv
 import math
 
-from program_bench import (A, B, HORIZONTAL, LENGTH, TILTED, check, check_close, from_center, from_segment, read_ply, run_test,
-                           skip)
+from program_bench import (A, B, HORIZONTAL, LENGTH, TILTED, check, check_close, from_center, from_segment, polyline_text,
+                           read_ply, run_test, skip)
 
 
 def read_field(path):
@@ -217,6 +217,29 @@ def test_sources(bench):
                 check_close(distance.GetTuple1(i), abs(y - 5.1), 1e-12 * 12, "distance from the section")
             else:
                 check(distance.GetTuple1(i) == math.inf, "the other part is not reached")
+
+    # one of the two borders
+    bench.run(bench.path("two.off"), "--source-boundary", "--boundary-near", "21,13,5", "--field", files[0])
+    data = read(files[0])
+    for i in range(338):
+        x, y, _ = data.GetPoint(i)
+        expected = min(x - 20, 32 - x, y, 12 - y) if x > 15 else math.inf
+        actual = data.GetPointData().GetArray("distance").GetTuple1(i)
+        check(actual == expected or abs(actual - expected) < 1e-11, "distance %g from one border, not %g" % (actual, expected))
+
+    # points above and below the mesh, moved along a slanted direction: (2, 3, 1) per unit of height; no warning about far points
+    with open(bench.path("moved.polylines.txt"), "w") as out:
+        out.write(polyline_text([(4.1 + 8, 5.2 + 12, 0.3 + 4), (7.3 - 2, 6.4 - 3, 0.3 - 1)]))
+    mesh = bench.grid(HORIZONTAL)
+    bench.run(mesh, "--source-polyline", bench.path("moved.polylines.txt"), "--source-point", "10.3,2.25,0.35", "--project", "2,3,1",
+              "--field", files[0], "--path-from", "6.3,10.6,2.3", "--path-output", files[1])
+    data = read(files[0])
+    for i in range(169):
+        p = HORIZONTAL.plane(data.GetPoint(i))
+        expected = min(from_segment(p)[0], math.dist(p, far))
+        check_close(data.GetPointData().GetArray("distance").GetTuple1(i), expected, 1e-9, "distance from projected points")
+    start = read(files[1]).GetPoint(0)
+    check(math.dist(start, (2.3, 4.6, 0.3)) < 1e-9, "the projected start of a path: %s" % (start,))
 
 
 if __name__ == "__main__":

@@ -42,6 +42,21 @@ std::array<double, N> numbers(const std::string& option, const std::string& word
   return values;
 }
 
+inline std::optional<std::array<double, 3>> optional_point(const po::variables_map& map, const char* name)
+{
+  if(map.count(name) == 0)
+    return std::nullopt;
+  return numbers<3>(name, map[name].as<std::string>());
+}
+
+inline std::optional<std::array<double, 3>> direction(const po::variables_map& map, const char* name)
+{
+  const std::optional<std::array<double, 3>> d = optional_point(map, name);
+  if(d && (*d)[0] == 0 && (*d)[1] == 0 && (*d)[2] == 0)
+    throw Usage_error("--" + std::string(name) + " must not be the zero vector");
+  return d;
+}
+
 // All values of an option, possibly none.
 inline Words option_words(const po::variables_map& map, const char* name)
 {

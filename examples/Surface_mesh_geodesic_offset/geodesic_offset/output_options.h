@@ -68,16 +68,6 @@ inline po::options_description output_options_description()
   return outputs;
 }
 
-inline std::optional<std::array<double, 3>> direction(const po::variables_map& map, const char* name)
-{
-  if(map.count(name) == 0)
-    return std::nullopt;
-  const std::array<double, 3> d = numbers<3>(name, map[name].as<std::string>());
-  if(d[0] == 0 && d[1] == 0 && d[2] == 0)
-    throw Usage_error("--" + std::string(name) + " must not be the zero vector");
-  return d;
-}
-
 inline CGAL::IO::Length_unit length_unit(const std::string& word)
 {
   using CGAL::IO::Length_unit;

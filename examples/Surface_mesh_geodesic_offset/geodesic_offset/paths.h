@@ -57,7 +57,7 @@ public:
       const std::string name =
         "--path-from " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
       m_queries.push_back(
-        {name, {}, put_on_surface(geodesic, Point(p[0], p[1], p[2]), m_moved, [&] { return name; })});
+        {name, {}, put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] { return name; })});
     }
   }
 

@@ -35,7 +35,8 @@ inline void print_warning(const std::string& program, const std::string& text)
 // Throws Input_error if printing to standard output failed.
 inline void check_standard_output()
 {
-  errno = 0;
+  if(std::cout) // otherwise a longer text has failed before this flush, and the error number is that of the failure
+    errno = 0;
   std::cout.flush();
   if(!std::cout)
     throw Input_error("cannot write to the standard output" +

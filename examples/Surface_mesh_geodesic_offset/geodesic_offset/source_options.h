@@ -29,6 +29,8 @@ struct Source_options
   std::vector<std::array<double, 4>> source_planes;
   std::vector<double>                source_sharp_edges;
   bool                               source_boundary = false;
+  std::optional<std::array<double, 3>> projection; // direction in which points are put on the surface
+  std::optional<std::array<double, 3>> boundary_near; // only the nearest boundary cycle
   std::optional<std::array<double, 3>> section_near; // only the nearest curve of each section
   std::vector<std::pair<std::size_t, double>> start_values; // with the number of the source
 
@@ -55,8 +57,11 @@ inline po::options_description source_options_description()
     ("source-plane", words("A,B,C,D"), "section of the mesh by the plane A x + B y + C z + D = 0")
     ("section-near", word("X,Y,Z"), "with --source-plane: only the curve of each section that is nearest to this point")
     ("source-boundary", po::bool_switch(), "all boundary edges")
+    ("boundary-near", word("X,Y,Z"), "with --source-boundary: only the boundary cycle that is nearest to this point")
     ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees")
-    ("start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0");
+    ("start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0")
+    ("project", word("X,Y,Z"), "put points on the surface along this direction, forwards or backwards, instead of to the nearest "
+                             "point");
   return sources;
 }
 
@@ -102,12 +107,13 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
     options.source_sharp_edges.push_back(degrees);
   }
   options.source_boundary = map["source-boundary"].as<bool>();
-  if(map.count("section-near"))
-  {
-    if(options.source_planes.empty())
-      throw Usage_error("--section-near needs --source-plane");
-    options.section_near = numbers<3>("section-near", map["section-near"].as<std::string>());
-  }
+  options.section_near = optional_point(map, "section-near");
+  if(options.section_near && options.source_planes.empty())
+    throw Usage_error("--section-near needs --source-plane");
+  options.boundary_near = optional_point(map, "boundary-near");
+  if(options.boundary_near && !options.source_boundary)
+    throw Usage_error("--boundary-near needs --source-boundary");
+  options.projection = direction(map, "project");
   for(const std::string& w : option_words(map, "start-value"))
   {
     const std::size_t comma = w.find(',');

@@ -6,10 +6,63 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 namespace geodesic_offset {
+
+namespace {
+
+// Removes all curves except for the one nearest to a point. for_each_segment(curve, f) calls f(start, end).
+template <class Curve, class Segments>
+void keep_nearest(std::vector<Curve>& curves, const std::array<double, 3>& near, const Segments& for_each_segment)
+{
+  const Point point(near[0], near[1], near[2]);
+  std::size_t nearest = 0;
+  double least = infinity;
+  for(std::size_t i = 0; i < curves.size(); ++i)
+    for_each_segment(curves[i], [&](const Point& start, const Point& end) {
+      const double distance = CGAL::squared_distance(point, Kernel::Segment_3(start, end));
+      if(distance < least)
+        nearest = i;
+      least = std::min(least, distance);
+    });
+  curves = std::vector<Curve>{curves[nearest]};
+}
+
+} // namespace
+
+Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
+                             const std::function<std::string()>& name)
+{
+  // squares of lengths must be within the range of double
+  if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
+    throw Input_error(name() + " is too far away from the surface");
+  if(!options.projection)
+  {
+    const std::pair<Face_location, double> located = mesh.locate_with_distance(point);
+    moved.add(located.second, name);
+    return located.first;
+  }
+  const std::array<double, 3>& p = *options.projection;
+  const double largest = std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  const Vector direction(p[0] / largest, p[1] / largest, p[2] / largest);
+  std::optional<Face_location> nearest;
+  double least = infinity;
+  for(const Vector& d : {direction, -direction})
+    if(const std::optional<Face_location> hit = mesh.locate(Kernel::Ray_3(point, d)))
+    {
+      const Point on_surface = CGAL::Polygon_mesh_processing::construct_point(*hit, mesh.triangle_mesh());
+      const double distance = CGAL::squared_distance(point, on_surface);
+      if(distance < least)
+        nearest = hit;
+      least = std::min(least, distance);
+    }
+  if(!nearest)
+    throw Input_error(name() + ": the line along --project through this point misses the surface");
+  return *nearest;
+}
 
 std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
                                 const std::string& mesh_file)
@@ -34,16 +87,16 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
     m_vertices.insert(m_vertices.end(), vertices.begin(), vertices.end());
   }
   for(const std::array<double, 3>& p : options.source_points)
-    m_points.push_back(put_on_surface(geodesic, Point(p[0], p[1], p[2]), m_moved, [&] {
+    m_points.push_back(put_on_surface(geodesic, Point(p[0], p[1], p[2]), options, m_moved, [&] {
       return "--source-point " + short_number(p[0]) + ',' + short_number(p[1]) + ',' + short_number(p[2]);
     }));
   for(const std::string& file : options.source_polylines)
     for(const File_polyline& polyline : read_polylines(file))
-      add_polyline(polyline, file);
+      add_polyline(polyline, file, options);
   for(const std::array<double, 4>& plane : options.source_planes)
     add_plane(plane, options);
   if(options.source_boundary)
-    add_boundary(options.mesh);
+    add_boundary(options);
   for(double degrees : options.source_sharp_edges)
     add_sharp_edges(degrees, options.mesh);
   set_start_values(options);
@@ -81,7 +134,7 @@ Point Sources::point_of(const Face_location& location) const
   return CGAL::Polygon_mesh_processing::construct_point(location, m_mesh);
 }
 
-void Sources::add_polyline(const File_polyline& from, const std::string& file)
+void Sources::add_polyline(const File_polyline& from, const std::string& file, const Source_options& options)
 {
   const auto name = [&](std::size_t i) { return "point " + std::to_string(i); };
   const std::string line = quoted(file) + ", line " + std::to_string(from.line);
@@ -92,7 +145,8 @@ void Sources::add_polyline(const File_polyline& from, const std::string& file)
   {
     const bool last_of_closed = polyline.is_closed && i + 1 == n;
     const Face_location location = last_of_closed ? polyline.locations.front()
-                                                  : put_on_surface(m_geodesic, from.points[i], m_moved, [&] { return line + ": " + name(i); });
+                                                  : put_on_surface(m_geodesic, from.points[i], options, m_moved,
+                                                                   [&] { return line + ": " + name(i); });
     if(polyline.locations.empty())
     {
       polyline.locations.push_back(location);
@@ -126,25 +180,6 @@ void Sources::add(Surface_polyline polyline, const std::string& name)
   m_polyline_names.push_back(name);
 }
 
-std::size_t Sources::nearest_polyline(const std::vector<Surface_polyline>& polylines, const Point& point) const
-{
-  std::size_t nearest = 0;
-  double least = infinity;
-  for(std::size_t i = 0; i < polylines.size(); ++i)
-  {
-    const std::vector<Face_location>& locations = polylines[i].locations;
-    for(std::size_t k = polylines[i].is_closed ? 0 : 1; k < locations.size(); ++k)
-    {
-      const Kernel::Segment_3 segment(point_of(locations[k == 0 ? locations.size() - 1 : k - 1]), point_of(locations[k]));
-      const double distance = CGAL::squared_distance(point, segment);
-      if(distance < least)
-        nearest = i;
-      least = std::min(least, distance);
-    }
-  }
-  return nearest;
-}
-
 void Sources::add_plane(const std::array<double, 4>& plane, const Source_options& options)
 {
   const std::string& mesh_file = options.mesh;
@@ -161,8 +196,11 @@ void Sources::add_plane(const std::array<double, 4>& plane, const Source_options
   {
     if(section.polylines.empty())
       throw Input_error(name + " only touches " + quoted(mesh_file) + ": there is no curve for --section-near");
-    const std::array<double, 3>& near = *options.section_near;
-    section.polylines = {section.polylines[nearest_polyline(section.polylines, Point(near[0], near[1], near[2]))]};
+    keep_nearest(section.polylines, *options.section_near, [&](const Surface_polyline& polyline, const auto& f) {
+      const std::size_t n = polyline.locations.size();
+      for(std::size_t i = polyline.is_closed ? 0 : 1; i < n; ++i)
+        f(point_of(polyline.locations[(i + n - 1) % n]), point_of(polyline.locations[i]));
+    });
     section.touched_edges.clear();
     section.touched_vertices.clear();
   }
@@ -173,12 +211,16 @@ void Sources::add_plane(const std::array<double, 4>& plane, const Source_options
   m_vertices.insert(m_vertices.end(), section.touched_vertices.begin(), section.touched_vertices.end());
 }
 
-void Sources::add_boundary(const std::string& mesh_file)
+void Sources::add_boundary(const Source_options& options)
 {
-  for(std::vector<Edge>& cycle : m_geodesic.boundary_edges())
-    m_boundary_cycles.push_back(std::move(cycle));
+  m_boundary_cycles = m_geodesic.boundary_edges();
   if(m_boundary_cycles.empty())
-    throw Input_error("--source-boundary: " + quoted(mesh_file) + " has no boundary");
+    throw Input_error("--source-boundary: " + quoted(options.mesh) + " has no boundary");
+  if(options.boundary_near)
+    keep_nearest(m_boundary_cycles, *options.boundary_near, [&](const std::vector<Edge>& cycle, const auto& f) {
+      for(Edge e : cycle)
+        f(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
+    });
 }
 
 void Sources::add_sharp_edges(double degrees, const std::string& mesh_file)

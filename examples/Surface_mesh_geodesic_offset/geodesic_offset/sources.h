@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,17 +65,10 @@ public:
   }
 };
 
-// Nearest point of the surface. name(): name of the point for messages. Throws Input_error.
-template <class Name>
-Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, Moved_points& moved, const Name& name)
-{
-  // squares of lengths must be within the range of double
-  if(!std::isfinite((point - CGAL::ORIGIN).squared_length()))
-    throw Input_error(name() + " is too far away from the surface");
-  const std::pair<Face_location, double> located = mesh.locate_with_distance(point);
-  moved.add(located.second, name);
-  return located.first;
-}
+// Nearest point of the surface, or that along the projection of the options. name(): name of the point for messages. Throws
+// Input_error.
+Face_location put_on_surface(const Geodesic_mesh& mesh, const Point& point, const Source_options& options, Moved_points& moved,
+                             const std::function<std::string()>& name);
 
 // Vertices of the mesh at a vertex of the file, at least one. `option`: for messages. Throws Input_error.
 std::vector<Vertex> vertices_at(const Mesh_input& input, std::size_t i, const std::string& option,
@@ -182,16 +176,13 @@ private:
       f(v, start + std::sqrt(CGAL::squared_distance(point, m_mesh.point(v))));
   }
 
-  void add_polyline(const File_polyline& from, const std::string& file);
+  void add_polyline(const File_polyline& from, const std::string& file, const Source_options& options);
 
   void add(Surface_polyline polyline, const std::string& name);
 
   void add_plane(const std::array<double, 4>& plane, const Source_options& options);
 
-  // The index of the polyline that is nearest to a point.
-  std::size_t nearest_polyline(const std::vector<Surface_polyline>& polylines, const Point& point) const;
-
-  void add_boundary(const std::string& mesh_file);
+  void add_boundary(const Source_options& options);
 
   void add_sharp_edges(double degrees, const std::string& mesh_file);
 
