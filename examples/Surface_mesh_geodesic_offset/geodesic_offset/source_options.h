@@ -23,15 +23,16 @@ struct Source_options
 {
   std::string mesh;
 
-  std::vector<std::size_t>           source_vertices;
-  std::vector<std::array<double, 3>> source_points;
-  std::vector<std::string>           source_polylines;
-  std::vector<std::array<double, 4>> source_planes;
-  std::vector<double>                source_sharp_edges;
-  bool                               source_boundary = false;
+  std::vector<std::size_t>             source_vertices;
+  std::vector<std::array<double, 3>>   source_points;
+  std::vector<std::string>             source_polylines;
+  std::vector<std::array<double, 4>>   source_planes;
+  std::vector<double>                  source_sharp_edges;
+  bool                                 source_boundary = false;
   std::optional<std::array<double, 3>> projection; // direction in which points are put on the surface
   std::optional<std::array<double, 3>> boundary_near; // only the nearest boundary cycle
   std::optional<std::array<double, 3>> section_near; // only the nearest curve of each section
+
   std::vector<std::pair<std::size_t, double>> start_values; // with the number of the source
 
   std::vector<std::string> files_read() const
