@@ -79,6 +79,9 @@ void use_functions(const Mesh& mesh)
   CGAL::geodesic_offset_curves(mesh, v, 0.1, std::back_inserter(curves), parameters::distance_limit(1));
   std::vector<Point_3> path;
   CGAL::shortest_path_to_sources(mesh, v, v, std::back_inserter(path));
+  Mesh split = mesh;
+  CGAL::split_along_offset_curves(
+    split, curves, parameters::chord_tolerance(0.1).visitor(CGAL::Default_offset_splitting_visitor<Mesh>()));
 }
 
 typedef CGAL::Surface_mesh<Point_3> Surface_mesh;
