@@ -43,12 +43,12 @@ struct Merging_counts
   }
 };
 
-// Replaces runs of neighbours F on a halfedge by one window f with
+// Replaces two neighbours, whose lower envelope is F, on a halfedge by one window f with
 //
-//   (1)  f = F at both ends of the run,   (2)  f <= F between them,   (3)  F - f <= what the tolerance leaves.
+//   (1)  f = F at both ends,   (2)  f <= F between them,   (3)  F - f <= what the tolerance leaves.
 //
 // Error. Distances become smaller, by at most the error stored with the window: a window of error e gives every point that its
-// rays reach a distance at least the length of some path on the mesh minus e. On the edge, e = (largest error of the run) +
+// rays reach a distance at least the length of some path on the mesh minus e. On the edge, e = (larger error of the two) +
 // (largest F - f) satisfies this, and so it does behind the edge, as both sides grow by the length of the ray. A vertex has the
 // error of its window, and passes it on as a pseudo-source. Comparisons with other windows and vertices only remove rays, which
 // changes no error.
@@ -66,32 +66,57 @@ struct Merging_counts
 // them, the nearer image gives smaller distances everywhere between the ends. So each condition of (2) is a bound of r0 in
 // closed form, and the largest r0 is best.
 //
-// Rounding is not part of the error: there are thousands of merges along a strip. An image of the run that satisfies (1) is
+// Rounding is not part of the error: there are thousands of merges along a strip. An image of the two that satisfies (1) is
 // kept, so that rounding does not move images repeatedly. A new image is as precise as the distances that determine it. Where
-// rays graze the edge, as in needles, or the run is narrow, distances do not determine directions, and no new image is made.
-// Whether the rays at the ends enclose those of the run is tested directly, not by distances.
+// rays graze the edge, as in needles, or the windows are narrow, distances do not determine directions, and no new image is made.
+// Whether the rays at the ends enclose those of the two windows is tested directly, not by distances.
+//
+// Lists are merged from left to right, pair by pair. Longer runs at once would leave 2 to 15 % less windows for many more
+// instructions. Windows of a list that is not reduced to its lower envelope overlap; then F is the smaller of two.
 template <class FT>
 class Window_merging
 {
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  Window_merging(const Geodesic_field<FT>& field, const std::vector<Index>& source_of,
-                 const Merging_tolerance<FT>& tolerance)
-    : m_field(field), m_source_of(source_of), m_tolerance(tolerance), m_is_on(!tolerance.is_zero())
+  Window_merging(const Geodesic_field<FT>& field, const std::vector<Index>& source_of, const Merging_tolerance<FT>& tolerance)
+    : m_field(field), m_source_of(source_of), m_tolerance(tolerance), m_is_on(!tolerance.is_zero()),
+      m_share(tolerance.absolute > FT(0) ? 1 : 0.5)
   {
   }
 
   bool is_on() const { return m_is_on; }
   const Merging_counts& counts() const { return m_counts; }
 
-  // Merges the windows of a halfedge, which are sorted and disjoint. Propagated windows stay unchanged. The result is valid
-  // until the next call.
-  const Window_sequence<FT>& operator()(const Window_sequence<FT>& windows)
+  // True if merging of the windows of halfedge h is likely to save more time than it takes. A relative tolerance t leaves about
+  // t^(-1/4) windows, so shorter lists cannot be merged much; of other long lists, some are tried. A tolerance that is a length
+  // is for noise, which may leave one window.
+  bool pays_for(const Window* first, const Window* last, Index h) const
   {
-    if constexpr (Number_policy<FT>::is_inexact)
-      if (m_is_on) return merged(windows);
-    return windows;
+    if (m_tolerance.absolute > FT(0)) return true;
+    const std::ptrdiff_t n = last - first;
+    if (n < 2) return false;
+    if (n > long_list && h % long_list_stride == 0) return true;
+    const FT k = FT(n) / FT(least_length);
+    return CGAL::square(FT(k * k)) * m_tolerance.relative > FT(1);
+  }
+
+  // Merges neighbours among the windows of a halfedge, in one pass. They are sorted by both ends, and may overlap. Propagated
+  // windows stay unchanged. The result is valid until the next call.
+  const Window_sequence<FT>& operator()(const Window* first, const Window* last)
+  {
+    m_windows.clear();
+    Window longer;
+    for (; first != last; ++first)
+    {
+      if (!m_windows.empty() && merge(m_windows.back(), *first, longer))
+      {
+        m_windows.back() = longer;
+        count(longer);
+      }
+      else m_windows.push_back(*first);
+    }
+    return m_windows;
   }
 
   // Error of the distance of a vertex or window with the given origin. If the distance of a pseudo-source has decreased since,
@@ -99,56 +124,21 @@ public:
   double error_of_origin(Index origin) const
   {
     while (origin != no_index && !Merge_error_code::is_merged(origin)) origin = m_field.back[origin].pseudo_source;
-    return origin == no_index ? 0 : Merge_error_code::error(origin);
+    return error_of_image(origin);
   }
 
 private:
-  const Window_sequence<FT>& merged(const Window_sequence<FT>& windows)
-  {
-    m_windows.clear();
-    for (std::size_t i = 0, end = 0; i < windows.size(); i = add_longest_run(windows, i, end))
-    {
-      if (end <= i) end = i + 1;
-      while (end < windows.size() && may_merge(windows[end - 1], windows[end])) ++end;
-    }
-    return m_windows;
-  }
+  // Length of lists that are merged, times t^(1/4); length of lists of which every eighth is merged in any case. Measured by
+  // benchmark/.../tolerance_times.cpp: times change little between 0.6 and 1, and between 8 and 12; with shorter lists, a
+  // tolerance of 1e-6 is slower than an exact build on rough meshes.
+  static constexpr double least_length = 0.8;
+  static constexpr std::ptrdiff_t long_list = 12;
+  static constexpr Index long_list_stride = 8;
 
-  // Adds window i, merged with as many of its successors before `end` as possible. Returns the first unmerged one.
-  std::size_t add_longest_run(const Window_sequence<FT>& windows, std::size_t i, std::size_t end)
+  // Error of a window with the given origin without that of its pseudo-source.
+  static double error_of_image(Index origin)
   {
-    // Doubles the step after each success, then halves it.
-    Window run = windows[i], longer;
-    std::size_t good = i + 1;
-    bool grows = true;
-    for (std::size_t step = 1; step > 0 && good < end;)
-    {
-      const std::size_t next = (std::min)(end, good + step);
-      if (merge(windows.data() + i, windows.data() + next, longer))
-      {
-        run = longer;
-        good = next;
-      }
-      else grows = false;
-      step = grows ? 2 * step : step / 2;
-    }
-    m_windows.push_back(run);
-    if (good > i + 1) count(run, good - i - 1);
-    return good;
-  }
-
-  void count(const Window& run, std::size_t merged)
-  {
-    m_counts.windows_merged += merged;
-    const double e = error_of_origin(run.pseudo_source());
-    m_counts.error_bound = (std::max)(m_counts.error_bound, e);
-    m_counts.relative_error_bound = (std::max)(m_counts.relative_error_bound, e / CGAL::to_double(minimum(run)));
-  }
-
-  bool may_merge(const Window& a, const Window& b) const
-  {
-    return !a.is_propagated() && !b.is_propagated() && b.b0 - a.b1 <= allowed_at((std::min)(a.d1, b.d0)) &&
-           a.source_ref.side() == b.source_ref.side() && m_source_of[a.source_ref.primitive()] == m_source_of[b.source_ref.primitive()];
+    return Merge_error_code::is_merged(origin) ? Merge_error_code::error(origin) : 0;
   }
 
   FT allowed_at(const FT& distance) const
@@ -156,58 +146,110 @@ private:
     return (std::min)(FT(m_tolerance.absolute + m_tolerance.relative * distance), FT(distance / 2));
   }
 
-  // Merges [first, end) into one window m. Returns false if the tolerance does not allow it.
-  bool merge(const Window* first, const Window* end, Window& m) const
+  void count(const Window& merged)
   {
-    return merge_with(first, end, m, false) || merge_with(first, end, m, true);
+    ++m_counts.windows_merged;
+    const double e = error_of_origin(merged.pseudo_source());
+    m_counts.error_bound = (std::max)(m_counts.error_bound, e);
+    m_counts.relative_error_bound = (std::max)(m_counts.relative_error_bound, e / CGAL::to_double(minimum(merged)));
   }
 
-  // Merges with an image of the run, or with a new image.
-  bool merge_with(const Window* first, const Window* end, Window& m, bool is_new) const
+  bool have_same_source(const Window& a, const Window& b) const
   {
-    const Window& last = *(end - 1);
-    m = is_new ? *first : widest(first, end);
-    m.b0 = first->b0;
-    m.d0 = first->d0;
-    m.b1 = last.b1;
-    m.d1 = last.d1;
-    const FT unit = Number_policy<FT>::rounding(16) * (m.d0 + m.d1 + m.b1 - m.b0);
-    if (is_new ? !place_image(first, end, unit, m) : !passes_ends(m, unit)) return false;
-    if (!encloses(*first, last, m)) return false;
+    return a.source_ref.side() == b.source_ref.side() &&
+           (a.source_ref.primitive() == b.source_ref.primitive() ||
+            m_source_of[a.source_ref.primitive()] == m_source_of[b.source_ref.primitive()]);
+  }
+
+  // Merges two neighbours into one window m. Returns false if the tolerance does not allow it.
+  bool merge(const Window& a, const Window& b, Window& m) const
+  {
+    return BOOST_UNLIKELY(!exceeds_share(a, b)) && merge_within(a, b, m);
+  }
+
+  // What one merge may add to the error, less m_share of the error so far. Half of a relative tolerance, so that later merges
+  // have the other half.
+  FT share(const Window& a, const Window& b) const { return m_share * allowed_at((std::min)(a.d0, b.d1)); }
+
+  // True for most pairs that cannot be merged. Of errors of pseudo-sources, which are not in the cache, it knows nothing.
+  bool exceeds_share(const Window& a, const Window& b) const
+  {
+    const FT error = FT((std::max)(error_of_image(a.pseudo_source()), error_of_image(b.pseudo_source())));
+    return exceeds(share(a, b) - m_share * error, a, b);
+  }
+
+  // Let l be the length of both intervals, c = (d1 - d0) / l, n = l^2 - (d1 - d0)^2, and k the height of F over the chord of the
+  // distances at the ends, at q behind b0. f is convex, so F - f is at least k there. If the image of f is at r0 from b0, f is
+  // below the chord at q by the sag
+  //
+  //   r0 + c q - sqrt((r0 + c q)^2 - n q (l - q) / l^2)  >=  n q (l - q) / (2 l^2 (r0 + c q))
+  //
+  // and the slopes of F at both ends bound r0 from above, see farthest_image(). True if k and the lower bound of the sag exceed
+  // the given limit. Most pairs end here, so this has one division, no root and no branch.
+  static bool exceeds(const FT& limit, const Window& a, const Window& b)
+  {
+    const FT l = b.b1 - a.b0, rise = b.d1 - a.d0, q = b.b0 - a.b0;
+    const FT left = l * (limit - height_at_joint(a, b)) + rise * q; // l (limit - k)
+    const FT n = (l - rise) * (l + rise), deepest = n * q * (l - q);
+    const FT ra = a.is_parallel() ? FT(1) : FT(a.d0 - a.sigma), rb = b.is_parallel() ? FT(1) : FT(b.d1 - b.sigma);
+    // r0 <= n ra / 2 u if u > 0, and r1 <= n rb / 2 v if v > 0; less the rounding of u and v.
+    const FT noise = Number_policy<FT>::rounding(16) * (a.d0 + b.d1 + l);
+    const FT u = rise * ra - l * (a.is_parallel() ? FT(-a.x) : FT(a.b0 - a.x)) - noise * ra;
+    const FT v = l * (b.is_parallel() ? FT(-b.x) : FT(b.b1 - b.x)) - rise * rb - noise * rb;
+    const int by_u = int(u > FT(0)) & int(deepest * u > left * (l * n * ra + 2 * u * rise * q));
+    const int by_v = int(v > FT(0)) & int(deepest * v > left * (l * n * rb - 2 * v * rise * (l - q)));
+    return int(left < FT(0)) | by_u | by_v;
+  }
+
+  // F at the begin of b minus F at the begin of a. If a reaches beyond, its tangent at its end is used, which is below it.
+  static FT height_at_joint(const Window& a, const Window& b)
+  {
+    return (std::min)(b.d0, FT(a.d1 - (a.b1 - b.b0) * slope(a, a.b1, a.d1))) - a.d0;
+  }
+
+  // Merges two neighbours with the image of one of them, or else with a new one.
+  bool merge_within(const Window& a, const Window& b, Window& m) const
+  {
+    const FT most = share(a, b);
+    if (a.is_propagated() || b.is_propagated() || b.b0 - a.b1 > most || !have_same_source(a, b)) return false;
+    const FT unit = Number_policy<FT>::rounding(16) * (a.d0 + b.d1 + b.b1 - a.b0);
+    m = a.b1 - a.b0 < b.b1 - b.b0 ? b : a; // the wider one has the more precise image
+    m.b0 = a.b0;
+    m.d0 = a.d0;
+    m.b1 = b.b1;
+    m.d1 = b.d1;
+    if (passes_ends(m, unit) && accept(a, b, most, unit, m)) return true;
+    const FT l = m.b1 - m.b0, rise = m.d1 - m.d0, n = (l - rise) * (l + rise), c = rise / l;
+    // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
+    // width, as in needles, the image is noise.
+    if (n < Number_policy<FT>::rounding(1 << 14) * CGAL::square(m.d0 + m.d1)) return false;
+    const FT r0 = farthest_image(a, b, n, c, unit);
+    if (!(r0 > FT(0)) || !(r0 + rise > FT(0))) return false;
+    // As in exceeds(), with r0.
+    const FT q = b.b0 - a.b0, k = height_at_joint(a, b) - c * q;
+    if (n * q * (l - q) > (most - k) * (2 * l * l * (r0 + c * q))) return false;
+    return place_image(n, c, r0, m) && passes_ends(m, unit) && accept(a, b, most, unit, m);
+  }
+
+  // Tests the conditions with the image of m, and sets its origin.
+  bool accept(const Window& a, const Window& b, const FT& most, const FT& unit, Window& m) const
+  {
+    if (!encloses(a, b, m)) return false;
     const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
-    // Most runs fail between the windows, so this test comes first.
-    const FT at_ends = allowed_at((std::min)(m.d0, m.d1)) + rounding;
-    for (const Window* w = first; w != &last; ++w)
-      if (!(w->d1 - m.distance_at(w->b1) + FT(error_of_origin(w->pseudo_source())) <= at_ends)) return false;
-    const FT allowed = allowed_at(minimum(m));
-    const auto is_rounding = [&](const FT& error) { return 4 * error <= rounding; };
-    FT largest(0), previous(0);
-    bool is_same = !is_new;
-    for (const Window* w = first; w != end; ++w)
+    if (!is_below(m, a.b1, a.d1, rounding) || !is_below(m, b.b0, b.d0, rounding)) return false;
+    FT added = a.b1 > b.b0 ? deviation_in_overlap(a, b, m) : deviation_in_gap(a, b, m);
+    added = (std::max)({added, deviation_inside(a, m), deviation_inside(b, m)});
+    const FT before = FT((std::max)(error_of_origin(a.pseudo_source()), error_of_origin(b.pseudo_source())));
+    if (added > most - m_share * before) return false;
+    const bool is_rounding = 4 * added <= rounding;
+    if (is_rounding && a.pseudo_source() == b.pseudo_source())
     {
-      FT added;
-      if (!deviation(*w, m, rounding, added)) return false;
-      const FT before = FT(error_of_origin(w->pseudo_source()));
-      is_same = is_same && w->pseudo_source() == first->pseudo_source() && is_rounding(added);
-      largest = (std::max)(largest, FT(is_rounding(added) ? before : before + added));
-      if (w != first)
-      {
-        const FT in_gap = deviation_in_gap(*(w - 1), *w, m), at_gap = (std::max)(before, previous);
-        is_same = is_same && is_rounding(in_gap);
-        largest = (std::max)(largest, FT(is_rounding(in_gap) ? at_gap : at_gap + in_gap));
-      }
-      if (!(largest <= allowed)) return false;
-      previous = before;
+      m.bits = Window::make_bits(m.is_parallel(), a.pseudo_source());
+      return true;
     }
-    if (is_same) return true;
-    const Index origin = Merge_error_code::with_error(CGAL::to_double(largest));
+    const Index origin = Merge_error_code::with_error(CGAL::to_double(is_rounding ? before : FT(before + added)));
     m.bits = Window::make_bits(m.is_parallel(), origin);
-    return FT(Merge_error_code::error(origin)) <= allowed;
-  }
-
-  static const Window& widest(const Window* first, const Window* end)
-  {
-    return *std::max_element(first, end, [](const Window& a, const Window& b) { return a.b1 - a.b0 < b.b1 - b.b0; });
+    return FT(Merge_error_code::error(origin)) <= allowed_at(minimum(m));
   }
 
   // Condition (1), up to rounding.
@@ -216,74 +258,78 @@ private:
     return CGAL::abs(FT(m.distance_at(m.b0) - m.d0)) <= unit && CGAL::abs(FT(m.distance_at(m.b1) - m.d1)) <= unit;
   }
 
-  // Largest F - f in the gap between two windows, where F is the shorter path around an end. f grows more slowly than these
-  // paths, so the maximum is where both are equal.
+  // Largest F - f from the end of a to the begin of b, where F is the shorter path around either. f grows more slowly than these
+  // paths, so the maximum in between is where both are equal.
   static FT deviation_in_gap(const Window& a, const Window& b, const Window& m)
   {
     const FT gap = b.b0 - a.b1, rise = b.d0 - a.d1;
-    if (!(gap > CGAL::abs(rise))) return FT((std::max)(gap, FT(0)));
-    return (a.d1 + b.d0 + gap) / 2 - m.distance_at(FT(a.b1 + (gap + rise) / 2));
+    const FT at_ends = (std::max)(a.d1 - m.distance_at(a.b1), b.d0 - m.distance_at(b.b0));
+    if (!(gap > CGAL::abs(rise))) return (std::max)(at_ends, gap);
+    return (std::max)(at_ends, FT((a.d1 + b.d0 + gap) / 2 - m.distance_at(FT(a.b1 + (gap + rise) / 2))));
+  }
+
+  // Bound of the largest F - f where a and b overlap: a is used up to a point near their intersection, b behind it.
+  static FT deviation_in_overlap(const Window& a, const Window& b, const Window& m)
+  {
+    const FT first = b.d0 - a.distance_at(b.b0), last = b.distance_at(a.b1) - a.d1; // b - a
+    FT joint = !(first > FT(0)) ? b.b0 : a.b1;
+    if (first > FT(0) && last < FT(0)) joint = b.b0 + (a.b1 - b.b0) * (first / (first - last));
+    return (std::max)(a.distance_at(joint), b.distance_at(joint)) - m.distance_at(joint);
   }
 
   // True if the rays at the ends of m are not inside those of the first and last window, up to rounding. For rays that graze
   // the edge, derivatives do not decide this.
   static bool encloses(const Window& first, const Window& last, const Window& m)
   {
-    return !turns_right(first, m, m.b0) && !turns_right(m, last, m.b1);
+    return !turns_right(first, m, m.b0, m.d0) && !turns_right(m, last, m.b1, m.d1);
   }
 
-  // True if the ray of v through (b, 0) turns right of that of u by more than rounding. The allowance falls with the slope of
-  // the rays.
-  static bool turns_right(const Window& u, const Window& v, const FT& b)
+  // True if the ray of v through (b, 0), at distance d, turns right of that of u by more than rounding. The allowance falls with
+  // the slope of the rays.
+  static bool turns_right(const Window& u, const Window& v, const FT& b, const FT& d)
   {
     const FT ux = u.is_parallel() ? FT(-u.x) : FT(b - u.x), vx = v.is_parallel() ? FT(-v.x) : FT(b - v.x);
-    const FT length_u = square_root<FT>(ux * ux + u.y * u.y), length_v = square_root<FT>(vx * vx + v.y * v.y);
+    const FT length_u = u.is_parallel() ? FT(1) : FT(d - u.sigma), length_v = v.is_parallel() ? FT(1) : FT(d - v.sigma);
     const FT allowance = Number_policy<FT>::rounding(64) * length_u - Number_policy<FT>::rounding(2048) * u.y;
     return u.y * vx - ux * v.y < -allowance * length_v;
   }
 
-  // Sets the image of m, whose interval and distances at the ends are given, as far away as (2) allows at the ends of the
-  // windows [first, end). Let l be the length of the interval, c = (d1 - d0) / l, n = l^2 - (d1 - d0)^2. Then
+  // The distance r0 of the farthest image from the end b0 of two merged windows that satisfies (2) at their ends:
   //
   //   x - b0 = n / 2l - c r0    as  r0^2 - (x - b0)^2 = r1^2 - (l - (x - b0))^2  and  r1 = r0 + c l
   //
   // The derivative of f at b0 is -(x - b0) / r0; it must be at most that of F, and likewise at b1. At a point at q
-  // behind b0 where F is above the chord of the two distances by k, f <= F is
+  // behind b0 where F is above the chord by k, f <= F is
   //
   //   r0 <= ((1 - c^2) q (l - q) + 2 q c k + k^2) / -2k
   //
-  // if k < 0, and no condition otherwise. Without any bound f is linear: rays are parallel.
-  bool place_image(const Window* first, const Window* end, const FT& unit, Window& m) const
+  // if k < 0, and no condition otherwise. Without any bound f is linear: the result is more than farthest().
+  static FT farthest_image(const Window& a, const Window& b, const FT& n, const FT& c, const FT& unit)
   {
-    const FT l = m.b1 - m.b0, rise = m.d1 - m.d0;
-    if (!(CGAL::abs(rise) < l)) return false;
-    const FT n = (l - rise) * (l + rise), c = rise / l;
-    const FT farthest = FT(1 << 8) * (m.d0 + m.d1 + l); // beyond, rounding exceeds the gain
-    const FT unlimited = 2 * farthest;
-    FT r0 = unlimited;
-    const auto limit = [&r0](const FT& r)
-    {
+    const FT l = b.b1 - a.b0, rise = b.d1 - a.d0;
+    FT r0 = 2 * farthest(a.d0, b.d1, l);
+    const auto limit = [&r0](const FT& r) {
       if (r < r0) r0 = r;
     };
-    const Window& last = *(end - 1);
-    const FT at_b0 = slope(*first, first->b0, first->d0), at_b1 = slope(last, last.b1, last.d1);
-    if (const FT k = rise - l * at_b0; k > unit) limit(n / (2 * k));
-    if (const FT k = l * at_b1 - rise; k > unit) limit(n / (2 * k) - rise);
-    const auto stay_below = [&](const FT& b, const FT& d)
-    {
-      const FT q = b - m.b0, k = d + unit - (m.d0 + c * q);
+    if (const FT k = rise - l * slope(a, a.b0, a.d0); k > unit) limit(n / (2 * k));
+    if (const FT k = l * slope(b, b.b1, b.d1) - rise; k > unit) limit(n / (2 * k) - rise);
+    const auto stay_below = [&](const FT& at, const FT& d) {
+      const FT q = at - a.b0, k = d + unit - (a.d0 + c * q);
       if (k < FT(0)) limit((n / (l * l) * q * (l - q) + (2 * q * c + k) * k) / (-2 * k));
     };
-    for (const Window* w = first; w != &last; ++w)
-    {
-      stay_below(w->b1, w->d1);
-      stay_below((w + 1)->b0, (w + 1)->d0);
-    }
-    if (!(r0 > FT(0)) || !(r0 + rise > FT(0))) return false;
-    // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
-    // width, as in needles, the image is noise.
-    if (n < Number_policy<FT>::rounding(1 << 14) * (m.d0 + m.d1) * (m.d0 + m.d1)) return false;
-    if (r0 == unlimited)
+    stay_below(a.b1, a.d1);
+    if (a.b1 != b.b0 || a.d1 != b.d0) stay_below(b.b0, b.d0);
+    return r0;
+  }
+
+  // Beyond this distance of an image, rounding exceeds the gain.
+  static FT farthest(const FT& d0, const FT& d1, const FT& length) { return FT(1 << 8) * (d0 + d1 + length); }
+
+  // Sets the image of m, whose interval and distances at the ends are given, at r0 from b0, or at infinity.
+  static bool place_image(const FT& n, const FT& c, FT r0, Window& m)
+  {
+    const FT l = m.b1 - m.b0, most = farthest(m.d0, m.d1, l);
+    if (r0 >= 2 * most)
     {
       m.bits = Window::make_bits(true, no_index);
       m.x = -c;
@@ -291,7 +337,7 @@ private:
       m.sigma = m.d0 + m.x * m.b0;
       return m.y < FT(0);
     }
-    limit(farthest);
+    r0 = (std::min)(r0, most);
     m.bits = Window::make_bits(false, no_index);
     const FT x = n / (2 * l) - c * r0;
     m.x = m.b0 + x;
@@ -306,32 +352,27 @@ private:
     return w.is_parallel() ? FT(-w.x) : FT((b - w.x) / (d - w.sigma));
   }
 
-  // Largest w - m on the interval of w. Returns false if m is larger somewhere by more than rounding. The difference is
-  // monotone on either side of the point collinear with both images.
-  static bool deviation(const Window& w, const Window& m, const FT& rounding, FT& largest)
+  // True if m is not above w by more than rounding on the interval of w, where b is the end of w inside m, at distance d. Both are
+  // equal at the other end, with slopes that differ in favour of m, and their difference has one extremum.
+  static bool is_below(const Window& m, const FT& b, const FT& d, const FT& rounding)
   {
-    const FT g0 = w.d0 - m.distance_at(w.b0), g1 = w.d1 - m.distance_at(w.b1);
-    largest = (std::max)(g0, g1);
-    FT smallest = (std::min)(g0, g1);
+    return m.distance_at(b) <= d + rounding;
+  }
+
+  // Largest w - m inside the interval of w: at the point that is collinear with both images.
+  static FT deviation_inside(const Window& w, const Window& m)
+  {
     const FT y = (w.is_parallel() ? FT(0) : m.y) - (m.is_parallel() ? FT(0) : w.y);
-    if (!CGAL::is_zero(y) && !(w.is_parallel() && m.is_parallel()))
-    {
-      const FT b = (w.x * m.y - m.x * w.y) / y;
-      if (w.b0 < b && b < w.b1)
-      {
-        const FT g = w.distance_at(b) - m.distance_at(b);
-        largest = (std::max)(largest, g);
-        smallest = (std::min)(smallest, g);
-      }
-    }
-    if (largest < FT(0)) largest = FT(0);
-    return !(smallest < -rounding);
+    if (CGAL::is_zero(y) || (w.is_parallel() && m.is_parallel())) return FT(0);
+    const FT b = (w.x * m.y - m.x * w.y) / y;
+    return w.b0 < b && b < w.b1 ? FT(w.distance_at(b) - m.distance_at(b)) : FT(0);
   }
 
   const Geodesic_field<FT>& m_field;
   const std::vector<Index>& m_source_of;
   const Merging_tolerance<FT> m_tolerance;
   const bool m_is_on;
+  const FT m_share; // of what the tolerance leaves, for one merge
   Merging_counts m_counts;
   Window_sequence<FT> m_windows;
 };
