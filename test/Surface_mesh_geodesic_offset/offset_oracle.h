@@ -67,8 +67,8 @@ public:
   typedef CGAL::Geodesic_offset::internal::Geodesic_field<double> Field;
 
   Face_tracing(const Mesh& mesh, const Initial& initial, const Field& field)
-    : mesh_(mesh), initial_(initial), field_(field), reach_(mesh), longest_at_(mesh.number_of_vertices(), 0),
-      cut_(mesh, initial, field)
+    : mesh_(mesh), initial_(initial), field_(field), reach_(mesh), sources_(initial, field, reach_),
+      longest_at_(mesh.number_of_vertices(), 0), cut_(mesh, initial, field)
   {
     for (Index f = 0; 3 * f < mesh.number_of_halfedges(); ++f)
     {
@@ -81,7 +81,8 @@ public:
   std::vector<Level_chain> operator()(Index face, double level)
   {
     const CGAL::Offset_levels<double> levels(std::vector<double>{level});
-    CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, reach_, levels, field_.maximum);
+    CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, reach_, sources_, levels,
+                                                                  field_.maximum);
     cut_.levels = cutting.levels_of(face);
     cutting.find_crossings(face, [](Index) { return true; }, cut_);
     Index number = 0;
@@ -148,6 +149,7 @@ private:
   const Initial& initial_;
   const Field& field_;
   const CGAL::Geodesic_offset::internal::Vertex_reach<double> reach_;
+  const CGAL::Geodesic_offset::internal::Offset_sources<double> sources_;
   std::vector<double> longest_at_; // per vertex, the longest edge of its faces
   CGAL::Geodesic_offset::internal::Face_cut<double> cut_;
   std::size_t forced_joints_ = 0;

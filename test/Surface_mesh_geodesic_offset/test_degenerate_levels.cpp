@@ -435,6 +435,142 @@ void cusps()
     }
 }
 
+// A polyline beside or along an edge, and levels around its start value: up to it only the other source has an offset, and
+// above it the whole polyline has one.
+struct Polyline_beside_edge
+{
+  std::string name;
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::pair<std::size_t, std::array<double, 3>>> locations; // weights at the corners of a triangle
+  bool is_closed;
+  double start_value;
+  std::vector<std::pair<std::size_t, std::array<double, 3>>> other; // a point or an open polyline with the start value zero
+  double longest_edge;
+  double length; // of the offset just above the start value, with that of the other source; 0: at least ten times the other
+};
+
+std::vector<Polyline_beside_edge> polylines_beside_edges()
+{
+  return {
+    {"a polyline of two faces, beside an open one",
+     {Point_3(0.20907604079763786, -0.34798226084981743, 0.48632744523725424),
+      Point_3(0.08536420182538873, -0.34185622767539681, -0.018239178699788972),
+      Point_3(0.39675057196141561, -0.08286983013374094, -0.3768906817715908),
+      Point_3(-0.27367497854813028, -0.055376735950953604, 0.03621265048996325)},
+     {{{0, 1, 2}}, {{0, 3, 1}}},
+     {{0, {{0.63670602937615328, 0.36329397062384666, 0}}},
+      {1, {{0, 0.42858238196695309, 0.57141761803304691}}},
+      {1, {{4.0181076495437861e-08, 1.7641731638997589e-08, 0.9999999421771919}}}},
+     true,
+     0.027619979867917595,
+     {{1, {{0.0068410850347314029, 0.98838362476569508, 0.0047752901995735987}}},
+      {1, {{0.82107207194839171, 0, 0.17892792805160829}}}},
+     0.92,
+     2.9185},
+    {"a triangle whose points are next to corners",
+     {Point_3(0, 0, 0), Point_3(-10.987211283816537, 2.3316559259583265, -2.9217045686756746),
+      Point_3(-9.9544515609931299, -7.8134669150302658, 9.7907421625501758)},
+     {{{1, 2, 0}}},
+     {{0, {{0.37643159666888648, 0.62356840333111352, 0}}},
+      {0, {{1.1281889470044597e-07, 0, 0.99999988718110544}}},
+      {0, {{1, 0, 0}}},
+      {0, {{0.84886120451713487, 0.15113879547735207, 5.5131567096654435e-12}}}},
+     true,
+     2.7314748981168613,
+     {{0, {{0, 0, 1}}}},
+     16.3,
+     0},
+    {"a segment to a corner",
+     {Point_3(128, 63.892851023244511, 0), Point_3(64.046682816293512, 128.10730856436376, 0),
+      Point_3(128, 127.97045332107112, 0)},
+     {{{1, 0, 2}}},
+     {{0, {{0.47225331472336285, 0.52774668369732072, 1.5793163146290973e-09}}}, {0, {{1, 0, 0}}}},
+     false,
+     9.0937833181877323,
+     {},
+     90.6,
+     95.63},
+    {"a segment in a face, from next to a corner to an edge",
+     {Point_3(2, 1, 0), Point_3(3, 0, 0), Point_3(3, 1, 0)},
+     {{{0, 1, 2}}},
+     {{0, {{2.2391348888180339e-08, 1.1248122156895114e-08, 0.99999996636052901}}},
+      {0, {{0.66666666666666663, 0, 0.33333333333333331}}}},
+     false,
+     0.19679319962937825,
+     {},
+     1.4143,
+     1.3333},
+    {"a polyline that crosses itself",
+     {Point_3(1.3093618154525757, 0.96459037065505981, 0), Point_3(0.98100882768630981, 1.6422297954559326, 0),
+      Point_3(0.41154050827026367, 0.97518229484558105, 0)},
+     {{{0, 1, 2}}},
+     {{0, {{0.84614034909710256, 0, 0.15385965090289744}}},
+      {0, {{0.2553802498573492, 0.48700338181249481, 0.257616368330156}}},
+      {0, {{0.31407179018064402, 0.12544660084539047, 0.56048160896396537}}},
+      {0, {{0.85247870134950843, 0.138233695775934, 0.0092876028745575816}}}},
+     false,
+     0.00058034769107321779,
+     {},
+     0.9,
+     2.38735}};
+}
+
+void levels_at_start_values()
+{
+  for (const Polyline_beside_edge& p : polylines_beside_edges())
+  {
+    Soup soup;
+    soup.points = p.points;
+    for (const auto& t : p.triangles) soup.add_triangle(t);
+    const Data data(soup);
+    const Locations<test::Surface_mesh> on_mesh(data.mesh);
+    const auto add = [&](Geodesic& g, const auto& places, bool closed, double start_value)
+    {
+      std::vector<Face_location> locations;
+      for (const auto& l : places) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
+      if (locations.size() == 1) g.add_source_point(locations[0], CGAL::parameters::start_value(start_value));
+      else if (!locations.empty())
+        g.add_source_polyline(locations, closed, CGAL::parameters::start_value(start_value));
+    };
+    Geodesic both(data.mesh), other(data.mesh);
+    add(other, p.other, false, 0);
+    add(both, p.other, false, 0);
+    add(both, p.locations, p.is_closed, p.start_value);
+    both.build(CGAL::parameters::keep_windows(true));
+    if (!p.other.empty()) other.build(CGAL::parameters::keep_windows(true));
+    const double unit = 0x1p-42 * (p.start_value + p.longest_edge); // the least offset
+    for (double step : {-1e3, -4., -2., -1., -0.5, 0., 0.001, 0.1, 0.25, 0.5, 0.75, 1., 1.5, 2., 3., 4., 16.})
+      for (const bool is_one_pass : {false, true})
+      {
+        const double level = p.start_value + step * unit;
+        if (!(level > 0)) continue;
+        Report::instance().set_context(p.name + ", start value plus " + std::to_string(step) + " units");
+        Offset_curves curves;
+        if (is_one_pass)
+        {
+          Geodesic again(both);
+          again.build_with_offset_curves(level, std::back_inserter(curves));
+          CHECK(again.statistics().forced_joints == 0);
+        }
+        else curves = offsets(both, level);
+        for (const Offset_curve& c : curves)
+          for (const Offset_piece& piece : c.pieces())
+            for (double t : {0.1, 0.5, 0.9})
+            {
+              const double d = both.distance_to_sources(piece.location(t));
+              CHECK_DETAIL(std::abs(d - level) <= 4 * unit, values(d, level));
+            }
+        // Just above the start value, either is right: only rounding decides which of them is found.
+        const double length = total_length(curves);
+        const double length_of_other = p.other.empty() ? 0 : total_length(offsets(other, level));
+        const bool is_other = std::abs(length - length_of_other) <= 1e-9 * p.longest_edge;
+        const bool is_both = p.length == 0 ? length > 10 * length_of_other : std::abs(length - p.length) <= 5e-3 * p.length;
+        CHECK_DETAIL(step <= 0 ? is_other : step >= 3 ? is_both : is_other || is_both, values(length, length_of_other));
+      }
+  }
+}
+
 template <class Function>
 void check_refused(const Function& f)
 {
@@ -513,6 +649,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_levels)
   corners_beside_edges();
   plateaus();
   cusps();
+  levels_at_start_values();
   levels_that_are_no_distances();
   print_level_totals();
   return Report::instance().finish("test_degenerate_levels");

@@ -100,11 +100,18 @@ public:
   // distance.
   FT distance(const Point& p, std::size_t& nearest) const
   {
+    return distance(p, nearest, [](const Window_in_face&) { return true; });
+  }
+
+  // Overload for the windows w with counts(w).
+  template <class Predicate>
+  FT distance(const Point& p, std::size_t& nearest, const Predicate& counts) const
+  {
     FT best = Number_policy<FT>::infinity();
     nearest = m_windows.size();
     for (std::size_t i = 0; i < m_windows.size(); ++i)
     {
-      if (!(m_lowest[i] <= best)) continue;
+      if (!(m_lowest[i] <= best) || !counts(m_windows[i])) continue;
       const FT d = m_windows[i].path_length(p);
       if (!Number_policy<FT>::is_finite(d)) continue;
       const bool ties = Number_policy<FT>::is_finite(best) && tie(d, best);

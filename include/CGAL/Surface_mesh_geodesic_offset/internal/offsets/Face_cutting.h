@@ -94,9 +94,10 @@ class Face_cutting
 {
 public:
   Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-               const Vertex_reach<FT>& reach, const Offset_levels<FT>& levels, const FT& maximum)
-    : m_mesh(mesh), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)),
-      m_crossings(mesh, initial, field, reach), m_tracer(mesh.longest_edge())
+               const Vertex_reach<FT>& reach, const Offset_sources<FT>& sources, const Offset_levels<FT>& levels,
+               const FT& maximum)
+    : m_mesh(mesh), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)), m_sources(sources),
+      m_crossings(mesh, initial, field, reach, sources), m_tracer(mesh.longest_edge(), sources)
   {
   }
 
@@ -154,7 +155,7 @@ public:
       for (; next != cut.gates.end() && next->level == i; ++next) m_cell.gates.push_back(next->gate);
       if (m_cell.gates.empty() && !loops) continue;
       const FT level = cut_level(i);
-      for (Index k = 0; k < 3; ++k) m_cell.is_near[k] = m_field.distance[m_mesh.source(3 * cut.field.face() + k)] < level;
+      for (Index k = 0; k < 3; ++k) m_cell.is_near[k] = m_sources.is_near(m_mesh.source(3 * cut.field.face() + k), level);
       m_tracer(level, m_cell, loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
         const std::size_t first = cut.pieces.size();
         cut.pieces.insert(cut.pieces.end(), pieces.begin(), pieces.end());
@@ -210,6 +211,7 @@ private:
   const Vertex_reach<FT>& m_reach;
   const Offset_levels<FT>& m_levels;
   const std::size_t m_end; // number of levels up to the distance limit
+  const Offset_sources<FT>& m_sources;
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;
   Level_cell<FT> m_cell; // the face with the gates of one level

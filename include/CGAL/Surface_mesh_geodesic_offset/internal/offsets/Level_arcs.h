@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Box_in_face.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
 
@@ -38,6 +39,8 @@ public:
   typedef Box_in_face<FT> Box;
 
   static constexpr std::size_t none = std::size_t(-1);
+
+  explicit Level_arcs(const Offset_sources<FT>& sources) : m_sources(sources) {}
 
   // Sets the face, and bounds of the levels for the next calls of set_level(). `reach`: the longest edge of the faces around
   // the corners of the face, for the tolerances (Offset_tolerances).
@@ -62,6 +65,7 @@ public:
   void set_level(const FT& level)
   {
     m_level = level;
+    m_all_have_offsets = m_sources.all_reach(level);
     m_tolerances = Offset_tolerances<FT>(m_reach + level);
     m_has_fans = false;
     m_arcs.clear();
@@ -88,13 +92,21 @@ public:
   // Selects tie tolerance i of Offset_tolerances.
   void use_tie(int i) { m_tolerances.use_tie(i); }
 
-  // Calls f(window) for all windows of the face, including those of add_fans().
+  // Calls f(window) for all windows of the face whose sources have an offset, including those of add_fans().
   template <class Function>
   void for_each_window(const Function& f) const
   {
-    for (const Face_window<FT>& w : m_field->windows()) f(w);
+    for (const Face_window<FT>& w : m_field->windows())
+      if (has_offset(w)) f(w);
     if (m_has_fans)
-      for (const Face_window<FT>& w : m_fans) f(w);
+      for (const Face_window<FT>& w : m_fans)
+        if (has_offset(w)) f(w);
+  }
+
+  // Distance of p to the sources that have an offset, and a window that attains it.
+  FT distance(const Point& p, std::size_t& nearest) const
+  {
+    return m_field->distance(p, nearest, [this](const Face_window<FT>& w) { return this->has_offset(w); });
   }
 
   const Face_field<FT>& field() const { return *m_field; }
@@ -160,12 +172,13 @@ private:
     Window_cone<FT> cone;
   };
 
+  bool has_offset(const Face_window<FT>& w) const { return m_all_have_offsets || m_sources.reach(w.source_ref, m_level); }
+
   void add_arc(const Cone& c)
   {
     // Include a window that only touches the level: the arc may run along the edge of the window.
     if (!(c.lowest < m_level + m_margin && c.cone.reaches(m_level))) return;
-    const FT& nearest = c.window->is_parallel() ? c.window->start_value : c.window->sigma;
-    if (!CGAL::is_positive(FT(m_level - nearest))) return;
+    if (!has_offset(*c.window) || (!c.window->is_parallel() && !(c.window->sigma < m_level))) return;
     const Arc arc(*c.window, c.cone, m_level);
     const Box box = arc.box(m_margin);
     if (box.is_empty()) return;
@@ -287,6 +300,8 @@ private:
     return false;
   }
 
+  const Offset_sources<FT>& m_sources;
+  bool m_all_have_offsets = false; // at the level
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_margin, m_reach;
   Offset_tolerances<FT> m_tolerances;

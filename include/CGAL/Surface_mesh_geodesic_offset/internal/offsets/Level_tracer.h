@@ -40,7 +40,10 @@ public:
   typedef Level_cell<FT> Cell;
 
   // `longest_edge`: of the mesh.
-  explicit Level_tracer(const FT& longest_edge) : m_farther_rounding(Offset_tolerances<FT>::farther_rounding(longest_edge)) {}
+  Level_tracer(const FT& longest_edge, const Offset_sources<FT>& sources)
+    : m_farther_rounding(Offset_tolerances<FT>::farther_rounding(longest_edge)), m_arcs(sources)
+  {
+  }
   Level_tracer(const Level_tracer&) = delete; // the walk refers to the arcs
 
   // Sets the face, the longest edge of the faces around it, and bounds of the levels.
@@ -152,7 +155,7 @@ private:
     const Point &p = cell.gates[0].point, &q = cell.gates[1].point;
     if (!(length(q - p) <= m_arcs.tolerances().longest_sliver)) return false;
     std::size_t nearest;
-    const FT d = m_arcs.field().distance(FT(0.5) * (p + q), nearest);
+    const FT d = m_arcs.distance(FT(0.5) * (p + q), nearest);
     return CGAL::abs(FT(d - m_arcs.level())) <= m_arcs.tolerances().error;
   }
 
@@ -173,7 +176,7 @@ private:
     if (nearest != none && least <= m_arcs.tolerances().smallest_cell && leads_on(m_arcs[nearest]))
       return piece_through(m_arcs[nearest].window(), m_arcs[nearest].radius(), s.point, e.point, m_arcs.field().face());
     // Without an arc, a segment with the smaller distances on the left.
-    m_arcs.field().distance(s.point, nearest);
+    m_arcs.distance(s.point, nearest);
     Piece p = piece_through(m_arcs.field().windows()[nearest], FT(0), s.point, e.point, m_arcs.field().face());
     const Point v = e.point - s.point;
     const FT l = length(v);

@@ -323,7 +323,7 @@ private:
       if (CGAL::is_positive(missing)) inside = inside + missing * m_cell->inwards(k);
     }
     std::size_t nearest;
-    return m_arcs.field().distance(inside, nearest) + length(inside - p) < m_arcs.level() - m_arcs.tolerances().tie;
+    return m_arcs.distance(inside, nearest) + length(inside - p) < m_arcs.level() - m_arcs.tolerances().tie;
   }
 
   void forget_followed(std::size_t first)

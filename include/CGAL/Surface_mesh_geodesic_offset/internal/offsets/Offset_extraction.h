@@ -38,8 +38,8 @@ class Offset_extraction
 public:
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels, const FT& maximum)
-    : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(mesh), m_levels(levels), m_maximum(maximum),
-      m_turn(mesh.number_of_faces(), no_turn)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(mesh), m_sources(initial, field, m_reach), m_levels(levels),
+      m_maximum(maximum), m_turn(mesh.number_of_faces(), no_turn)
   {
   }
 
@@ -111,7 +111,8 @@ private:
   void make_cuttings(unsigned number)
   {
     while (m_cuttings.size() < number)
-      m_cuttings.push_back(std::make_unique<Face_cutting<FT>>(m_mesh, m_initial, m_field, m_reach, m_levels, m_maximum));
+      m_cuttings.push_back(
+        std::make_unique<Face_cutting<FT>>(m_mesh, m_initial, m_field, m_reach, m_sources, m_levels, m_maximum));
   }
 
   template <class Team>
@@ -195,6 +196,7 @@ private:
   const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
   const Vertex_reach<FT> m_reach;
+  const Offset_sources<FT> m_sources;
   const Offset_levels<FT>& m_levels;
   const FT m_maximum;
   std::vector<Index> m_turn; // per face: its turn
