@@ -110,12 +110,60 @@ void segments_between_edges()
     }
 }
 
+// Offsets of a segment by sides, where an end of the segment lies beside an edge by about 1e-12: each side has the length of
+// the segment, and the rest is the arcs around its ends.
+void ends_beside_edges()
+{
+  Random random(5);
+  for (const Diagonals diagonals : all_diagonals)
+    for (double side : {0.5, 1., 4.})
+    {
+      const Square square(diagonals, side);
+      const Locations<test::Surface_mesh> locations(square.mesh);
+      for (double off : {2e-13, 4e-13, 7e-13, 1e-12, 2e-12, 5e-12, 1e-11, 1e-10})
+        for (int i = 0; i < 12; ++i)
+        {
+          const auto face = square.plane.data.faces[uniform_index(random, square.plane.data.faces.size())];
+          const int corner = int(uniform_index(random, 3));
+          const double t = uniform(random, 0.2, 0.8);
+          Face_location end(face, {{0, 0, 0}}), start(face, {{0, 0, 0}});
+          end.second[corner] = off;
+          end.second[(corner + 1) % 3] = t;
+          end.second[(corner + 2) % 3] = 1 - t - off;
+          start.second = random_barycentric(random, 0.1);
+          const Point_3 p = locations.point(start), q = locations.point(end);
+          double room = 4;
+          for (const Point_3& z : {p, q}) room = (std::min)({room, z.x(), z.y(), 4 - z.x(), 4 - z.y()});
+          if (room < 0.1) continue;
+          const double length = std::sqrt(CGAL::squared_distance(p, q)), level = uniform(random, 0.3, 0.95) * room;
+          Report::instance().set_context("an end beside an edge, by " + std::to_string(off * 1e12) + "e-12, side " +
+                                         std::to_string(side));
+          for (const bool is_reversed : {false, true})
+          {
+            Geodesic geodesic(square.mesh);
+            geodesic.add_source_polyline(is_reversed ? std::vector<Face_location>{end, start}
+                                                     : std::vector<Face_location>{start, end});
+            geodesic.build(CGAL::parameters::keep_windows(true));
+            for (const CGAL::Offset_side s : {CGAL::Offset_side::LEFT, CGAL::Offset_side::RIGHT})
+            {
+              const double l = total_length(offsets(geodesic, level, {s, CGAL::Offset_end::BUTT}));
+              // a straight piece touches the arc behind it, so their joint moves by the square root of rounding
+              CHECK_DETAIL(std::abs(l - length) <= 1e-5 * level, values(l, length));
+            }
+            const double all = total_length(offsets(geodesic, level));
+            CHECK_DETAIL(std::abs(all - 2 * length - 2 * pi * level) <= 1e-9 * all, values(all, 2 * length + 2 * pi * level));
+          }
+        }
+    }
+}
+
 } // namespace test_degenerate_sources
 
 GEODESIC_OFFSET_TEST(test_degenerate_sources)
 {
   sources_that_meet();
   segments_between_edges();
+  ends_beside_edges();
   print_level_totals();
   return Report::instance().finish("test_degenerate_sources");
 }

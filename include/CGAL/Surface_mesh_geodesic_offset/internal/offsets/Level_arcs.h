@@ -88,6 +88,8 @@ public:
   }
   bool has_fans() const { return m_has_fans; }
   bool is_fan(std::size_t i) const { return m_has_fans && i >= m_first_fan; }
+  // True for a fan at an end of a parallel-source window's interval.
+  bool is_fan_of_strip(std::size_t i) const { return is_fan(i) && m_arcs[i].window().edge == fan_of_strip; }
 
   // Selects tie tolerance i of Offset_tolerances.
   void use_tie(int i) { m_tolerances.use_tie(i); }
@@ -205,6 +207,7 @@ private:
         fan.right = p + along;
         fan.bits = Window<FT>::make_bits(false, w.pseudo_source());
         fan.origin = STARTS_AT_CORNER;
+        if (w.is_parallel()) fan.edge = fan_of_strip;
         this->m_fans.push_back(fan);
       };
       if (w.origin == STARTS_AT_CORNER)
@@ -299,6 +302,8 @@ private:
     }
     return false;
   }
+
+  static constexpr unsigned char fan_of_strip = 4; // marks such a fan in Face_window::edge, which is less than 4 otherwise
 
   const Offset_sources<FT>& m_sources;
   bool m_all_have_offsets = false; // at the level
