@@ -40,9 +40,7 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   if (list.bucket != state.current() || !(list.has_new() || list.has_gap)) return;
   list.bucket = List::not_queued;
   list.has_gap = false;
-  const auto* const envelope = batch(h, list);
-  if (batch.is_consumed()) lists.clear(h, list, arena);
-  else if (envelope) lists.assign(h, list, *envelope, arena);
+  if (const auto* const envelope = batch(h, list)) lists.assign(h, list, *envelope, arena);
   list.processed = list.size;
   CGAL_assertion(!list.has_new());
   if constexpr (Number_policy<typename Traits::FT>::is_inexact) state.await_gap(h, list, batch.nearest_gap());

@@ -139,15 +139,6 @@ public:
     CGAL_postcondition(list.size == windows.size() && !list.waiting.data);
   }
 
-  // Removes all windows of the list of a halfedge.
-  void clear(Index h, List& list, Arena& arena)
-  {
-    count(h, -std::ptrdiff_t(list.size + list.waiting.size));
-    drop_windows(list, arena);
-    list.data = nullptr;
-    list.size = list.processed = 0;
-  }
-
   // Releases the lists of all halfedges of faces. They are no longer in the cache, so they are prefetched together.
   void release_faces(const std::vector<Index>& faces, Arena& arena)
   {
@@ -237,7 +228,8 @@ private:
     List& list = part.lists[m_place[h]];
     part.live -= list.size + list.waiting.size;
     CGAL_assertion(part.live >= 0);
-    drop_windows(list, arena);
+    drop_waiting(list, arena);
+    if (list.data) arena.release(list.data, list.size_class);
     part.free.push_back(m_place[h]);
     m_place[h] = no_index;
     CGAL_assertion(part.free.size() <= part.lists.size());
@@ -269,12 +261,6 @@ private:
   BOOST_FORCEINLINE void prefetch_list(Index h) const
   {
     if (h != no_index && m_place[h] != no_index) internal::prefetch(&part_of(h).lists[m_place[h]]);
-  }
-
-  static void drop_windows(List& list, Arena& arena)
-  {
-    drop_waiting(list, arena);
-    if (list.data) arena.release(list.data, list.size_class);
   }
 
   static void drop_waiting(List& list, Arena& arena)
