@@ -38,7 +38,6 @@ public:
     CGAL_precondition(g == no_index || h < g);
     const FT length = m_mesh[h].length;
     m_near.start(length, m_reach.of_edge(h), level);
-    m_all_have_offsets = m_sources.all_reach(level);
     const FT d0 = m_field.distance[m_mesh.source(h)], d1 = m_field.distance[m_mesh.target(h)];
     const bool source_is_near = m_sources.is_near(m_mesh.source(h), level);
     const bool target_is_near = m_sources.is_near(m_mesh.target(h), level);
@@ -62,7 +61,7 @@ private:
   template <class Window_>
   bool has_offset(const Window_& w) const
   {
-    return m_all_have_offsets || m_sources.reach(w.source_ref, m_near.level());
+    return m_sources.reach(w.source_ref, m_near.level());
   }
 
   // Adds the windows of a halfedge's list, and those that start inside its face.
@@ -84,7 +83,6 @@ private:
   const Geodesic_field<FT>& m_field;
   const Vertex_reach<FT>& m_reach;
   const Offset_sources<FT>& m_sources;
-  bool m_all_have_offsets = false; // at the level
   Near_intervals<FT> m_near;
 };
 

@@ -65,7 +65,6 @@ public:
   void set_level(const FT& level)
   {
     m_level = level;
-    m_all_have_offsets = m_sources.all_reach(level);
     m_tolerances = Offset_tolerances<FT>(m_reach + level);
     m_has_fans = false;
     m_arcs.clear();
@@ -174,7 +173,7 @@ private:
     Window_cone<FT> cone;
   };
 
-  bool has_offset(const Face_window<FT>& w) const { return m_all_have_offsets || m_sources.reach(w.source_ref, m_level); }
+  bool has_offset(const Face_window<FT>& w) const { return m_sources.reach(w.source_ref, m_level); }
 
   void add_arc(const Cone& c)
   {
@@ -306,7 +305,6 @@ private:
   static constexpr unsigned char fan_of_strip = 4; // marks such a fan in Face_window::edge, which is less than 4 otherwise
 
   const Offset_sources<FT>& m_sources;
-  bool m_all_have_offsets = false; // at the level
   const Face_field<FT>* m_field = nullptr;
   FT m_level, m_margin, m_reach;
   Offset_tolerances<FT> m_tolerances;

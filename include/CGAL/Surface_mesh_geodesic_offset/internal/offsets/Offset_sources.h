@@ -54,20 +54,17 @@ public:
     }
   }
 
-  // True if all sources have an offset at a level.
-  bool all_reach(const FT& level) const { return m_largest_bound < level; }
-
-  // True if the source has an offset at a level.
+  // True if the source has an offset at a level. Mostly all sources have, which one comparison tells.
   bool reach(Source_ref source_ref, const FT& level) const
   {
     CGAL_precondition(source_ref.is_valid() && source_ref.primitive() < m_bound.size());
-    return m_bound[source_ref.primitive()] < level;
+    return m_largest_bound < level || m_bound[source_ref.primitive()] < level;
   }
 
   // True if the distance of vertex v is less than a level.
   bool is_near(Index v, const FT& level) const
   {
-    return m_field.distance[v] < level && (all_reach(level) || reach(m_field.source_ref[v], level));
+    return m_field.distance[v] < level && reach(m_field.source_ref[v], level);
   }
 
 private:
