@@ -51,8 +51,7 @@ public:
     {
       if (may_stay && Lower_envelope<Traits>::is_monotone_list(list.begin(), list.end(), m_mesh[h].length))
       {
-        if (m_merging.is_on() && m_merging.pays_for(list.begin(), list.end(), h))
-          return &propagate(h, list, m_merging(list.begin(), list.end()));
+        if (m_merging.pays_for(h, list.size)) return &propagate_merged(h, list, list.begin(), list.end());
         m_propagate(h, list.begin(), list.size, list.split_distance, list.split_entry);
         return nullptr;
       }
@@ -65,9 +64,8 @@ public:
       m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(), end_at(m_mesh.source(h)),
                  end_at(m_mesh.target(h)), m_merging.is_on() ? Number_policy<FT>::infinity() : m_state.passed());
     m_nearest_gap = m_envelope.nearest_gap();
-    if (m_merging.is_on() && m_merging.pays_for(envelope.begin(), envelope.end(), h))
-      return &propagate(h, list, m_merging(envelope.begin(), envelope.end()));
-    propagate(h, list, envelope);
+    if (m_merging.pays_for(h, envelope.size())) return &propagate_merged(h, list, envelope.begin(), envelope.end());
+    m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
 
@@ -81,16 +79,14 @@ public:
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  const Window_sequence<FT>& propagate(Index h, Window_list<FT>& list, const Window_sequence<FT>& windows)
+  const Window_sequence<FT>& propagate_merged(Index h, Window_list<FT>& list, const Window* first, const Window* last)
   {
-    m_propagate(h, windows.data(), windows.size(), list.split_distance, list.split_entry);
-    return windows;
+    const Window_sequence<FT>& merged = m_merging(first, last);
+    m_propagate(h, merged.data(), merged.size(), list.split_distance, list.split_entry);
+    return merged;
   }
 
-  typename Lower_envelope<Traits>::End end_at(Index v) const
-  {
-    return {m_state.field.distance[v], m_state.field.source_ref[v]};
-  }
+  typename Lower_envelope<Traits>::End end_at(Index v) const { return {m_state.field.distance[v], m_state.field.source_ref[v]}; }
 
   const Unfolded_mesh<FT>& m_mesh;
   const Wavefront_state<FT>& m_state;

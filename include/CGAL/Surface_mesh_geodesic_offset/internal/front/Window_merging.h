@@ -13,7 +13,10 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_sequence.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -71,8 +74,8 @@ struct Merging_counts
 // rays graze the edge, as in needles, or the windows are narrow, distances do not determine directions, and no new image is made.
 // Whether the rays at the ends enclose those of the two windows is tested directly, not by distances.
 //
-// Lists are merged from left to right, pair by pair. Longer runs at once would leave 2 to 15 % less windows for many more
-// instructions. Windows of a list that is not reduced to its lower envelope overlap; then F is the smaller of two.
+// Lists are merged from left to right, pair by pair. Longer runs at once would leave 2 to 15 % fewer windows for many more
+// instructions. Windows of a list that is not reduced to its lower envelope overlap; then F is the smaller distance.
 template <class FT>
 class Window_merging
 {
@@ -81,23 +84,21 @@ public:
 
   Window_merging(const Geodesic_field<FT>& field, const std::vector<Index>& source_of, const Merging_tolerance<FT>& tolerance)
     : m_field(field), m_source_of(source_of), m_tolerance(tolerance), m_is_on(!tolerance.is_zero()),
-      m_share(tolerance.absolute > FT(0) ? 1 : 0.5)
+      m_share(tolerance.absolute > FT(0) ? 1 : share_of_relative_tolerance)
   {
   }
 
   bool is_on() const { return m_is_on; }
   const Merging_counts& counts() const { return m_counts; }
 
-  // True if merging of the windows of halfedge h is likely to save more time than it takes. The smaller a relative tolerance t is,
-  // the more windows it leaves, so short lists cannot be merged much; of other long lists, some are tried. A tolerance that is a
-  // length is for noise, which may leave one window.
-  bool pays_for(const Window* first, const Window* last, Index h) const
+  // True if merging of the n windows of halfedge h is likely to save more time than it takes. The smaller a relative tolerance t
+  // is, the more windows it leaves, so short lists cannot be merged much; of other long lists, some are tried. A tolerance that is
+  // a length is for noise, which may leave one window.
+  bool pays_for(Index h, std::size_t n) const
   {
-    if (m_tolerance.absolute > FT(0)) return true;
-    const std::ptrdiff_t n = last - first;
-    if (n < 2) return false;
-    if (n > long_list && h % long_list_stride == 0) return true;
-    const FT k = FT(n) / FT(least_length);
+    if (!m_is_on || n < 2) return false;
+    if (m_tolerance.absolute > FT(0) || (n > long_list && h % long_list_stride == 0)) return true;
+    const FT k = FT(double(n)) / FT(least_length);
     return k * k * k * m_tolerance.relative > FT(1);
   }
 
@@ -132,8 +133,11 @@ private:
   // benchmark/.../tolerance_times.cpp: times change by 5 % between 0.15 and 0.25, and between 8 and 12; with shorter lists, a
   // tolerance of 1e-6 is slower than an exact build on rough meshes.
   static constexpr double least_length = 0.2;
-  static constexpr std::ptrdiff_t long_list = 12;
+  static constexpr std::size_t long_list = 12;
   static constexpr Index long_list_stride = 8;
+
+  // Part of what a relative tolerance leaves that one merge may use, so that later merges have the rest.
+  static constexpr double share_of_relative_tolerance = 0.5;
 
   // Error of a window with the given origin without that of its pseudo-source.
   static double error_of_image(Index origin)
@@ -167,15 +171,17 @@ private:
     return BOOST_UNLIKELY(!exceeds_share(a, b)) && merge_within(a, b, m);
   }
 
-  // What one merge may add to the error, less m_share of the error so far. Half of a relative tolerance, so that later merges
-  // have the other half.
-  FT share(const Window& a, const Window& b) const { return m_share * allowed_at((std::min)(a.d0, b.d1)); }
+  // What a merge of windows with the given error may add to it.
+  FT share(const Window& a, const Window& b, const FT& error) const
+  {
+    return m_share * (allowed_at((std::min)(a.d0, b.d1)) - error);
+  }
 
   // True for most pairs that cannot be merged. Of errors of pseudo-sources, which are not in the cache, it knows nothing.
   bool exceeds_share(const Window& a, const Window& b) const
   {
     const FT error = FT((std::max)(error_of_image(a.pseudo_source()), error_of_image(b.pseudo_source())));
-    return exceeds(share(a, b) - m_share * error, a, b);
+    return exceeds(share(a, b, error), a, b);
   }
 
   // Let l be the length of both intervals, c = (d1 - d0) / l, n = l^2 - (d1 - d0)^2, and k the height of F over the chord of the
@@ -210,7 +216,7 @@ private:
   // Merges two neighbours with the image of one of them, or else with a new one.
   bool merge_within(const Window& a, const Window& b, Window& m) const
   {
-    const FT most = share(a, b);
+    const FT most = share(a, b, FT(0));
     if (a.is_propagated() || b.is_propagated() || b.b0 - a.b1 > most || !have_same_source(a, b)) return false;
     const FT unit = Number_policy<FT>::rounding(16) * (a.d0 + b.d1 + b.b1 - a.b0);
     m = a.b1 - a.b0 < b.b1 - b.b0 ? b : a; // the wider one has the more precise image
@@ -218,7 +224,7 @@ private:
     m.d0 = a.d0;
     m.b1 = b.b1;
     m.d1 = b.d1;
-    if (passes_ends(m, unit) && accept(a, b, most, unit, m)) return true;
+    if (passes_ends(m, unit) && accept(a, b, unit, m)) return true;
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0, n = (l - rise) * (l + rise), c = rise / l;
     // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
     // width, as in needles, the image is noise.
@@ -228,11 +234,11 @@ private:
     // As in exceeds(), with r0.
     const FT q = b.b0 - a.b0, k = height_at_joint(a, b) - c * q;
     if (n * q * (l - q) > (most - k) * (2 * l * l * (r0 + c * q))) return false;
-    return place_image(n, c, r0, m) && passes_ends(m, unit) && accept(a, b, most, unit, m);
+    return place_image(n, c, r0, m) && passes_ends(m, unit) && accept(a, b, unit, m);
   }
 
   // Tests the conditions with the image of m, and sets its origin.
-  bool accept(const Window& a, const Window& b, const FT& most, const FT& unit, Window& m) const
+  bool accept(const Window& a, const Window& b, const FT& unit, Window& m) const
   {
     if (!encloses(a, b, m)) return false;
     const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
@@ -240,7 +246,7 @@ private:
     FT added = a.b1 > b.b0 ? deviation_in_overlap(a, b, m) : deviation_in_gap(a, b, m);
     added = (std::max)({added, deviation_inside(a, m), deviation_inside(b, m)});
     const FT before = FT((std::max)(error_of_origin(a.pseudo_source()), error_of_origin(b.pseudo_source())));
-    if (added > most - m_share * before) return false;
+    if (added > share(a, b, before)) return false;
     const bool is_rounding = 4 * added <= rounding;
     if (is_rounding && a.pseudo_source() == b.pseudo_source())
     {
