@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, Mesh>> Geodesic;
+
+// Relative rounding of distances, which no bound includes.
+const double relative_rounding = 1e-13;
 
 const double tolerances[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
@@ -62,7 +66,7 @@ void check(const std::string& name, const Mesh& mesh, int kind, std::size_t numb
     const double d = exact.distance_to_sources(v), m = merged.distance_to_sources(v), bound = merged.error_bound(v);
     ++sum.vertices;
     if (!std::isfinite(d) && !std::isfinite(m)) continue;
-    const double rounding = 1e-13 * d;
+    const double rounding = relative_rounding * d;
     if (d > 0) sum.too_long = (std::max)(sum.too_long, (m - d) / d);
     if (bound > 0) sum.of_bound = (std::max)(sum.of_bound, (d - m - rounding) / bound);
     if (d > 0) sum.of_tolerance = (std::max)(sum.of_tolerance, (d - m - rounding) / (tolerances[number] * d));
