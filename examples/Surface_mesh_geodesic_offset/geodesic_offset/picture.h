@@ -8,7 +8,6 @@
 
 #include "color_map.h"
 #include "common.h"
-#include "face_distances.h"
 #include "numbers.h"
 #include "raster.h"
 #include "stroke_font.h"
@@ -35,13 +34,21 @@ struct Image
   std::vector<std::uint8_t> bytes;
 };
 
+// Limits of a picture, in pixels. Lines and text have the same size in all pictures.
+struct Picture_size
+{
+  int    width = 1600;
+  int    minimum_height = 700;
+  int    maximum_height = 1600;
+  double margin = 60;
+  bool   has_legend = true;
+};
+
+// Distances: a function of a face and barycentric coordinates, as `Face_distances`, with the largest value.
+template <class Distances>
 class Picture
 {
-  static constexpr int    width = 1600;
-  static constexpr int    minimum_height = 700;
-  static constexpr int    maximum_height = 1600;
   static constexpr int    strip_rows = 32;
-  static constexpr double margin = 60;
   static constexpr double legend_width = 170; // including its distance from the mesh
   static constexpr double offset_radius = 1.0;
   static constexpr double path_radius = 1.7;
@@ -54,12 +61,13 @@ class Picture
     std::array<std::array<float, 3>, 3> n;
   };
 
-  const Mesh&           m_mesh;
-  const Face_distances& m_distances;
-  View                  m_view;
-  Color_map             m_colors;
-  double                m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest;
-  int                   m_height = minimum_height;
+  const Mesh&      m_mesh;
+  const Distances& m_distances;
+  View             m_view;
+  Color_map        m_colors;
+  Picture_size     m_size;
+  double           m_scale = 1, m_left = 0, m_top = 0, m_depth = 0, m_largest;
+  int              m_height;
 
   std::vector<View_point>              m_points;
   std::vector<Corner_normals>          m_normals;
@@ -67,10 +75,17 @@ class Picture
   std::vector<View_point>              m_source_points;
 
 public:
-  Picture(const Mesh& mesh, const Face_distances& distances, const View& view)
-    : m_mesh(mesh), m_distances(distances), m_view(view), m_largest(distances.largest())
+  Picture(const Mesh& mesh, const Distances& distances, const View& view)
+    : Picture(mesh, distances, view, Extent(mesh, view), Picture_size())
   {
-    fit();
+  }
+
+  // extent: the part of the mesh in the picture.
+  Picture(const Mesh& mesh, const Distances& distances, const View& view, const Extent& extent, const Picture_size& size)
+    : m_mesh(mesh), m_distances(distances), m_view(view), m_size(size), m_largest(distances.largest()),
+      m_height(size.minimum_height)
+  {
+    fit(extent);
     m_points.reserve(mesh.number_of_vertices());
     for(Vertex v : mesh.vertices())
       m_points.push_back(place(mesh.point(v)));
@@ -90,9 +105,9 @@ public:
   Image render(const Report& report) const
   {
     Image image;
-    image.width = width;
+    image.width = m_size.width;
     image.height = m_height;
-    image.bytes.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(m_height));
+    image.bytes.reserve(3 * static_cast<std::size_t>(m_size.width) * static_cast<std::size_t>(m_height));
     const Srgb_encoder encode;
     const auto shade = [this](std::uint32_t thing, float u, float v) { return color_of(thing, u, v); };
     // none, outline of the surface, offset, white margin of paths and sources, path, source, text
@@ -103,7 +118,7 @@ public:
                                                             {srgb(24, 60, 190), 1},
                                                             {srgb(226, 24, 54), 1},
                                                             {ink(), 1}}};
-    Raster raster(width);
+    Raster raster(m_size.width);
     for(int first = 0; first < m_height; first += strip_rows)
     {
       const int rows = std::min(strip_rows, m_height - first);
@@ -111,13 +126,13 @@ public:
       draw_mesh(raster, first, rows);
       draw_curves(raster, first, rows);
       raster.outline(static_cast<float>(0.012 * m_depth));
-      if(m_largest > 0)
+      if(m_largest > 0 && m_size.has_legend)
         draw_legend(raster);
       for(int row = first; row < first + rows; ++row)
       {
         const Color behind =
           mix(srgb(252, 252, 253), srgb(228, 232, 238), static_cast<float>(row) / static_cast<float>(m_height));
-        for(int column = 0; column < width; ++column)
+        for(int column = 0; column < m_size.width; ++column)
         {
           const Color c = raster.pixel(column, row, behind, shade, markings);
           for(float channel : {c.r, c.g, c.b})
@@ -148,14 +163,14 @@ private:
                t * n[0][2] + u * n[1][2] + v * n[2][2]);
   }
 
-  void fit()
+  void fit(const Extent& extent)
   {
-    const Extent extent(m_mesh, m_view);
     const double w = extent.max[0] - extent.min[0], h = extent.max[1] - extent.min[1];
-    const double room = width - 2 * margin - legend_width;
+    const double margin = m_size.margin;
+    const double room = m_size.width - 2 * margin - (m_size.has_legend ? legend_width : 0);
     const double tiny = 1e-9 * std::max(w, h);
-    m_scale = std::min(room / std::max(w, tiny), (maximum_height - 2 * margin) / std::max(h, tiny));
-    m_height = std::max(minimum_height, static_cast<int>(std::ceil(h * m_scale + 2 * margin)));
+    m_scale = std::min(room / std::max(w, tiny), (m_size.maximum_height - 2 * margin) / std::max(h, tiny));
+    m_height = std::max(m_size.minimum_height, static_cast<int>(std::ceil(h * m_scale + 2 * margin)));
     m_left = margin + (room - w * m_scale) / 2 - extent.min[0] * m_scale;
     m_top = (m_height + h * m_scale) / 2 + extent.min[1] * m_scale;
     m_depth = std::hypot(w, h) * m_scale;
@@ -293,7 +308,7 @@ private:
 
   void draw_legend(Raster& raster) const
   {
-    const double left = width - legend_width + 20, right = left + 26;
+    const double left = m_size.width - legend_width + 20, right = left + 26;
     const double length = std::min(520.0, 0.6 * m_height);
     const double top = (m_height - length) / 2, bottom = top + length;
     raster.rectangle(left - 1.5, top - 1.5, right + 1.5, bottom + 1.5, legend_frame);

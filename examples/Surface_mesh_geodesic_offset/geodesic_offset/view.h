@@ -42,12 +42,19 @@ public:
   static Vector normalized(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 };
 
-// Rectangle of the picture covered by the mesh.
+// Rectangle of the picture, in units of the mesh.
 struct Extent
 {
   double min[2] = {infinity, infinity};
   double max[2] = {-infinity, -infinity};
 
+  // A square, for a detail.
+  Extent(const View_point& center, double half)
+    : min{center[0] - half, center[1] - half}, max{center[0] + half, center[1] + half}
+  {
+  }
+
+  // What the mesh covers.
   Extent(const Mesh& mesh, const View& view)
   {
     for(Vertex v : mesh.vertices())
