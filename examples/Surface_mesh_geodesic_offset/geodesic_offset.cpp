@@ -10,6 +10,7 @@
 #include "geodesic_offset/curve_files.h"
 #include "geodesic_offset/drawing.h"
 #include "geodesic_offset/field_output.h"
+#include "geodesic_offset/level_files.h"
 #include "geodesic_offset/levels.h"
 #include "geodesic_offset/mesh_input.h"
 #include "geodesic_offset/offset_cutting.h"
@@ -112,12 +113,14 @@ struct Solution
 
 template <class Concurrency_tag>
 Solution solve(const Mesh_input& input, const Sources& sources, const Levels& levels, Geodesic& geodesic,
-               const Options& options, Run_figures& figures, Progress& progress)
+               const Options& options, Output_files& files, Run_figures& figures, Progress& progress)
 {
   Drawing_check drawing(options.outputs, input.mesh(), input.bounding_box_diagonal(), sources);
+  Level_files level_files(files, options, chord_tolerance(options, input));
   const Stopwatch time;
-  Offsets offsets =
-    build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing, progress);
+  Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing,
+                                                   level_files, progress);
+  level_files.finish();
   File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details);
   figures.largest_distance = geodesic.largest_distance();
   figures.covered_distance = geodesic.covered_distance();
@@ -138,9 +141,13 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   if(is_complete && field.number_of_unreached() != 0)
     progress.line("distances: " + counted(field.number_of_unreached(), "vertex", "vertices") + " not reached");
   if(!levels.empty())
-    progress.line("offsets: " + counted(offsets.curves.size(), "curve") + " at " +
-                  counted(level_figures(offsets.curves, {}).size(), "distance"));
-  for(const std::string& reason : missing_offsets(options, levels, offsets.curves, sources.smallest_start_value(),
+  {
+    std::size_t number = 0;
+    for(const Level_figures& level : offsets.levels)
+      number += level.number;
+    progress.line("offsets: " + counted(number, "curve") + " at " + counted(offsets.levels.size(), "distance"));
+  }
+  for(const std::string& reason : missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(),
                                                   figures.largest_distance))
     progress.warning(reason);
   return {std::move(offsets), geodesic.statistics(), std::move(field)};
@@ -160,11 +167,10 @@ Output_files::Report writing_bar(Progress& progress)
 
 template <class Concurrency_tag>
 void write(const Solution& solution, const Mesh_input& input, const Sources& sources, const Path_queries& queries,
-           Geodesic& geodesic, const Options& options, const Run_figures& figures, Progress& progress)
+           Geodesic& geodesic, const Options& options, Output_files& files, const Run_figures& figures, Progress& progress)
 {
   const std::vector<Offset_curve>& curves = solution.offsets.curves;
   const Stopwatch time;
-  Output_files files(writing_bar(progress));
   const std::string not_drawn = add_curve_files(files, options, solution.offsets, chord_tolerance(options, input));
   if(!options.field.empty())
     files.add(options.field, [&](std::ostream& out) { write_field(out, options.field, input.soup(), solution.field); },
@@ -186,7 +192,7 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
   }
   if(!options.stats.empty())
     files.add(options.stats, [&](std::ostream& out) {
-      write_stats(out, figures, solution.statistics, level_figures(curves, options.distances));
+      write_stats(out, figures, solution.statistics, with_requested(solution.offsets.levels, options.distances));
     });
   files.commit();
   for(const std::string& file : files.targets())
@@ -219,8 +225,9 @@ void run(const Options& options, Concurrency_tag tag)
   try
   {
     const Levels levels = plan_levels<Concurrency_tag>(input, sources, geodesic, options, progress);
-    const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, figures, progress);
-    write<Concurrency_tag>(solution, input, sources, queries, geodesic, options, figures, progress);
+    Output_files files(writing_bar(progress));
+    const Solution solution = solve<Concurrency_tag>(input, sources, levels, geodesic, options, files, figures, progress);
+    write<Concurrency_tag>(solution, input, sources, queries, geodesic, options, files, figures, progress);
   }
   catch(const std::bad_alloc&)
   {

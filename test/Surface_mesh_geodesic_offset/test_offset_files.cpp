@@ -10,12 +10,15 @@
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_level_writer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_csv.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtp.h>
 
 #include <cmath>
 #include <filesystem>
@@ -40,7 +43,9 @@ std::vector<std::pair<std::string, std::function<bool(std::ostream&)>>> writers(
 {
   return {{"polylines", [&](std::ostream& os) { return CGAL::IO::write_offset_polylines(os, curves, 0.01); }},
           {"vtk", [&](std::ostream& os) { return CGAL::IO::write_offset_VTK(os, curves, 0.01); }},
+          {"vtp", [&](std::ostream& os) { return CGAL::IO::write_offset_VTP(os, curves, 0.01); }},
           {"obj", [&](std::ostream& os) { return CGAL::IO::write_offset_OBJ(os, curves, 0.01); }},
+          {"csv", [&](std::ostream& os) { return CGAL::IO::write_offset_CSV(os, curves, 0.01); }},
           {"dxf", [&](std::ostream& os) { return CGAL::IO::write_offset_DXF(os, curves, 0.01); }},
           {"svg", [&](std::ostream& os) { return CGAL::IO::write_offset_SVG(os, curves); }}};
 }
@@ -133,6 +138,8 @@ void curves_that_are_not_in_a_plane()
     CHECK_THROWS(CGAL::IO::write_offset_polylines(os, on_sphere.curves, tolerance), std::invalid_argument);
     CHECK_THROWS(CGAL::IO::write_offset_OBJ(os, on_sphere.curves, tolerance), std::invalid_argument);
     CHECK_THROWS(CGAL::IO::write_offset_VTK(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_VTP(os, on_sphere.curves, tolerance), std::invalid_argument);
+    CHECK_THROWS(CGAL::IO::write_offset_CSV(os, on_sphere.curves, tolerance), std::invalid_argument);
     CHECK_THROWS(CGAL::IO::write_offset_DXF(os, on_sphere.curves, tolerance), std::invalid_argument);
     CHECK(os.str().empty());
   }
@@ -204,7 +211,8 @@ void files()
   const Example<Surface_mesh> example(soup, soup.points[4 * 9 + 4], {1, 2.5});
   const auto& curves = example.curves;
   const std::pair<std::string, std::string> names[] = {
-    {"polylines", "a.polylines.txt"}, {"vtk", "a.VTK"}, {"obj", "a.b.obj"}, {"dxf", "a.Dxf"}, {"svg", "a.svg"}};
+    {"polylines", "a.polylines.txt"}, {"vtk", "a.VTK"}, {"vtp", "a.vtp"}, {"obj", "a.b.obj"},
+    {"csv", "a.CSV"}, {"dxf", "a.Dxf"}, {"svg", "a.svg"}};
   for (const auto& [writer_name, function] : writers(curves))
     for (const auto& [name, file_name] : names)
     {
@@ -257,6 +265,59 @@ void files()
   std::ofstream(folder("old.svg")) << "old";
   CHECK_THROWS(CGAL::IO::write_offset_curves(folder("old.svg"), on_sphere.curves), std::invalid_argument);
   CHECK(contents(folder("old.svg")) == "old");
+}
+
+// Parts of a file together are the file of all curves.
+void levels()
+{
+  using CGAL::IO::Offset_file_format;
+  using CGAL::IO::Offset_level_writer;
+  const Soup soup = jittered_grid(8, 8, 3);
+  const Example<Surface_mesh> example(soup, soup.points[4 * 9 + 4], {1, 2.5, 3.5, 5});
+  const std::string names[] = {"a.polylines.txt", "a.vtk", "a.vtp", "a.obj", "a.csv", "a.dxf", "a.svg"};
+  for (const std::string& name : names)
+  {
+    Report::instance().set_context("parts of " + name);
+    const Offset_file_format format = CGAL::IO::offset_file_format(name);
+    std::ostringstream parts, whole;
+    const bool is_written_by_level = name != "a.vtk" && name != "a.dxf" && name != "a.svg";
+    CHECK(Offset_level_writer::supports(format) == is_written_by_level);
+    if (!is_written_by_level)
+    {
+      CHECK_THROWS(Offset_level_writer(parts, format, 0.01), std::invalid_argument);
+      continue;
+    }
+    for (const double tolerance : {0., -1., std::nan("")})
+      CHECK_THROWS(Offset_level_writer(parts, format, tolerance), std::invalid_argument);
+    CHECK(parts.str().empty());
+    Offset_level_writer writer(parts, format, 0.01);
+    const auto& curves = example.curves;
+    CHECK(writer.write(std::vector<Geodesic::Offset_curve>(curves.begin(), curves.begin() + 2)));
+    CHECK(writer.write(std::vector<Geodesic::Offset_curve>()));
+    CHECK(writer.write(std::vector<Geodesic::Offset_curve>(curves.begin() + 2, curves.end())));
+    {
+      std::ostringstream none;
+      Offset_level_writer fine(none, format, 1e-300);
+      const std::string begin = none.str();
+      CHECK_THROWS(fine.write(curves), std::length_error);
+      CHECK(none.str() == begin);
+    }
+    CHECK(writer.finish());
+    CHECK(CGAL::IO::write_offset_curves(whole, format, curves, CGAL::parameters::chord_tolerance(0.01)));
+    if (format == Offset_file_format::VTP) // test_program_reads_vtp reads such files
+    {
+      const std::string text = parts.str();
+      std::size_t pieces = 0;
+      for (std::size_t at = 0; (at = text.find("<Piece", at)) != std::string::npos; ++at) ++pieces;
+      CHECK(pieces == 3);
+    }
+    else CHECK(parts.str() == whole.str());
+
+    parts.setstate(std::ios_base::badbit);
+    Offset_level_writer other(parts, format, 0.01);
+    CHECK(!other.write(curves));
+    CHECK(!other.finish());
+  }
 }
 
 void units()
@@ -377,6 +438,7 @@ GEODESIC_OFFSET_TEST(test_offset_files)
   streams();
   curves_that_are_not_in_a_plane();
   files();
+  levels();
   units();
   planar_meshes();
   return Report::instance().finish("test_offset_files");

@@ -6,7 +6,7 @@ import csv
 import math
 
 from program_bench import (A, B, HORIZONTAL, LENGTH, TILTED, check, check_close, from_center, from_segment, polyline_text,
-                           read_ply, run_test, skip)
+                           read_ply, run_test, skip, write_grid)
 
 
 def read_field(path):
@@ -226,6 +226,41 @@ def test_sources(bench):
         expected = min(x - 20, 32 - x, y, 12 - y) if x > 15 else math.inf
         actual = data.GetPointData().GetArray("distance").GetTuple1(i)
         check(actual == expected or abs(actual - expected) < 1e-11, "distance %g from one border, not %g" % (actual, expected))
+
+    # one of two chains of sharp edges: a ramp between two horizontal parts
+    def ramp(p):
+        x = min((q for q in (4, 8) if abs(p[0] - q) < 0.25), default=p[0])
+        return x, p[1], -0.75 * (min(max(x, 4), 8) - 4)
+
+    write_grid(bench.path("ramp.off"), ramp)
+    for near, chain in (("4.2,3,1", 4), ("8,9,-3", 9), (None, None)):
+        bench.run(bench.path("ramp.off"), "--source-sharp-edges", 20, *(("--sharp-edges-near", near) if near else ()), "--field",
+                  files[0])
+        data = read(files[0])
+        for i in range(169):
+            x = data.GetPoint(i)[0]
+            x = x + 0.25 * (min(max(x, 4), 8) - 4)  # unfolded
+            expected = abs(x - chain) if chain else min(abs(x - 4), abs(x - 9))
+            check_close(data.GetPointData().GetArray("distance").GetTuple1(i), expected, 1e-11, "distance from a sharp chain")
+
+    # a chain that ends at corners where three sharp edges meet, and a closed one
+    with open(bench.path("cube.off"), "w") as out:
+        out.write("OFF\n8 6 0\n")
+        out.writelines("%d %d %d\n" % (i % 2, i // 2 % 2, i // 4) for i in range(8))
+        out.write("4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n")
+    bench.run(bench.path("cube.off"), "--source-sharp-edges", 60, "--sharp-edges-near", "0.5,0,0", "--field", files[0])
+    data = read(files[0]).GetPointData().GetArray("distance")
+    for i, expected in enumerate((0, 0, 1, 1, 1, 1, math.sqrt(2), math.sqrt(2))):
+        check_close(data.GetTuple1(i), expected, 1e-12, "distance from one edge of a cube")
+    with open(bench.path("prism.off"), "w") as out:
+        out.write("OFF\n16 10 0\n")
+        out.writelines("%.17g %.17g %d\n" % (math.cos(k * math.pi / 4), math.sin(k * math.pi / 4), z) for z in (0, 3) for k in range(8))
+        out.writelines("4 %d %d %d %d\n" % (k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8) for k in range(8))
+        out.write("8 7 6 5 4 3 2 1 0\n8 8 9 10 11 12 13 14 15\n")
+    bench.run(bench.path("prism.off"), "--source-sharp-edges", 60, "--sharp-edges-near", "1,0,3", "--field", files[0])
+    data = read(files[0]).GetPointData().GetArray("distance")
+    for i in range(16):
+        check_close(data.GetTuple1(i), 3 if i < 8 else 0, 1e-12, "distance from one rim of a prism")
 
     # points above and below the mesh, moved along a slanted direction: (2, 3, 1) per unit of height; no warning about far points
     with open(bench.path("moved.polylines.txt"), "w") as out:

@@ -538,7 +538,7 @@ private:
   {
     const Program_result help = expect_good("help", {"--help"});
     for (const char* option : {"--source-vertex", "--source-point", "--source-polyline", "--source-plane", "--source-boundary",
-                               "--source-sharp-edges", "--section-near", "--boundary-near", "--start-value", "--project",
+                               "--source-sharp-edges", "--section-near", "--boundary-near", "--sharp-edges-near", "--start-value", "--project",
                                "--distance", "--spacing", "--start", "--count", "--maximum-distance",
                                "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point",
                                "--tolerance", "--output", "--unit", "--field", "--field-details", "--split", "--picture",

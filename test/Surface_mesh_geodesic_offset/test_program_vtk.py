@@ -1,11 +1,12 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Offsets in the formats .vtk and .obj, as VTK reads them."""
+"""Offsets in the formats .vtk, .vtp and .obj, as VTK reads them, and .csv; memory of files written level by level."""
 
+import csv
 import math
 
 from program_bench import (LENGTH, TILTED, chain_length, check, check_close, check_levels, from_center, from_segment,
-                           run_test, skip, stadium)
+                           polyline_text, run_test, skip, stadium)
 
 
 def read_vtk(reader, path, with_values=True):
@@ -25,9 +26,13 @@ def read_vtk(reader, path, with_values=True):
         ids = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
         lines.append({"points": [data.GetPoint(k) for k in ids], "is_closed": ids[0] == ids[-1],
                       "cell": {name: array.GetTuple1(i) for name, array in cells.items()},
-                      "at": [{name: array.GetTuple1(k) for name, array in points.items()} for k in ids]})
+                      "at": [{name: array.GetTuple1(k) if array.GetNumberOfComponents() == 1 else array.GetTuple3(k)
+                              for name, array in points.items()} for k in ids]})
     check(data.GetNumberOfPoints() == sum(len(l["points"]) - l["is_closed"] for l in lines), "points that no line uses")
     return lines, set(cells), set(points), data
+
+
+TILTED_NORMAL = (1 / 3, -2 / 3, 2 / 3)
 
 
 def test_vtk(bench):
@@ -46,7 +51,7 @@ def test_vtk(bench):
     check_levels(stats, [0.5, 1.25])
     lines, cells, points, data = read_vtk(vtkPolyDataReader(), out)
     check(cells == {"distance", "closed", "source", "side"}, "cell arrays %s" % cells)
-    check(points == {"source", "side"}, "point arrays %s" % points)
+    check(points == {"source", "side", "normal"}, "point arrays %s" % points)
     check(data.GetCellData().GetScalars().GetName() == "distance", "distance is active")
     check(data.GetPointData().GetScalars() is None, "no values of points are active")
     check(len(lines) == 4 == sum(level["number"] for level in stats["curves"]), "%d lines" % len(lines))
@@ -64,6 +69,7 @@ def test_vtk(bench):
             check_close(distance, d, 1e-9, "a point of a line")
             check(at["source"] in (0, 1) and (side is None or at["side"] == side), "source and side of a point")
             seen_sides.add(at["side"])
+            check(math.dist(at["normal"], TILTED_NORMAL) < 1e-12, "normal of a point: %s" % (at["normal"],))
         exact = 2 * math.pi * d if cell["source"] == 0 else stadium(d)
         length = chain_length(line["points"])
         # an arc of radius r and angle a is longer than its chord of height h by about a r (8 h / r) / 24
@@ -93,6 +99,73 @@ def test_vtk(bench):
     check(len(read_vtk(vtkPolyDataReader(), out)[0]) == 0, "no lines")
 
 
+def segment_on_ridge(bench):
+    with open(bench.path("segment.polylines.txt"), "w") as out:
+        out.write(polyline_text([(3.1, 5.2, 0), (5.3, 7.4, 0)]))
+    return "--source-polyline", bench.path("segment.polylines.txt")
+
+
+def test_vtp(bench):
+    """The lines of a file with a piece per level are those of a .vtk file; also without curves."""
+    try:
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+        from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+    except ImportError:
+        skip("python3-vtk9")
+    files = bench.path("out.vtk"), bench.path("out.vtp")
+    bench.run(bench.ridge(), "--source-vertex", 0, *segment_on_ridge(bench), "--spacing", 0.7, "--output", files[0], "--output",
+              files[1])
+    expected, cells, points, _ = read_vtk(vtkPolyDataReader(), files[0])
+    lines, xml_cells, xml_points, data = read_vtk(vtkXMLPolyDataReader(), files[1])
+    check(cells == xml_cells and points == xml_points, "arrays %s, %s" % (xml_cells, xml_points))
+    check(data.GetCellData().GetScalars().GetName() == "distance", "distance is active")
+    check(data.GetPointData().GetNormals().GetName() == "normal", "normals are active")
+    check(len(lines) > 8 and lines == expected, "%d lines, expected %d" % (len(lines), len(expected)))
+    normals = [at["normal"] for line in lines for at in line["at"]]
+    sides = (0, 0, 1), (0.6, 0, 0.8)
+    check(all(min(math.dist(n, side) for side in sides) < 1e-12 for n in normals), "normals of a ridge")
+    check(all(min(math.dist(n, side) for n in normals) < 1e-12 for side in sides), "normals of both sides of a ridge")
+    bench.run(bench.ridge(), "--source-vertex", 0, "--distance", 100, "--output", files[1], warning="no offset at distance 100")
+    check(len(read_vtk(vtkXMLPolyDataReader(), files[1])[0]) == 0, "no lines")
+
+
+def test_csv(bench):
+    """The rows of a .csv file are the points of the .vtk file."""
+    try:
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+    except ImportError:
+        skip("python3-vtk9")
+    files = bench.path("out.vtk"), bench.path("out.csv")
+    bench.run(bench.ridge(), "--source-vertex", 0, *segment_on_ridge(bench), "--spacing", 0.7, "--output", files[0], "--output",
+              files[1])
+    expected = read_vtk(vtkPolyDataReader(), files[0])[0]
+    with open(files[1], newline="") as file:
+        reader = csv.DictReader(file)
+        rows = [{name: float(x) for name, x in row.items()} for row in reader]
+    check(reader.fieldnames == ["curve", "distance", "source", "side", "x", "y", "z", "nx", "ny", "nz"], "columns")
+    wanted = [{"curve": i, "distance": line["cell"]["distance"], "source": at["source"], "side": at["side"],
+               **dict(zip("xyz", p)), **dict(zip(("nx", "ny", "nz"), at["normal"]))}
+              for i, line in enumerate(expected) for p, at in zip(line["points"], line["at"])]
+    check(len(rows) > 200 and rows == wanted, "%d rows, expected %d" % (len(rows), len(wanted)))
+
+
+def test_levels(bench):
+    """Files that are written level by level take no memory for more levels."""
+    def peak(name, levels):
+        out = bench.path(name)
+        stats = bench.run(bench.plate(TILTED), *bench.center(TILTED), "--spacing", 8 / levels, "--count", levels, "--tolerance", 1e-5,
+                          "--threads", 1, "--output", out)
+        check(len(stats["curves"]) == levels and all(level["number"] > 0 for level in stats["curves"]), "curves at all levels")
+        with open(out) as file:
+            check(sum(1 for line in file) >= levels, "lines of %s" % name)
+        return stats["peak_rss_bytes"]
+
+    for name in "a.vtp", "a.obj", "a.csv", "a.polylines.txt":
+        few, many = peak(name, 10), peak(name, 1000)
+        check(many <= 1.2 * few, "%s: %d bytes with 10 levels, %d with 1000" % (name, few, many))
+    check(peak("a.vtk", 1000) > 1.2 * few, "this test detects curves that are kept")
+
+
 def test_obj(bench):
     try:
         from vtkmodules.vtkIOGeometry import vtkOBJReader
@@ -116,4 +189,4 @@ def test_obj(bench):
 
 
 if __name__ == "__main__":
-    run_test(vtk=test_vtk, obj=test_obj)
+    run_test(vtk=test_vtk, vtp=test_vtp, csv=test_csv, levels=test_levels, obj=test_obj)

@@ -7,6 +7,7 @@
 #define GEODESIC_OFFSET_CURVE_FILES_H
 
 #include "common.h"
+#include "level_files.h"
 #include "output_file.h"
 #include "output_options.h"
 
@@ -21,23 +22,30 @@
 
 namespace geodesic_offset {
 
+// Figures of one distance.
+struct Level_figures
+{
+  double      distance = 0;
+  std::size_t number = 0;
+  std::size_t closed = 0;
+  double      length = 0;
+};
+
 struct Offsets
 {
-  std::vector<Offset_curve> curves; // sorted by distance
-  std::size_t               points = 0; // of polylines within the chord tolerance
+  std::vector<Level_figures> levels; // distances with curves, in increasing order
+  std::vector<Offset_curve>  curves; // in the same order; empty if no output needs all of them
+  std::size_t                points = 0; // of polylines within the chord tolerance
 };
 
 namespace internal {
 
-// Measured on files of curved meshes, for the progress bar; 0: unknown. Formats with arcs need fewer bytes for planar
-// curves.
+// Measured on files of curved meshes, for the progress bar; 0: unknown. Files with arcs need fewer bytes for planar curves.
 inline std::uintmax_t bytes_per_point(const std::string& file)
 {
   switch(CGAL::IO::offset_file_format(file))
   {
-  case CGAL::IO::Offset_file_format::POLYLINES: return 62;
-  case CGAL::IO::Offset_file_format::OBJ: return 71;
-  case CGAL::IO::Offset_file_format::VTK: return 73;
+  case CGAL::IO::Offset_file_format::VTK: return 134;
   case CGAL::IO::Offset_file_format::DXF: return 172;
   default: return 0;
   }
@@ -45,7 +53,8 @@ inline std::uintmax_t bytes_per_point(const std::string& file)
 
 } // namespace internal
 
-// Adds the files. Omits a file whose format cannot represent the curves, and returns the reason.
+// Adds the files that are not written level by level. Omits a file whose format cannot represent the curves, and returns the
+// reason.
 inline std::string add_curve_files(Output_files& files, const Output_options& options, const Offsets& offsets,
                                    double tolerance)
 {
@@ -53,6 +62,8 @@ inline std::string add_curve_files(Output_files& files, const Output_options& op
   std::string problem;
   for(const std::string& file : options.outputs)
   {
+    if(Level_files::supports(file))
+      continue;
     const auto write = [&](std::ostream& out) {
       CGAL::IO::write_offset_curves(out, CGAL::IO::offset_file_format(file), offsets.curves, parameters);
     };

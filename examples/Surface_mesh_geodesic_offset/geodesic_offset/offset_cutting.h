@@ -9,6 +9,7 @@
 #include "common.h"
 #include "curve_files.h"
 #include "drawing.h"
+#include "level_files.h"
 #include "levels.h"
 #include "numbers.h"
 #include "options.h"
@@ -26,24 +27,33 @@
 namespace geodesic_offset {
 namespace internal {
 
-// Collects the offsets, which arrive by increasing distance, and checks whether they can be written.
+// Receives the offsets, which arrive by increasing distance: checks whether they can be written, writes those of files that are
+// written level by level, and keeps the others.
 class Offset_collector
 {
-  // 1.2 GB of text per file, at 60 bytes per point, and up to 3 GB of memory, at 150 bytes per piece of a curve, each of
-  // which has at least one point
+  // 1.2 GB of text per file, at 60 bytes per point, and, for outputs that need all curves, up to 3 GB of memory, at 150 bytes
+  // per piece of a curve, each of which has at least one point
   static constexpr std::size_t most_points = 20000000;
 
   double         m_tolerance;
   bool           m_is_only_drawn;
+  bool           m_keeps_curves;
   Drawing_check& m_drawing;
+  Level_files&   m_files;
   Offsets&       m_offsets;
   std::size_t    m_levels = 0;
   double         m_distance = 0;
 
 public:
-  // is_only_drawn: all outputs are .svg files.
-  Offset_collector(double tolerance, bool is_only_drawn, Drawing_check& drawing, Offsets& offsets)
-    : m_tolerance(tolerance), m_is_only_drawn(is_only_drawn), m_drawing(drawing), m_offsets(offsets)
+  // is_only_drawn: all outputs are .svg files. keeps_curves: some output needs all curves at once.
+  Offset_collector(double tolerance, bool is_only_drawn, bool keeps_curves, Drawing_check& drawing, Level_files& files,
+                   Offsets& offsets)
+    : m_tolerance(tolerance),
+      m_is_only_drawn(is_only_drawn),
+      m_keeps_curves(keeps_curves),
+      m_drawing(drawing),
+      m_files(files),
+      m_offsets(offsets)
   {
   }
   Offset_collector(const Offset_collector&) = delete;
@@ -67,8 +77,26 @@ public:
     m_drawing.look_at(curves);
     if(m_is_only_drawn && !m_drawing.problem().empty())
       throw Input_error(m_drawing.problem());
-    m_offsets.curves.insert(m_offsets.curves.end(), std::make_move_iterator(curves.begin()),
-                            std::make_move_iterator(curves.end()));
+    if(!curves.empty())
+      m_offsets.levels.push_back(figures_of(distance, curves));
+    m_files.write(curves);
+    if(m_keeps_curves)
+      m_offsets.curves.insert(m_offsets.curves.end(), std::make_move_iterator(curves.begin()),
+                              std::make_move_iterator(curves.end()));
+  }
+
+private:
+  static Level_figures figures_of(double distance, const std::vector<Offset_curve>& curves)
+  {
+    Level_figures level;
+    level.distance = distance;
+    level.number = curves.size();
+    for(const Offset_curve& curve : curves)
+    {
+      level.closed += curve.is_closed() ? 1 : 0;
+      level.length += CGAL::to_double(curve.length());
+    }
+    return level;
   }
 };
 
@@ -105,6 +133,13 @@ inline bool is_only_drawn(const Options& options)
   return std::all_of(files.begin(), files.end(), [](const std::string& file) { return has_extension(file, ".svg"); });
 }
 
+// Whether some output needs all offsets at once.
+inline bool needs_all_curves(const Options& options)
+{
+  return !options.split.empty() || !options.picture.empty() ||
+         !std::all_of(options.outputs.begin(), options.outputs.end(), Level_files::supports);
+}
+
 // Throws Input_error that names the first polyline without inside.
 inline void check_insides(const Sources& sources)
 {
@@ -139,14 +174,15 @@ inline double distance_limit(const Options& options, const Levels& levels, const
   return std::min(maximum, levels.largest());
 }
 
-// Builds the distances and returns the offsets.
+// Builds the distances and returns the offsets. Those of `files` are written.
 template <class Concurrency_tag>
 Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& levels, const Options& options,
-                      double tolerance, Drawing_check& drawing, Progress& progress)
+                      double tolerance, Drawing_check& drawing, Level_files& files, Progress& progress)
 {
   Offsets offsets;
   const double limit = distance_limit(options, levels, sources);
-  internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), drawing, offsets);
+  internal::Offset_collector collector(tolerance, internal::is_only_drawn(options), internal::needs_all_curves(options),
+                                       drawing, files, offsets);
   const auto parameters =
     CGAL::parameters::distance_limit(limit)
       .compute_largest_distance(true)

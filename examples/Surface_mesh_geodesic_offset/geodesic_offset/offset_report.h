@@ -7,6 +7,7 @@
 #define GEODESIC_OFFSET_OFFSET_REPORT_H
 
 #include "common.h"
+#include "curve_files.h"
 #include "levels.h"
 #include "numbers.h"
 #include "options.h"
@@ -39,17 +40,17 @@ inline std::string named_distances(const std::vector<double>& distances)
 
 } // namespace internal
 
-// One sentence per reason for named distances without offset. `curves` are sorted by distance; `start` is the smallest
-// start value of the sources, `reach` the largest computed distance.
+// One sentence per reason for named distances without offset. `figures`: of the distances with offsets; `start`: smallest start
+// value of the sources; `reach`: largest computed distance.
 inline std::vector<std::string> missing_offsets(const Options& options, const Levels& levels,
-                                                const std::vector<Offset_curve>& curves, double start, double reach)
+                                                const std::vector<Level_figures>& figures, double start, double reach)
 {
   std::vector<double> before_start, beyond_maximum, beyond_surface, not_selected;
   for(double distance : levels.named())
   {
-    const auto it = std::lower_bound(curves.begin(), curves.end(), distance,
-                                     [](const Offset_curve& c, double d) { return c.distance() < d; });
-    if(it != curves.end() && it->distance() == distance)
+    const auto it = std::lower_bound(figures.begin(), figures.end(), distance,
+                                     [](const Level_figures& level, double d) { return level.distance < d; });
+    if(it != figures.end() && it->distance == distance)
       continue;
     if(distance <= start)
       before_start.push_back(distance);

@@ -15,6 +15,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -25,6 +26,7 @@
 #include <fstream>
 #include <functional>
 #include <ios>
+#include <memory>
 #include <mutex>
 #include <ostream>
 #include <random>
@@ -101,12 +103,24 @@ public:
   using Report = std::function<void(const std::string& target, std::uintmax_t bytes, std::uintmax_t expected)>;
 
 private:
+  // A file that is open
+  struct Open_file
+  {
+    std::filebuf                        file;
+    std::function<void(std::uintmax_t)> report;
+    internal::Reporting_buffer          buffer;
+    std::ostream                        stream;
+
+    explicit Open_file(std::function<void(std::uintmax_t)> r) : report(std::move(r)), buffer(file, report), stream(&buffer) {}
+  };
+
   struct Entry
   {
     std::string target; // as given
     std::string file; // the target with symbolic links resolved, so that the links remain
     std::string temporary;
     std::string old; // temporary name of the previous file at the target; empty: none
+    std::unique_ptr<Open_file> open; // null: complete
   };
 
   Report             m_report;
@@ -154,25 +168,50 @@ public:
       fail(target, reason());
   }
 
+  // Opens a file that is written in parts, and returns its stream, which is valid until close() of the same target. Progress is
+  // not reported.
+  std::ostream& open(const std::string& target)
+  {
+    return open(target, [](std::uintmax_t) {});
+  }
+
+  // Throws Input_error if a part could not be written.
+  void check_stream(const std::string& target)
+  {
+    const Open_file& open = *entry_of(target).open;
+    errno = open.buffer.error();
+    if(!open.stream)
+      fail(target, reason());
+  }
+
+  void close(const std::string& target)
+  {
+    Entry& entry = entry_of(target);
+    entry.open->stream.flush();
+    check_stream(target);
+    if(entry.open->file.close() == nullptr)
+      fail(target, reason());
+    entry.open.reset();
+  }
+
   // Calls write(stream). If it throws, the file is left out. `expected`: number of bytes, for the report.
   template <class Write>
   void add(const std::string& target, const Write& write, std::uintmax_t expected = 0)
   {
-    m_entries.push_back({target, canonical_path(target).string(), "", ""});
+    std::ostream& stream = open(target, [&](std::uintmax_t bytes) { m_report(target, bytes, expected); });
     try
     {
-      m_entries.back().temporary = new_file_beside(m_entries.back());
-      write_to(m_entries.back(), write, expected);
+      write(stream);
+      close(target);
     }
     catch(...)
     {
-      remove(m_entries.back().temporary);
-      m_entries.pop_back();
+      leave_out(target);
       throw;
     }
   }
 
-  // Renames the files to their targets. If it throws, all targets are unchanged.
+  // Renames the files, all of which are closed, to their targets. If it throws, all targets are unchanged.
   void commit()
   {
     Temporary_files& temporaries = Temporary_files::instance();
@@ -288,23 +327,37 @@ private:
       ::unlink(entry.file.c_str());
   }
 
-  template <class Write>
-  void write_to(const Entry& entry, const Write& write, std::uintmax_t expected) const
+  std::ostream& open(const std::string& target, std::function<void(std::uintmax_t)> report)
   {
-    errno = 0;
-    std::filebuf file;
-    if(file.open(entry.temporary, std::ios::out | std::ios::binary | std::ios::trunc) == nullptr)
-      fail(entry.target, reason());
-    const std::function<void(std::uintmax_t)> report = [&](std::uintmax_t bytes) {
-      m_report(entry.target, bytes, expected);
-    };
-    internal::Reporting_buffer buffer(file, report);
-    std::ostream stream(&buffer);
-    write(stream);
-    stream.flush();
-    errno = buffer.error();
-    if(!stream || file.close() == nullptr)
-      fail(entry.target, reason());
+    m_entries.push_back({target, canonical_path(target).string(), "", "", nullptr});
+    Entry& entry = m_entries.back();
+    try
+    {
+      entry.temporary = new_file_beside(entry);
+      entry.open = std::make_unique<Open_file>(std::move(report));
+      errno = 0;
+      if(entry.open->file.open(entry.temporary, std::ios::out | std::ios::binary | std::ios::trunc) == nullptr)
+        fail(target, reason());
+    }
+    catch(...)
+    {
+      leave_out(target);
+      throw;
+    }
+    return entry.open->stream;
+  }
+
+  Entry& entry_of(const std::string& target)
+  {
+    return *std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) { return entry.target == target; });
+  }
+
+  void leave_out(const std::string& target)
+  {
+    Entry& entry = entry_of(target);
+    entry.open.reset();
+    remove(entry.temporary);
+    m_entries.erase(m_entries.begin() + (&entry - m_entries.data()));
   }
 };
 

@@ -52,8 +52,8 @@ inline po::options_description output_options_description()
   const auto word = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description outputs("Outputs");
   outputs.add_options()
-    ("output", words("FILE"), "offsets as .polylines.txt, .vtk, .obj, .dxf or, if they lie in one plane, .svg "
-                              "(repeatable)")
+    ("output", words("FILE"), "offsets as .polylines.txt, .vtk, .vtp, .obj, .csv, .dxf or, if they lie in one "
+                              "plane, .svg (repeatable)")
     ("tolerance", word("T"), "chord tolerance of the written polylines (default: 1e-4 of the bounding-box diagonal)")
     ("unit", word("UNIT"), "unit of the mesh, for .dxf and .svg: mm, cm, m or in (default: none)")
     ("field", word("FILE"), "the input's vertices with their distances, signed ones too if there are polylines, as .ply or "
@@ -86,7 +86,7 @@ inline void check_offset_format(const std::string& file)
   }
   catch(const std::invalid_argument&)
   {
-    throw Usage_error("--output " + quoted(file) + " must end in .polylines.txt, .vtk, .obj, .dxf or .svg");
+    throw Usage_error("--output " + quoted(file) + " must end in .polylines.txt, .vtk, .vtp, .obj, .csv, .dxf or .svg");
   }
 }
 

@@ -32,6 +32,7 @@ struct Source_options
   std::optional<std::array<double, 3>> projection; // direction in which points are put on the surface
   std::optional<std::array<double, 3>> boundary_near; // only the nearest boundary cycle
   std::optional<std::array<double, 3>> section_near; // only the nearest curve of each section
+  std::optional<std::array<double, 3>> sharp_edges_near; // only the nearest chain of sharp edges
 
   std::vector<std::pair<std::size_t, double>> start_values; // with the number of the source
 
@@ -60,6 +61,8 @@ inline po::options_description source_options_description()
     ("source-boundary", po::bool_switch(), "all boundary edges")
     ("boundary-near", word("X,Y,Z"), "with --source-boundary: only the boundary cycle that is nearest to this point")
     ("source-sharp-edges", words("DEG"), "all edges where the normals of the two faces differ by more than DEG degrees")
+    ("sharp-edges-near", word("X,Y,Z"), "with --source-sharp-edges: only the chain of these edges that is nearest to this point; "
+                                      "it ends where other than two of the edges meet")
     ("start-value", words("I,S"), "distances from source I, numbered as in .vtk files of offsets, begin at S instead of 0")
     ("project", word("X,Y,Z"), "put points on the surface along this direction, forwards or backwards, instead of to the nearest "
                              "point");
@@ -114,6 +117,9 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
   options.boundary_near = optional_point(map, "boundary-near");
   if(options.boundary_near && !options.source_boundary)
     throw Usage_error("--boundary-near needs --source-boundary");
+  options.sharp_edges_near = optional_point(map, "sharp-edges-near");
+  if(options.sharp_edges_near && options.source_sharp_edges.empty())
+    throw Usage_error("--sharp-edges-near needs --source-sharp-edges");
   options.projection = direction(map, "project");
   for(const std::string& w : option_words(map, "start-value"))
   {

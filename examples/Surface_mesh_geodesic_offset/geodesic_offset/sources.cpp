@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 namespace geodesic_offset {
@@ -29,6 +30,38 @@ void keep_nearest(std::vector<Curve>& curves, const std::array<double, 3>& near,
       least = std::min(least, distance);
     });
   curves = std::vector<Curve>{curves[nearest]};
+}
+
+// The chain of given edges through the nearest one to a point, in both directions up to vertices where other than two of the
+// edges meet.
+std::vector<Edge> nearest_chain(const Mesh& mesh, const std::vector<Edge>& edges, const std::array<double, 3>& near)
+{
+  const Point point(near[0], near[1], near[2]);
+  const auto squared_distance = [&](Edge e) {
+    return CGAL::squared_distance(point, Kernel::Segment_3(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  };
+  std::unordered_map<Vertex, std::vector<Edge>> edges_at;
+  for(Edge e : edges)
+    for(unsigned i : {0u, 1u})
+      edges_at[mesh.vertex(e, i)].push_back(e);
+
+  const Edge first = *std::min_element(edges.begin(), edges.end(),
+                                       [&](Edge a, Edge b) { return squared_distance(a) < squared_distance(b); });
+  std::vector<Edge> chain{first};
+  for(unsigned i : {0u, 1u})
+  {
+    Edge edge = first;
+    Vertex vertex = mesh.vertex(first, i);
+    while(edges_at[vertex].size() == 2)
+    {
+      edge = edges_at[vertex][edges_at[vertex][0] == edge ? 1 : 0];
+      if(edge == first) // a closed chain
+        return chain;
+      chain.push_back(edge);
+      vertex = mesh.vertex(edge, mesh.vertex(edge, 0) == vertex ? 1 : 0);
+    }
+  }
+  return chain;
 }
 
 } // namespace
@@ -98,7 +131,7 @@ Sources::Sources(const Mesh_input& input, const Source_options& options, const G
   if(options.source_boundary)
     add_boundary(options);
   for(double degrees : options.source_sharp_edges)
-    add_sharp_edges(degrees, options.mesh);
+    add_sharp_edges(degrees, options);
   set_start_values(options);
 }
 
@@ -223,13 +256,15 @@ void Sources::add_boundary(const Source_options& options)
     });
 }
 
-void Sources::add_sharp_edges(double degrees, const std::string& mesh_file)
+void Sources::add_sharp_edges(double degrees, const Source_options& options)
 {
   std::vector<Edge> edges;
   m_geodesic.sharp_edges(degrees, std::back_inserter(edges));
   if(edges.empty())
-    throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(mesh_file) +
+    throw Input_error("--source-sharp-edges " + short_number(degrees) + ": " + quoted(options.mesh) +
                       " has no edge with a larger angle");
+  if(options.sharp_edges_near)
+    edges = nearest_chain(m_mesh, edges, *options.sharp_edges_near);
   m_edges.push_back(std::move(edges));
 }
 

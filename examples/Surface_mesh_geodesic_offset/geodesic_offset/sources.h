@@ -184,7 +184,7 @@ private:
 
   void add_boundary(const Source_options& options);
 
-  void add_sharp_edges(double degrees, const std::string& mesh_file);
+  void add_sharp_edges(double degrees, const Source_options& options);
 
   void set_start_values(const Source_options& options);
 };

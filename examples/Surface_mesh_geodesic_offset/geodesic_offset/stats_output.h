@@ -7,6 +7,7 @@
 #define GEODESIC_OFFSET_STATS_OUTPUT_H
 
 #include "common.h"
+#include "curve_files.h"
 
 #include <sys/resource.h>
 
@@ -32,33 +33,17 @@ struct Run_figures
   std::optional<Point> farthest_point; // if requested
 };
 
-// Figures of one distance.
-struct Level_figures
+// The figures with those of requested distances without curves, in increasing order.
+inline std::vector<Level_figures> with_requested(std::vector<Level_figures> levels, const std::vector<double>& distances)
 {
-  double      distance = 0;
-  std::size_t number = 0;
-  std::size_t closed = 0;
-  double      length = 0;
-};
-
-// Precondition: curves are sorted by distance. Requested distances without curves are included.
-inline std::vector<Level_figures> level_figures(const std::vector<Offset_curve>& curves, std::vector<double> distances)
-{
-  for(const Offset_curve& curve : curves)
-    distances.push_back(CGAL::to_double(curve.distance()));
-  std::sort(distances.begin(), distances.end());
-  distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
-
-  std::vector<Level_figures> levels(distances.size());
-  for(std::size_t i = 0; i < distances.size(); ++i)
-    levels[i].distance = distances[i];
-  for(const Offset_curve& curve : curves)
+  const auto is_less = [](const Level_figures& a, const Level_figures& b) { return a.distance < b.distance; };
+  for(double distance : distances)
   {
-    const auto it = std::lower_bound(distances.begin(), distances.end(), CGAL::to_double(curve.distance()));
-    Level_figures& level = levels[static_cast<std::size_t>(it - distances.begin())];
-    ++level.number;
-    level.closed += curve.is_closed() ? 1 : 0;
-    level.length += CGAL::to_double(curve.length());
+    Level_figures level;
+    level.distance = distance;
+    const auto it = std::lower_bound(levels.begin(), levels.end(), level, is_less);
+    if(it == levels.end() || it->distance != distance)
+      levels.insert(it, level);
   }
   return levels;
 }

@@ -15,6 +15,49 @@
 namespace CGAL {
 namespace IO {
 
+namespace Surface_mesh_geodesic_offset_internal {
+
+// Writes ranges of curves one after the other into one file.
+class Obj_lines
+{
+public:
+  static void begin(std::ostream& os) { os << "# geodesic offsets\n"; }
+
+  template <class OffsetCurveRange, class FT>
+  void add(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+  {
+    const Full_precision precision(os);
+    for (const auto& curve : curves)
+    {
+      const std::string distance = short_number(CGAL::to_double(curve.distance()));
+      if (distance != m_group) os << "g offset_" << distance << '\n';
+      m_group = distance;
+      auto points = discretized(curve, chord_tolerance).points;
+      const bool closed = curve.is_closed() && !points.empty();
+      if (closed) points.pop_back();
+      for (const auto& p : points)
+      {
+        os << "v ";
+        write_coordinates(os, p);
+        os << '\n';
+      }
+      os << 'l';
+      for (std::size_t i = 0; i < points.size(); ++i) os << ' ' << m_first + i;
+      if (closed) os << ' ' << m_first;
+      os << '\n';
+      m_first += points.size();
+    }
+  }
+
+  static void end(std::ostream&) {}
+
+private:
+  std::size_t m_first = 1; // indices start at 1 in this format
+  std::string m_group;
+};
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
@@ -36,30 +79,10 @@ bool write_offset_OBJ(std::ostream& os, const OffsetCurveRange& curves, const FT
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
   Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
-  const internal::Full_precision precision(os);
-  os << "# geodesic offsets\n";
-  std::size_t first = 1; // indices start at 1 in this format
-  std::string group;
-  for (const auto& curve : curves)
-  {
-    const std::string distance = internal::short_number(CGAL::to_double(curve.distance()));
-    if (distance != group) os << "g offset_" << distance << '\n';
-    group = distance;
-    auto points = internal::discretized(curve, chord_tolerance).points;
-    const bool closed = curve.is_closed() && !points.empty();
-    if (closed) points.pop_back();
-    for (const auto& p : points)
-    {
-      os << "v ";
-      internal::write_coordinates(os, p);
-      os << '\n';
-    }
-    os << 'l';
-    for (std::size_t i = 0; i < points.size(); ++i) os << ' ' << first + i;
-    if (closed) os << ' ' << first;
-    os << '\n';
-    first += points.size();
-  }
+  internal::Obj_lines lines;
+  lines.begin(os);
+  lines.add(os, curves, chord_tolerance);
+  lines.end(os);
   return os.good();
 }
 

@@ -7,64 +7,27 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/IO/Length_unit.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/Offset_file_format.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/internal/plane_of_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_csv.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_dxf.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_obj.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_svg.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtk.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace IO {
-
-/// \ingroup PkgSurfaceMeshGeodesicOffsetEnums
-/// \brief The formats of `write_offset_curves()`.
-enum class Offset_file_format
-{
-  POLYLINES, ///< `write_offset_polylines()`, file names end with `.polylines.txt`
-  VTK,       ///< `write_offset_VTK()`, `.vtk`
-  OBJ,       ///< `write_offset_OBJ()`, `.obj`
-  DXF,       ///< `write_offset_DXF()`, `.dxf`
-  SVG        ///< `write_offset_SVG()`, `.svg`
-};
-
-/*!
-\ingroup PkgSurfaceMeshGeodesicOffsetIO
-
-\brief returns the format for the extension of a file name, in upper or lower case.
-
-\throws std::invalid_argument if the name has none of the extensions of `Offset_file_format`
-*/
-inline Offset_file_format offset_file_format(const std::string& file_name)
-{
-  const std::pair<const char*, Offset_file_format> formats[] = {{".polylines.txt", Offset_file_format::POLYLINES},
-                                                                {".vtk", Offset_file_format::VTK},
-                                                                {".obj", Offset_file_format::OBJ},
-                                                                {".dxf", Offset_file_format::DXF},
-                                                                {".svg", Offset_file_format::SVG}};
-  const auto is_same = [](char a, char b) { return a == char(std::tolower((unsigned char)(b))); };
-  std::string extensions;
-  for (const auto& [extension, format] : formats)
-  {
-    const std::string e(extension);
-    if (file_name.size() > e.size() && std::equal(e.rbegin(), e.rend(), file_name.rbegin(), is_same)) return format;
-    extensions += extensions.empty() ? e : ", " + e;
-  }
-  throw std::invalid_argument("Surface_mesh_geodesic_offset: the extension of \"" + file_name + "\" is none of " + extensions);
-}
 
 namespace Surface_mesh_geodesic_offset_internal {
 
@@ -80,8 +43,7 @@ public:
     : m_curves(curves), m_format(format),
       m_tolerance(CGAL::to_double(
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), 0.))),
-      m_unit(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_length_unit),
-                                          Length_unit::NONE))
+      m_unit(parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_length_unit), Length_unit::NONE))
   {
     using namespace Geodesic_offset::internal;
     check_named_parameters<Writing_parameters, NamedParameters>();
@@ -96,6 +58,8 @@ public:
     switch (m_format)
     {
     case Offset_file_format::VTK: return write_offset_VTK(os, m_curves, m_tolerance);
+    case Offset_file_format::VTP: return write_offset_VTP(os, m_curves, m_tolerance);
+    case Offset_file_format::CSV: return write_offset_CSV(os, m_curves, m_tolerance);
     case Offset_file_format::OBJ: return write_offset_OBJ(os, m_curves, m_tolerance);
     case Offset_file_format::DXF: return write_offset_DXF(os, m_curves, m_tolerance, m_unit);
     case Offset_file_format::SVG: return write_offset_SVG(os, m_curves, m_unit);
@@ -165,7 +129,7 @@ bool write_offset_curves(std::ostream& os, Offset_file_format format, const Offs
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
-\brief writes offset curves to a file, in the format of its extension: `.polylines.txt`, `.vtk`, `.obj`, `.dxf` or `.svg`.
+\brief writes offset curves to a file, in the format of its extension, see `Offset_file_format`.
 
 \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
 \tparam NamedParameters a sequence of named parameters

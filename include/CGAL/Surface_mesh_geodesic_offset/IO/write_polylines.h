@@ -13,6 +13,35 @@
 namespace CGAL {
 namespace IO {
 
+namespace Surface_mesh_geodesic_offset_internal {
+
+// Writes ranges of curves one after the other into one file.
+struct Polyline_lines
+{
+  static void begin(std::ostream&) {}
+
+  template <class OffsetCurveRange, class FT>
+  static void add(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+  {
+    const Full_precision precision(os);
+    for (const auto& curve : curves)
+    {
+      const auto points = discretized(curve, chord_tolerance).points;
+      os << points.size();
+      for (const auto& p : points)
+      {
+        os << ' ';
+        write_coordinates(os, p);
+      }
+      os << '\n';
+    }
+  }
+
+  static void end(std::ostream&) {}
+};
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
@@ -33,18 +62,7 @@ bool write_offset_polylines(std::ostream& os, const OffsetCurveRange& curves, co
 {
   namespace internal = Surface_mesh_geodesic_offset_internal;
   Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
-  const internal::Full_precision precision(os);
-  for (const auto& curve : curves)
-  {
-    const auto points = internal::discretized(curve, chord_tolerance).points;
-    os << points.size();
-    for (const auto& p : points)
-    {
-      os << ' ';
-      internal::write_coordinates(os, p);
-    }
-    os << '\n';
-  }
+  internal::Polyline_lines::add(os, curves, chord_tolerance);
   return os.good();
 }
 

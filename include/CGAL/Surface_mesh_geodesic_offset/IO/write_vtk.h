@@ -6,60 +6,14 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/discretized_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/curve_line.h>
 
 #include <cstddef>
 #include <ostream>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace IO {
-namespace Surface_mesh_geodesic_offset_internal {
-
-struct Vtk_line
-{
-  std::vector<Coordinates> points;
-  std::vector<std::size_t> sources; // source of each point
-  std::vector<int> sides;
-  double distance;
-  bool is_closed;
-};
-
-template <class Curve, class FT>
-Vtk_line vtk_line(const Curve& curve, const FT& chord_tolerance)
-{
-  Vtk_line line;
-  // each segment belongs to one source and one side
-  const auto is_change = [&](std::size_t i) {
-    const std::size_t next = i + 1 < curve.number_of_pieces() ? i + 1 : curve.is_closed() ? 0 : i;
-    return curve.piece(i).source() != curve.piece(next).source() || curve.piece(i).side() != curve.piece(next).side();
-  };
-  Discretized_curve discrete = discretized(curve, chord_tolerance, is_change);
-  line.points = std::move(discrete.points);
-  line.is_closed = curve.is_closed() && !line.points.empty();
-  if (line.is_closed) line.points.pop_back();
-  for (std::size_t i = 0; i < line.points.size(); ++i)
-  {
-    const typename Curve::Piece piece = curve.piece(discrete.pieces[i]);
-    line.sources.push_back(piece.source());
-    line.sides.push_back(int(piece.side()));
-  }
-  line.distance = CGAL::to_double(curve.distance());
-  return line;
-}
-
-// The common value of all points; -1 if they differ.
-template <class Number>
-long long common_value(const std::vector<Number>& values)
-{
-  for (const Number& x : values)
-    if (x != values.front()) return -1;
-  return values.empty() ? -1 : static_cast<long long>(values.front());
-}
-
-} // namespace Surface_mesh_geodesic_offset_internal
-
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetIO
 
@@ -68,9 +22,9 @@ long long common_value(const std::vector<Number>& values)
 Each curve is one line. A closed line ends with the index of its first point. The arrays are
 - for lines: `distance`, `closed` (1 or 0), `source` (the id of the source), and `side` (0 none, 1 left, 2 right, 3 cap,
   as in `Source_side`). The last two are -1 if a curve belongs to several sources or sides;
-- for points: `source` and `side`. A point between two pieces has the values of the first piece. Independent of the
-  tolerance, all points where these values change are points of the line, so each segment of a line belongs to one source
-  and one side: those of its end point.
+- for points: `source`, `side`, and `normal`, the outer unit normal of the face. A point between two pieces has the values
+  of the first piece. Independent of the tolerance, all points where source or side change are points of the line, so each
+  segment of a line belongs to one source and one side: those of its end point.
 
 `distance` is the active array. The arrays for lines serve to select curves, for instance by a threshold, those for points
 to colour the curves.
@@ -91,13 +45,12 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT
   const internal::Full_precision precision(os);
 
   // the total number of points precedes the points
-  std::vector<internal::Vtk_line> lines;
+  const std::vector<internal::Curve_line> lines = internal::curve_lines(curves, chord_tolerance);
   std::size_t number_of_points = 0, number_of_indices = 0;
-  for (const auto& curve : curves)
+  for (const auto& line : lines)
   {
-    lines.push_back(internal::vtk_line(curve, chord_tolerance));
-    number_of_points += lines.back().points.size();
-    number_of_indices += lines.back().points.size() + (lines.back().is_closed ? 1 : 0);
+    number_of_points += line.points.size();
+    number_of_indices += line.number_of_indices();
   }
 
   os << "# vtk DataFile Version 3.0\ngeodesic offsets\nASCII\nDATASET POLYDATA\nPOINTS " << number_of_points << " double\n";
@@ -113,12 +66,10 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT
   std::size_t first = 0;
   for (const auto& line : lines)
   {
-    const std::size_t n = line.points.size();
-    os << n + (line.is_closed ? 1 : 0);
-    for (std::size_t i = 0; i < n; ++i) os << ' ' << first + i;
-    if (line.is_closed) os << ' ' << first;
+    os << line.number_of_indices();
+    for (std::size_t i = 0; i < line.number_of_indices(); ++i) os << ' ' << first + line.index(i);
     os << '\n';
-    first += n;
+    first += line.points.size();
   }
 
   // readers load only the first of several scalars by default, but all fields
@@ -137,6 +88,13 @@ bool write_offset_VTK(std::ostream& os, const OffsetCurveRange& curves, const FT
   os << "side 1 " << number_of_points << " int\n";
   for (const auto& line : lines)
     for (int side : line.sides) os << side << '\n';
+  os << "NORMALS normal double\n";
+  for (const auto& line : lines)
+    for (const auto& n : line.normals)
+    {
+      internal::write_coordinates(os, n);
+      os << '\n';
+    }
   return os.good();
 }
 

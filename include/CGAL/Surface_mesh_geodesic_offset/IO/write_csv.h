@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_CSV_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_IO_WRITE_CSV_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/IO/internal/curve_line.h>
+
+#include <cstddef>
+#include <ostream>
+
+namespace CGAL {
+namespace IO {
+namespace Surface_mesh_geodesic_offset_internal {
+
+// Writes ranges of curves one after the other into one file.
+class Csv_lines
+{
+public:
+  static void begin(std::ostream& os) { os << "curve,distance,source,side,x,y,z,nx,ny,nz\n"; }
+
+  template <class OffsetCurveRange, class FT>
+  void add(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+  {
+    const Full_precision precision(os);
+    for (const auto& curve : curves)
+    {
+      const Curve_line line = curve_line(curve, chord_tolerance);
+      for (std::size_t k = 0; k < line.number_of_indices(); ++k)
+      {
+        const std::size_t i = line.index(k);
+        os << m_curve << ',' << line.distance << ',' << line.sources[i] << ',' << line.sides[i];
+        for (const Coordinates& c : {line.points[i], line.normals[i]})
+          for (double x : c) os << ',' << x;
+        os << '\n';
+      }
+      ++m_curve;
+    }
+  }
+
+  static void end(std::ostream&) {}
+
+private:
+  std::size_t m_curve = 0;
+};
+
+} // namespace Surface_mesh_geodesic_offset_internal
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetIO
+
+\brief writes the points of offset curves as a table of comma-separated values with a line of names, for spreadsheets and scripts.
+
+Each row is a point of a curve, in order. The columns are
+- `curve`: the index of the curve, from 0; a closed curve repeats its first point;
+- `distance`: that of the curve;
+- `source` (the id of the source) and `side` (0 none, 1 left, 2 right, 3 cap, as in `Source_side`) at the point. A point between
+  two pieces has the values of the first piece; each segment of a curve belongs to one source and one side: those of its end point;
+- `x`, `y`, `z`: the point;
+- `nx`, `ny`, `nz`: the outer unit normal of the face of the point; at a point between two pieces, that of the first piece.
+
+\tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
+\param os the stream
+\param curves the curves
+\param chord_tolerance the largest distance of a polyline from its curve; positive
+\return whether the stream is still good.
+\throws std::invalid_argument unless `chord_tolerance > 0`; then nothing has been written
+\throws std::length_error as `Geodesic_offset_curve::points()`; then nothing has been written
+*/
+template <class OffsetCurveRange, class FT>
+bool write_offset_CSV(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
+{
+  namespace internal = Surface_mesh_geodesic_offset_internal;
+  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
+  internal::Csv_lines lines;
+  lines.begin(os);
+  lines.add(os, curves, chord_tolerance);
+  lines.end(os);
+  return os.good();
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif
