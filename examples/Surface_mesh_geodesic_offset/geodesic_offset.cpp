@@ -121,7 +121,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   Offsets offsets = build_and_cut<Concurrency_tag>(geodesic, sources, levels, options, chord_tolerance(options, input), drawing,
                                                    level_files, progress);
   level_files.finish();
-  File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details);
+  File_field field(input, geodesic, !options.field.empty() && sources.has_polylines(), options.field_details,
+                   options.has_tolerance());
   figures.largest_distance = geodesic.largest_distance();
   figures.covered_distance = geodesic.covered_distance();
 
@@ -138,6 +139,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
                   short_number(figures.largest_distance) + ", " +
                   counted(geodesic.statistics().windows_propagated, "window") + " propagated",
                 time.seconds());
+  if(options.has_tolerance())
+    progress.line("distances: smaller than the exact ones by at most " + short_number(geodesic.statistics().error_bound));
   if(is_complete && field.number_of_unreached() != 0)
     progress.line("distances: " + counted(field.number_of_unreached(), "vertex", "vertices") + " not reached");
   if(!levels.empty())
@@ -211,6 +214,7 @@ void run(const Options& options, Concurrency_tag tag)
 
   Run_figures figures;
   figures.threads = number_of_working_threads(tag);
+  figures.has_tolerance = options.has_tolerance();
   const Mesh_input input = load(options, figures, progress);
 
   const Stopwatch setup_time;

@@ -277,5 +277,30 @@ def test_sources(bench):
     check(math.dist(start, (2.3, 4.6, 0.3)) < 1e-9, "the projected start of a path: %s" % (start,))
 
 
+def test_tolerance(bench):
+    """Distances within a tolerance are within their error bounds, and within the tolerance."""
+    write_grid(bench.path("bumps.off"), lambda p: (p[0], p[1], 0.5 * math.sin(p[0]) * math.cos(p[1])), n=24)
+    mesh, files = bench.path("bumps.off"), (bench.path("exact.csv"), bench.path("field.csv"))
+
+    def rows(file):
+        with open(file, newline="") as text:
+            return [{name: float(x) for name, x in row.items()} for row in csv.DictReader(text)]
+
+    source = "--source-vertex", 8, "--field"
+    stats = bench.run(mesh, *source, files[0])
+    check("error_bound" not in stats, "error bound of exact distances")
+    exact = [row["distance"] for row in rows(files[0])]
+    for option, relative, absolute in (("--relative-tolerance", 1e-3, 0), ("--merging-tolerance", 0, 1e-3)):
+        stats = bench.run(mesh, option, 1e-3, *source, files[1], "--picture", bench.path("a.png"))
+        field = rows(files[1])
+        check(len(field) == len(exact) == 625, "%d rows" % len(field))
+        for row, d in zip(field, exact):
+            check(row["distance"] <= d * (1 + 1e-13), "%g is longer than %g" % (row["distance"], d))
+            check(d - row["distance"] <= row["error_bound"] + 1e-13 * d, "the bound %g of an error" % row["error_bound"])
+            check(row["error_bound"] <= (relative * d + absolute) * (1 + 1e-12), "the bound %g of a tolerance" % row["error_bound"])
+        check(max(d - row["distance"] for row, d in zip(field, exact)) > 1e-7, "no tolerance was used")
+        check(max(row["error_bound"] for row in field) <= stats["error_bound"], "the largest bound")
+
+
 if __name__ == "__main__":
-    run_test(polylines=test_polylines, field=test_field, details=test_details, sources=test_sources)
+    run_test(polylines=test_polylines, field=test_field, details=test_details, tolerance=test_tolerance, sources=test_sources)

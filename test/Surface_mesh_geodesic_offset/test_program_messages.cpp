@@ -540,7 +540,7 @@ private:
     for (const char* option : {"--source-vertex", "--source-point", "--source-polyline", "--source-plane", "--source-boundary",
                                "--source-sharp-edges", "--section-near", "--boundary-near", "--sharp-edges-near", "--start-value", "--project",
                                "--distance", "--spacing", "--start", "--count", "--maximum-distance",
-                               "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point",
+                               "--relative-tolerance", "--merging-tolerance", "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point",
                                "--tolerance", "--output", "--unit", "--field", "--field-details", "--split", "--picture",
                                "--view", "--up", "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
       CHECK_DETAIL(contains(help.output, option), option);

@@ -37,7 +37,8 @@ struct File_field
   std::vector<Field_column> columns;
 
   // with_sides: with signed distances. with_details: with nearest sources (-1: none), their sides and gradients.
-  File_field(const Mesh_input& input, const Geodesic& geodesic, bool with_sides, bool with_details)
+  // with_error_bounds: with the amounts by which distances may be smaller than the exact ones.
+  File_field(const Mesh_input& input, const Geodesic& geodesic, bool with_sides, bool with_details, bool with_error_bounds)
   {
     const std::size_t n = input.soup().points.size();
     const auto add = [&](const char* name, std::size_t components, bool is_integer, double unreached) {
@@ -52,6 +53,8 @@ struct File_field
       add("side", 1, true, 0);
       add("gradient", 3, false, 0);
     }
+    if(with_error_bounds)
+      add("error_bound", 1, false, 0);
     for(std::size_t i = 0; i < n; ++i)
     {
       Vertex nearest = Mesh::null_vertex();
@@ -78,7 +81,10 @@ struct File_field
         const Vector gradient = geodesic.gradient(nearest);
         for(int c = 0; c < 3; ++c)
           columns[k].values[3 * i + static_cast<std::size_t>(c)] = gradient[c];
+        ++k;
       }
+      if(with_error_bounds)
+        columns[k].values[i] = geodesic.error_bound(nearest);
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include "command_line.h"
 #include "common.h"
+#include "numbers.h"
 
 #include <cstddef>
 #include <optional>
@@ -32,11 +33,16 @@ struct Level_options
   std::optional<double>      start; // of the spacing
   std::optional<std::size_t> count; // of the spacing
   std::optional<double>      maximum_distance;
+  double                     relative_tolerance = 0; // of distances
+  double                     merging_tolerance = 0;
   std::string                side; // empty: not given
   std::string                end; // empty: not given
   Selection                  selection;
 
   bool has_levels() const { return !distances.empty() || spacing; }
+
+  // Whether distances may be smaller than the exact ones.
+  bool has_tolerance() const { return relative_tolerance > 0 || merging_tolerance > 0; }
 
   // Whether the number of levels depends on the extent of the surface.
   bool is_open_ended() const { return spacing && !count; }
@@ -55,6 +61,9 @@ inline po::options_description level_options_description()
     ("start", word("D"), "with --spacing: offsets at D, D + S, D + 2 S, ... instead")
     ("count", word("N"), "with --spacing: at most N of them")
     ("maximum-distance", word("D"), "do not compute points farther than D")
+    ("relative-tolerance", word("T"), "without offsets: distances may be smaller than the exact ones by a fraction T of them, which "
+                                      "saves time on fine smooth meshes; --stats has the bound that was reached")
+    ("merging-tolerance", word("L"), "without offsets: distances may be smaller than the exact ones by a length L")
     ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
     ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
                          "none (default with one side)");
@@ -96,6 +105,10 @@ inline void read_level_options(const po::variables_map& map, Level_options& opti
   options.start = optional_positive_number(map, "start");
   options.count = optional_whole_number(map, "count");
   options.maximum_distance = optional_positive_number(map, "maximum-distance");
+  options.relative_tolerance = optional_positive_number(map, "relative-tolerance").value_or(0);
+  if(options.relative_tolerance > 0.5)
+    throw Usage_error("--relative-tolerance must be at most 0.5, not " + short_number(options.relative_tolerance));
+  options.merging_tolerance = optional_positive_number(map, "merging-tolerance").value_or(0);
   options.side = option_word(map, "side");
   options.end = option_word(map, "end");
   options.selection = selection(options.side, options.end);

@@ -190,7 +190,9 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
       .visitor(internal::Solving_bar(levels, collector, limit, progress));
   if(levels.empty())
   {
-    geodesic.build(parameters.concurrency_tag(Concurrency_tag()));
+    geodesic.build(parameters.relative_tolerance(options.relative_tolerance)
+                     .merging_tolerance(options.merging_tolerance)
+                     .concurrency_tag(Concurrency_tag()));
     return offsets;
   }
   try

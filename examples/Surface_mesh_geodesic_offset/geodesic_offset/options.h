@@ -20,6 +20,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -64,6 +65,21 @@ inline po::options_description options_description()
   return all;
 }
 
+// Throws Usage_error if distances within a tolerance are requested together with something that needs exact ones.
+inline void check_tolerances(const po::variables_map& map, const Options& options)
+{
+  const std::pair<const char*, bool> exact[] = {{"distance", map.count("distance") != 0},
+                                                {"spacing", map.count("spacing") != 0},
+                                                {"path-from", map.count("path-from") != 0},
+                                                {"path-from-vertex", map.count("path-from-vertex") != 0},
+                                                {"farthest-point", options.farthest_point},
+                                                {"field-details", options.field_details}};
+  for(const char* tolerance : {"relative-tolerance", "merging-tolerance"})
+    for(const auto& [option, is_given] : exact)
+      if(map.count(tolerance) && is_given)
+        throw Usage_error("--" + std::string(tolerance) + " cannot be used with --" + option + ", which needs exact distances");
+}
+
 inline Options checked_options(const po::variables_map& map)
 {
   Options options;
@@ -76,6 +92,7 @@ inline Options checked_options(const po::variables_map& map)
   options.quiet = map["quiet"].as<bool>();
   if(!options.split.empty() && !options.selection.is_everything())
     throw Usage_error("--split needs the offsets on both sides with round ends, without --side and --end");
+  check_tolerances(map, options);
   check_different_files(options.files_read(), options.files_written());
   return options;
 }

@@ -62,6 +62,8 @@ Face_distances face_distances(Geodesic& geodesic, const Mesh& mesh, const Option
   };
   geodesic.build(CGAL::parameters::distance_limit(options.maximum_distance.value_or(infinity))
                                     .keep_windows(true)
+                                    .relative_tolerance(options.relative_tolerance)
+                                    .merging_tolerance(options.merging_tolerance)
                                     .visitor(show).concurrency_tag(Concurrency_tag()));
   return distances;
 }

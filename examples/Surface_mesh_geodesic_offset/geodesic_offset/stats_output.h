@@ -31,6 +31,7 @@ struct Run_figures
   double      largest_distance = 0;        // of the surface, up to the covered distance
   double      covered_distance = infinity; // all distances up to it are known
   std::optional<Point> farthest_point; // if requested
+  bool        has_tolerance = false;       // whether distances may be smaller than the exact ones
 };
 
 // The figures with those of requested distances without curves, in increasing order.
@@ -83,6 +84,9 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
   else
     out << "null";
   out << ",\n";
+  if(run.has_tolerance)
+    out << "  \"error_bound\": " << solver.error_bound << ",\n"
+        << "  \"relative_error_bound\": " << solver.relative_error_bound << ",\n";
   if(run.farthest_point)
     out << "  \"farthest_point\": [" << run.farthest_point->x() << ", " << run.farthest_point->y() << ", "
         << run.farthest_point->z() << "],\n";

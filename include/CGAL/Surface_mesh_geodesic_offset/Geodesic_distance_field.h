@@ -180,6 +180,7 @@ public:
 
   /// the nearest source and the nearest point of it; empty if the point is unreachable or farther than
   /// `covered_distance()`. Takes, in addition, time linear in the number of edges that the shortest path crosses.
+  /// \throws std::logic_error if the build had a tolerance
   template <class Location>
   std::optional<Nearest_source> nearest_source(const Location& location) const
   {
@@ -245,7 +246,7 @@ public:
   /// the largest distance of the points of the surface that have a distance, and a point at that distance, which may lie
   /// inside a face. After a build with `compute_largest_distance(true)` this takes constant time; from kept windows it takes
   /// time linear in the size of the mesh and little more, on most meshes.
-  /// \throws std::logic_error if the build had neither of these parameters, or no point has a distance, or
+  /// \throws std::logic_error if the build had neither of these parameters, or had a tolerance, or no point has a distance, or
   ///         `covered_distance()` is finite
   std::pair<Face_location, FT> farthest_point() const
   {
