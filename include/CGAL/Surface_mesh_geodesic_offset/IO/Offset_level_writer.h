@@ -15,6 +15,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/core/noncopyable.hpp>
+
 #include <ostream>
 #include <stdexcept>
 #include <variant>
@@ -39,7 +41,7 @@ const bool is_written = writer.finish();
 
 Not copyable. Memory is that for the points of one part.
 */
-class Offset_level_writer
+class Offset_level_writer : boost::noncopyable
 {
 public:
   /// returns whether a format can be written in parts: `POLYLINES`, `VTP`, `OBJ` and `CSV`.
@@ -65,9 +67,6 @@ public:
     else if (format == Offset_file_format::CSV) m_lines = Csv_lines();
     std::visit([&](auto& lines) { lines.begin(m_os); }, m_lines);
   }
-
-  Offset_level_writer(const Offset_level_writer&) = delete;
-  Offset_level_writer& operator=(const Offset_level_writer&) = delete;
 
   /// writes further curves.
   /// \tparam OffsetCurveRange a model of `ConstRange` with `Surface_mesh_geodesic_offset::Offset_curve` as value type
