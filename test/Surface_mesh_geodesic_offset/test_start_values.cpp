@@ -343,6 +343,48 @@ void restarts()
   }
 }
 
+// A second source at a vertex, with the distance from the first one as start value, up to rounding: no distance changes.
+void equal_distances()
+{
+  std::size_t number;
+  const auto* const soups = all_soups(number);
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    const Generated_mesh<Surface_mesh> data(soups[k].second);
+    const Mesh_locations locations(data.mesh);
+    const double size = bounding_box_diagonal(data.mesh), unit = std::numeric_limits<double>::epsilon();
+    Random random(k + 1);
+    for (unsigned seed = 1; seed <= number_of_cases(3u, 60u); ++seed)
+    {
+      const Face_location source = random_location(locations, data.mesh, random, 0);
+      Geodesic alone(data.mesh);
+      alone.add_source_point(source);
+      alone.build(CGAL::parameters::keep_windows(true));
+      auto h = halfedge(source.first, data.mesh);
+      for (int corner = 0; corner < 4; ++corner) // those of its face, and of the next one
+      {
+        const auto v = target(h, data.mesh);
+        h = corner == 2 && !is_border(opposite(h, data.mesh), data.mesh) ? next(opposite(h, data.mesh), data.mesh) : next(h, data.mesh);
+        for (const int units : {-40, -3, -1, 0, 1, 3, 40})
+        {
+          Report::instance().set_context(std::string("equal distances, ") + soups[k].first + ", seed " + std::to_string(seed) +
+                                         ", corner " + std::to_string(corner) + ", units " + std::to_string(units));
+          Geodesic both(data.mesh);
+          both.add_source_point(source);
+          both.add_source_point(v, CGAL::parameters::start_value((1 + units * unit) * alone.distance_to_sources(v)));
+          both.build(CGAL::parameters::keep_windows(true));
+          const auto check = [&](const auto& query) {
+            const double a = both.distance_to_sources(query), b = alone.distance_to_sources(query);
+            CHECK_DETAIL(std::abs(a - b) <= tolerance(b, size), values(a, b));
+          };
+          for (const auto w : used_vertices(data.mesh)) check(w);
+          for (int i = 0; i < 10; ++i) check(random_location(locations, data.mesh, random, 0));
+        }
+      }
+    }
+  }
+}
+
 // One source: all distances and offsets are shifted.
 void one_source()
 {
@@ -464,6 +506,7 @@ GEODESIC_OFFSET_TEST(test_start_values)
     {"several sources", test_start_values::several_sources},
     {"one source", test_start_values::one_source},
     {"restarts", test_start_values::restarts},
+    {"equal distances", test_start_values::equal_distances},
     {"far apart", test_start_values::far_apart},
     {"bad values", test_start_values::bad_values}};
   const int result = run_tests("test_start_values", tests);

@@ -171,9 +171,9 @@ public:
       if (BOOST_UNLIKELY(d <= known + rounding && (a.is_beside_end || d >= known - rounding))) add_tie(v);
     }
     if (!(d < known)) return;
-    // An improvement within rounding has the same source, and needs no second spreading.
+    // An improvement within rounding needs no second spreading, and none where rays were or are started by the source at v.
     const bool ties = Number_policy<FT>::is_inexact && d >= known - rounding;
-    if (ties && (vertex_state[v] & HAS_SPREAD)) return;
+    if (ties && ((vertex_state[v] & HAS_SPREAD) || field.back[v].corner == no_index)) return;
     known = d;
     if (ties) return;
     field.back[v] = Backtrace<FT>(a.back, a.pseudo_source);
