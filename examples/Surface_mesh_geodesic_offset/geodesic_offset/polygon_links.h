@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace geodesic_offset {
@@ -32,12 +34,29 @@ struct Polygon_side
 
 constexpr std::uint32_t no_side = std::numeric_limits<std::uint32_t>::max();
 
+// Sorts the sides: into one range per low end, as most ends have few sides, then each range.
+inline void sort_sides(std::vector<Polygon_side>& sides, std::size_t number_of_vertices)
+{
+  std::vector<std::size_t> end_of(number_of_vertices + 1, 0); // of the range before that of a vertex; later of its own range
+  for(const Polygon_side& side : sides)
+    ++end_of[side.low + 1];
+  std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
+  std::vector<Polygon_side> sorted(sides.size());
+  for(const Polygon_side& side : sides)
+    sorted[end_of[side.low]++] = side;
+  std::size_t first = 0;
+  for(std::size_t v = 0; v < number_of_vertices; first = end_of[v++])
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first), sorted.begin() + static_cast<std::ptrdiff_t>(end_of[v]));
+  sides = std::move(sorted);
+}
+
 // For each side the side of another polygon with the opposite direction; no_side: none. Returns false if an edge has more than
 // two sides, or two of the same direction.
-inline bool find_opposite_sides(std::vector<Polygon_side>& sides, std::vector<std::uint32_t>& opposite)
+inline bool find_opposite_sides(std::vector<Polygon_side>& sides, std::size_t number_of_vertices,
+                                std::vector<std::uint32_t>& opposite)
 {
   opposite.assign(sides.size(), no_side);
-  std::sort(sides.begin(), sides.end());
+  sort_sides(sides, number_of_vertices);
   for(std::size_t i = 1; i < sides.size(); ++i)
   {
     const Polygon_side &a = sides[i - 1], &b = sides[i];
@@ -66,7 +85,7 @@ inline bool link_polygons(Mesh& mesh, const std::vector<Polygon>& polygons, cons
       sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(sides.size()), b < a});
     }
   std::vector<std::uint32_t> opposite;
-  if(!internal::find_opposite_sides(sides, opposite))
+  if(!internal::find_opposite_sides(sides, at.size(), opposite))
     return false;
 
   std::vector<Halfedge> halfedges(sides.size(), Mesh::null_halfedge());
