@@ -78,15 +78,13 @@ public:
       groups.emplace_back(upper);
     }
     for (const Group& g : groups)
-    {
       for (std::size_t k = 0; k < 3; ++k)
       {
         std::size_t sum = g.pixels / 2;
         for (const Counted_colour& c : g.colours) sum += c.first[k] * c.second;
         m_entries.push_back(static_cast<std::uint8_t>(sum / g.pixels));
       }
-      for (const Counted_colour& c : g.colours) m_index[c.first] = static_cast<std::uint8_t>(&g - groups.data());
-    }
+    for (const auto& c : counts) m_index[c.first] = nearest(c.first);
   }
 
   /// three bytes per colour
@@ -95,13 +93,28 @@ public:
   std::uint8_t index(std::uint8_t r, std::uint8_t g, std::uint8_t b) const { return m_index.at({r, g, b}); }
 
 private:
+  std::uint8_t nearest(const Colour& c) const
+  {
+    std::size_t result = 0;
+    int least = 3 * 256 * 256;
+    for (std::size_t i = 0; i < m_entries.size() / 3; ++i)
+    {
+      int d = 0;
+      for (std::size_t k = 0; k < 3; ++k) d += (c[k] - m_entries[3 * i + k]) * (c[k] - m_entries[3 * i + k]);
+      if (d >= least) continue;
+      least = d;
+      result = i;
+    }
+    return static_cast<std::uint8_t>(result);
+  }
+
   std::vector<std::uint8_t> m_entries;
   std::map<Colour, std::uint8_t> m_index;
 };
 
 inline void write_indexed_png(const std::string& file, const geodesic_offset::Image& image)
 {
-  constexpr std::size_t colours = 160;
+  constexpr std::size_t colours = 200;
   const Palette palette(image.bytes, colours);
   std::vector<std::uint8_t> indices;
   for (std::size_t i = 0; i < image.bytes.size(); i += 3)
