@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Radical_numbers.h>
 #include <CGAL/Surface_mesh_geodesic_offset/IO/write_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/construct_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/geodesic_voronoi_labels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/shortest_path_to_sources.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 

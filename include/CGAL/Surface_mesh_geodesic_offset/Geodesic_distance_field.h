@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_nearest_source.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_offset_statistics.h>
+#include <CGAL/Surface_mesh_geodesic_offset/Geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
@@ -79,6 +80,13 @@ public:
   typedef Geodesic_offset_curve<unspecified_type> Offset_curve;
 #else
   typedef Geodesic_offset_curve<Geodesic_offset::internal::Surface_of<Mesh>> Offset_curve;
+#endif
+
+#ifdef DOXYGEN_RUNNING
+  /// the Voronoi diagram of the sources
+  typedef Geodesic_voronoi_diagram<unspecified_type> Voronoi_diagram;
+#else
+  typedef Geodesic_voronoi_diagram<Geodesic_offset::internal::Surface_of<Mesh>> Voronoi_diagram;
 #endif
   /// @}
 
@@ -219,7 +227,7 @@ public:
     Geodesic_offset::internal::write_vertex_distances(data(), built(), map);
   }
 
-  /// writes the id of the nearest source of each vertex to a map: the geodesic Voronoi diagram of the sources.
+  /// writes the id of the nearest source of each vertex to a map. The cells of sources also divide faces, see `voronoi_diagram()`.
   /// \tparam VertexLabelMap a model of `WritablePropertyMap` with `vertex_descriptor` as key and `std::size_t` as value
   template <class VertexLabelMap>
   void source_labels(VertexLabelMap map) const
@@ -301,6 +309,21 @@ public:
     const auto wanted = internal::offset_levels<Surface>(levels);
     internal::cut_offset_curves<internal::Concurrency_tag_of<NamedParameters>>(data(), built_exactly(), wanted,
                                                                                internal::Offset_selection(np), f);
+  }
+  /// @}
+
+  /// \name Voronoi Diagram
+  /// @{
+
+  /// computes the exact Voronoi diagram of the sources, from kept windows. The time is linear in the size of the mesh and the
+  /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there; faces
+  /// with more than 12 of them are divided. The distances agree on both sides of the curves up to rounding. Cells that are
+  /// smaller than about 1e-8 of the distances at them, or narrower than 1e-11, may be lost in rounding.
+  /// \throws std::logic_error if the build kept no windows, or had a tolerance, or `covered_distance()` is finite
+  Voronoi_diagram voronoi_diagram() const
+  {
+    built_exactly();
+    return Voronoi_diagram(data(), built_with_windows());
   }
   /// @}
 

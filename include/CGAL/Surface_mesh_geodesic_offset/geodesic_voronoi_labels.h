@@ -15,7 +15,8 @@ namespace CGAL {
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetFunctions
 
-\brief computes the nearest source of each vertex: the geodesic Voronoi diagram of the sources.
+\brief computes the nearest source of each vertex. The cells of sources also divide faces, see
+`construct_geodesic_voronoi_diagram()`.
 
 The label of a vertex is the id of its nearest source. Vertices that no path reaches have the label
 `Geodesic_distance_field::no_source()`. The time is that of `geodesic_distances()`.

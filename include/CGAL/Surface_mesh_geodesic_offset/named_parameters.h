@@ -48,6 +48,7 @@ typedef Joined_tags<Selection_parameters, Parameter_tags<internal_np::concurrenc
 typedef Joined_tags<Selection_parameters, Build_parameters> Build_and_offset_parameters;
 typedef Joined_tags<Joined_tags<Mesh_parameters, Update_parameters>, Parameter_tags<internal_np::geodesic_distance_limit_t>>
   Path_call_parameters;
+typedef Joined_tags<Mesh_parameters, Update_parameters> Voronoi_call_parameters;
 typedef Joined_tags<Selection_parameters, Path_call_parameters> Offset_call_parameters;
 typedef Joined_tags<Path_call_parameters,
                     Parameter_tags<internal_np::geodesic_targets_t, internal_np::geodesic_relative_tolerance_t,
@@ -58,6 +59,9 @@ typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edg
                        internal_np::visitor_t, internal_np::geodesic_face_band_t, internal_np::geodesic_face_source_t,
                        internal_np::geodesic_distance_field_t, internal_np::geodesic_vertex_distance_t>
   Splitting_parameters;
+typedef Parameter_tags<internal_np::geodesic_chord_tolerance_t, internal_np::edge_is_constrained_t, internal_np::vertex_point_t,
+                       internal_np::visitor_t, internal_np::geodesic_face_source_t>
+  Voronoi_splitting_parameters;
 
 // True if all parameters of a sequence are in a list of tags; false for a type that is no sequence of parameters.
 template <class>

@@ -46,8 +46,7 @@ public:
 
   // `diagonal`: of the bounding box of the mesh.
   Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance)
-    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance),
-      m_number_at(get(Face_tag(), tm))
+    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance), m_number_at(get(Face_tag(), tm))
   {
     for (const face_descriptor f : faces(tm)) put(m_number_at, f, 0);
   }
@@ -105,6 +104,14 @@ public:
       }
   }
 
+  // Finds the labels of the faces that no curve crosses, before the mesh changes.
+  template <class Function>
+  void find_uncrossed_faces(const Function& label_of)
+  {
+    for (const face_descriptor f : faces(m_mesh))
+      if (get(m_number_at, f) == 0) m_uncrossed.push_back({f, label_of(f)});
+  }
+
   // Changes the mesh. Sets the map to true for the new edges of curves. Calls `put_source(face, source)` for the results of
   // find_sources().
   template <class EdgeIsConstrainedMap, class Visitor, class PutSource>
@@ -138,7 +145,8 @@ public:
     };
     for (const Curve_edge& e : m_edges) put(is_curve, edge(e.halfedge, m_mesh), true);
     // Where curves are closer than the snap distance, an edge belongs to several: the nearest level bounds its left side.
-    std::stable_sort(m_edges.begin(), m_edges.end(), [](const Curve_edge& a, const Curve_edge& b) { return a.level < b.level; });
+    std::stable_sort(m_edges.begin(), m_edges.end(),
+                     [](const Curve_edge& a, const Curve_edge& b) { return a.level < b.level; });
     for (const Curve_edge& e : m_edges) set(e.halfedge, e.level);
     for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e) set(opposite(e->halfedge, m_mesh), e->level + 1);
     const auto spread = [&] {
@@ -162,6 +170,35 @@ public:
     }
   }
 
+  // Writes the label of each face: those of find_uncrossed_faces(), and `labels_of(level)`, on the left and on the right, at the
+  // curves. `other`: for faces of which neither tells the label.
+  template <class FaceSourceMap, class Function>
+  void write_cells(FaceSourceMap source_map, const Function& labels_of, std::size_t other)
+  {
+    Face_labels labels(m_mesh, m_edges);
+    for (const auto& f : m_uncrossed) labels.set(f.first, f.second);
+    labels.spread();
+    // Where curves are closer than the snap distance, an edge belongs to several, and its sides are not certain.
+    std::stable_sort(m_edges.begin(), m_edges.end(), [this](const Curve_edge& a, const Curve_edge& b) {
+      return edge(a.halfedge, m_mesh) < edge(b.halfedge, m_mesh);
+    });
+    for (const bool is_certain : {true, false})
+    {
+      for (std::size_t i = 0; i < m_edges.size(); ++i)
+      {
+        const auto is_same_edge = [&](std::size_t j) {
+          return j < m_edges.size() && edge(m_edges[i].halfedge, m_mesh) == edge(m_edges[j].halfedge, m_mesh);
+        };
+        if (is_certain && ((i > 0 && is_same_edge(i - 1)) || is_same_edge(i + 1))) continue;
+        const std::pair<std::size_t, std::size_t> sides = labels_of(m_edges[i].level);
+        labels.set(face(m_edges[i].halfedge, m_mesh), sides.first);
+        labels.set(face(opposite(m_edges[i].halfedge, m_mesh), m_mesh), sides.second);
+      }
+      labels.spread();
+    }
+    for (const face_descriptor f : faces(m_mesh)) put(source_map, f, labels.of(f, other));
+  }
+
 private:
   typedef CGAL::dynamic_face_property_t<std::size_t> Face_tag;
   typedef Split_piece<Piece> Piece_in_face;
@@ -175,10 +212,54 @@ private:
     halfedge_descriptor halfedge;
     std::size_t level;
   };
+  // Labels of faces, spread over all edges but those of curves.
+  class Face_labels
+  {
+  public:
+    Face_labels(const TriangleMesh& mesh, const std::vector<Curve_edge>& curves)
+      : m_mesh(mesh), m_label(get(Face_tag(), mesh)), m_is_set(get(Set_tag(), mesh)), m_is_curve(get(Edge_tag(), mesh))
+    {
+      for (const face_descriptor f : faces(mesh)) put(m_is_set, f, false);
+      for (const auto e : edges(mesh)) put(m_is_curve, e, false);
+      for (const Curve_edge& e : curves) put(m_is_curve, edge(e.halfedge, mesh), true);
+    }
+
+    // The first label counts.
+    void set(face_descriptor f, std::size_t label)
+    {
+      if (f == Graph_traits::null_face() || get(m_is_set, f)) return;
+      put(m_is_set, f, true);
+      put(m_label, f, label);
+      m_pending.push_back(f);
+    }
+
+    void spread()
+    {
+      while (!m_pending.empty())
+      {
+        const face_descriptor f = m_pending.front();
+        m_pending.pop_front();
+        for (const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+          if (!get(m_is_curve, edge(h, m_mesh))) set(face(opposite(h, m_mesh), m_mesh), get(m_label, f));
+      }
+    }
+
+    std::size_t of(face_descriptor f, std::size_t other) const { return get(m_is_set, f) ? get(m_label, f) : other; }
+
+  private:
+    typedef CGAL::dynamic_face_property_t<bool> Set_tag;
+    typedef CGAL::dynamic_edge_property_t<bool> Edge_tag;
+
+    const TriangleMesh& m_mesh;
+    typename boost::property_map<TriangleMesh, Face_tag>::const_type m_label;
+    typename boost::property_map<TriangleMesh, Set_tag>::const_type m_is_set;
+    typename boost::property_map<TriangleMesh, Edge_tag>::const_type m_is_curve;
+    std::deque<face_descriptor> m_pending;
+  };
   struct Triangulated_face
   {
     face_descriptor face;
-    vertex_descriptor first; // source of the first halfedge of the face, before the split
+    vertex_descriptor first;  // source of the first halfedge of the face, before the split
     std::vector<Id> boundary; // from there on
     std::vector<std::array<Id, 3>> triangles;
     std::vector<std::size_t> sources; // of the triangles, if they are requested
@@ -302,8 +383,9 @@ private:
   std::deque<Piece> m_pieces; // the addresses stay
   std::vector<Face_pieces> m_faces;
   std::vector<Triangulated_face> m_triangulated;
-  std::vector<Split_edge> m_split_edges;                          // of the triangulations
-  std::vector<std::pair<face_descriptor, std::size_t>> m_sources; // of the faces that no curve crosses
+  std::vector<Split_edge> m_split_edges;                            // of the triangulations
+  std::vector<std::pair<face_descriptor, std::size_t>> m_sources;   // of the faces that no curve crosses
+  std::vector<std::pair<face_descriptor, std::size_t>> m_uncrossed; // with their labels
   std::vector<Curve_edge> m_edges;
   typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces; later 1 + band
 };

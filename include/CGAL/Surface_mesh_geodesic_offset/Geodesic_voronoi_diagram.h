@@ -1,0 +1,302 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_VORONOI_DIAGRAM_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_GEODESIC_VORONOI_DIAGRAM_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/Bisector_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_extraction.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/range/iterator_range.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+template <class>
+class Geodesic_voronoi_diagram;
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief represents an edge of a geodesic Voronoi diagram: an ordered chain of segments and arcs of parabolas and hyperbolas, each
+inside one face, between the cells of two sources.
+
+The curve is closed, or each of its ends is a vertex of the diagram or lies on the border of the mesh. Curves share the data of their
+diagram, are valid after its destruction, and must not outlive the mesh.
+
+\tparam Surface_ an implementation detail; `Geodesic_voronoi_diagram::Curve` names the type
+*/
+template <class Surface_>
+class Geodesic_bisector
+{
+  typedef Geodesic_offset::internal::Bisector_chain Chain;
+  typedef Geodesic_offset::internal::Bisector_diagram Diagram;
+  typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
+
+  friend class Geodesic_voronoi_diagram<Surface_>;
+
+  Geodesic_bisector(std::shared_ptr<const Context> context, std::shared_ptr<const Diagram> diagram, std::size_t number)
+    : m_context(std::move(context)), m_diagram(std::move(diagram)), m_number(number)
+  {
+  }
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the number type of distances and of coordinates
+  typedef typename Surface_::FT FT;
+  /// a point in space
+  typedef typename Surface_::Point_3 Point_3;
+  /// a point of the surface, see `Geodesic_mesh::Face_location`
+  typedef typename Surface_::Face_location Face_location;
+  /// a piece of the curve
+  typedef Geodesic_bisector_piece<Surface_> Piece;
+  /// @}
+
+  /// the id of the source whose cell is on the left of the direction of travel, seen from the outside of the surface.
+  std::size_t source_on_left() const { return chain().arcs.front().left.label; }
+  /// the id of the source whose cell is on the right.
+  std::size_t source_on_right() const { return chain().arcs.front().right.label; }
+
+  /// whether the curve is closed.
+  bool is_closed() const { return chain().is_closed; }
+
+  /// the index of the vertex of the diagram at the start; empty if the curve is closed or starts on the border.
+  std::optional<std::size_t> start_vertex() const { return vertex(chain().start_vertex); }
+  /// the index of the vertex of the diagram at the end; empty if the curve is closed or ends on the border.
+  std::optional<std::size_t> end_vertex() const { return vertex(chain().end_vertex); }
+
+  /// \name Pieces
+  /// Each piece ends where the next one starts, up to rounding.
+  /// @{
+
+  /// the number of pieces.
+  std::size_t number_of_pieces() const { return chain().arcs.size(); }
+
+  /// the i-th piece. \pre `i < number_of_pieces()`
+  Piece piece(std::size_t i) const
+  {
+    CGAL_precondition(i < chain().arcs.size());
+    return Piece(*m_context, chain().arcs[i]);
+  }
+
+  /// all pieces, in order.
+  auto pieces() const
+  {
+    const auto view = [context = m_context.get()](const Geodesic_offset::internal::Bisector_arc& a) {
+      return Piece(*context, a);
+    };
+    const auto& arcs = chain().arcs;
+    return boost::make_iterator_range(boost::make_transform_iterator(arcs.begin(), view),
+                                      boost::make_transform_iterator(arcs.end(), view));
+  }
+  /// @}
+
+  /// \name Points
+  /// @{
+
+  /// calls `f(location, i)` for points along the curve, where `i` is the index of the piece that contains the point.
+  ///
+  /// Both ends of each piece are among the points, so two consecutive points share the face of a piece. The polyline through
+  /// the points is nowhere farther from the curve than `chord_tolerance`. A closed curve repeats its first point at the end.
+  /// \throws std::invalid_argument unless `chord_tolerance > 0`
+  template <class Function>
+  void discretize(const FT& chord_tolerance, const Function& f) const
+  {
+    const std::size_t n = number_of_pieces();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Piece p = piece(i);
+      if (i == 0) f(p.start(), i);
+      p.for_each_inner_location(chord_tolerance, [&](const Face_location& l) { f(l, i); });
+      f(is_closed() && i + 1 == n ? piece(0).start() : p.end(), i);
+    }
+  }
+
+  /// writes the points of `discretize()` as locations.
+  /// \throws std::invalid_argument unless `chord_tolerance > 0`
+  /// \param chord_tolerance a length
+  /// \param out an output iterator for `Face_location`
+  template <class OutputIterator>
+  OutputIterator face_locations(const FT& chord_tolerance, OutputIterator out) const
+  {
+    discretize(chord_tolerance, [&](const Face_location& l, std::size_t) { *out++ = l; });
+    return out;
+  }
+
+  /// writes the points of `discretize()` as points in space.
+  /// \throws std::invalid_argument unless `chord_tolerance > 0`
+  /// \param chord_tolerance a length
+  /// \param out an output iterator for `Point_3`
+  template <class OutputIterator>
+  OutputIterator points(const FT& chord_tolerance, OutputIterator out) const
+  {
+    discretize(chord_tolerance, [&](const Face_location& l, std::size_t) { *out++ = point(l); });
+    return out;
+  }
+
+  /// the point in space of a location.
+  Point_3 point(const Face_location& location) const { return m_context->surface->point(location); }
+  /// @}
+
+private:
+  const Chain& chain() const { return m_diagram->chains[m_number]; }
+
+  static std::optional<std::size_t> vertex(std::size_t v)
+  {
+    if (v == Chain::no_vertex) return std::nullopt;
+    return v;
+  }
+
+  std::shared_ptr<const Context> m_context;
+  std::shared_ptr<const Diagram> m_diagram;
+  std::size_t m_number;
+};
+
+/*!
+\ingroup PkgSurfaceMeshGeodesicOffsetClasses
+
+\brief represents the exact geodesic Voronoi diagram of sources: the curves between the cells of different sources, and the
+vertices where these curves meet.
+
+The cell of a source consists of the points of the surface that are nearer to it, or not farther from it, than from all other sources;
+start values of sources are additive weights. A cell may be empty, and need not be connected. The curves are the common boundaries
+of two cells, exact up to the rounding of `double`, whatever the number type: the distances of a point of a curve from both sources differ by
+rounding. Bisectors between different paths to one source are not among them.
+
+Where sources tie in a whole region, it belongs to one of them, and there are no curves in it: of sources that coincide, or
+that have an end or a corner in common, to that with the smallest id; behind a vertex of the mesh where shortest paths to several
+sources bend, to the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it.
+
+Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh.
+
+\tparam Surface_ an implementation detail; `Geodesic_distance_field::Voronoi_diagram` names the type
+*/
+template <class Surface_>
+class Geodesic_voronoi_diagram
+{
+  typedef Geodesic_offset::internal::Bisector_diagram Diagram;
+  typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// an edge of the diagram
+  typedef Geodesic_bisector<Surface_> Curve;
+  /// the number type of distances and of coordinates
+  typedef typename Surface_::FT FT;
+  /// a point in space
+  typedef typename Surface_::Point_3 Point_3;
+  /// a point of the surface, see `Geodesic_mesh::Face_location`
+  typedef typename Surface_::Face_location Face_location;
+  /// a face of the mesh
+  typedef typename boost::graph_traits<typename Surface_::Triangle_mesh>::face_descriptor face_descriptor;
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  template <class Build>
+  Geodesic_voronoi_diagram(const Geodesic_offset::internal::Geodesic_mesh_data<Surface_>& mesh, const Build& build)
+    : m_context(std::make_shared<Context>(Context{mesh.shared_surface, build.initial.primitives}))
+  {
+    namespace internal = Geodesic_offset::internal;
+    if (internal::Number_policy<typename Surface_::Number>::is_finite(build.maximum))
+      throw std::logic_error("Surface_mesh_geodesic_offset: a Voronoi diagram needs distances everywhere, but they were not "
+                             "computed beyond a distance");
+    m_diagram = std::make_shared<Diagram>(internal::find_bisectors(mesh.unfolded(), build.initial, build.field));
+  }
+#endif
+
+  /// \name Curves
+  /// @{
+
+  /// the number of curves.
+  std::size_t number_of_curves() const { return m_diagram->chains.size(); }
+
+  /// the i-th curve. \pre `i < number_of_curves()`
+  Curve curve(std::size_t i) const
+  {
+    CGAL_precondition(i < number_of_curves());
+    return Curve(m_context, m_diagram, i);
+  }
+
+  /// all curves.
+  auto curves() const
+  {
+    const auto view = [*this](std::size_t i) { return this->curve(i); };
+    return boost::make_iterator_range(
+      boost::make_transform_iterator(boost::counting_iterator<std::size_t>(0), view),
+      boost::make_transform_iterator(boost::counting_iterator<std::size_t>(number_of_curves()), view));
+  }
+  /// @}
+
+  /// \name Faces
+  /// @{
+
+  /// the id of the source whose cell has the center of a face: the cell of all points of the face, if no curve has a piece in it.
+  /// `Geodesic_distance_field::no_source()` if no path reaches the face.
+  std::size_t source_at_face(face_descriptor f) const
+  {
+    const auto label = m_diagram->label_of_face[m_context->surface->index_of(f)];
+    return label == Geodesic_offset::internal::no_index ? Geodesic_offset::internal::no_source_label : std::size_t(label);
+  }
+  /// @}
+
+  /// \name Vertices
+  /// Points where three or more curves end. Where more than three cells meet up to rounding, there may be several vertices at
+  /// one point, with curves between them.
+  /// @{
+
+  /// the number of vertices.
+  std::size_t number_of_vertices() const { return m_diagram->vertices.size(); }
+
+  /// the location of a vertex. \pre `i < number_of_vertices()`
+  Face_location vertex(std::size_t i) const
+  {
+    CGAL_precondition(i < number_of_vertices());
+    typedef typename Surface_::Number Number;
+    const auto& v = m_diagram->vertices[i];
+    return m_context->surface->location(v.face, {Number(v.point.x), Number(v.point.y)}, v.edge);
+  }
+
+  /// the point in space of a vertex. \pre `i < number_of_vertices()`
+  Point_3 vertex_point(std::size_t i) const { return m_context->surface->point(vertex(i)); }
+
+  /// the indices of the curves that end at a vertex; that of a curve with both ends there occurs twice.
+  /// \pre `i < number_of_vertices()`
+  const std::vector<std::size_t>& curves_at_vertex(std::size_t i) const
+  {
+    CGAL_precondition(i < number_of_vertices());
+    return m_diagram->vertices[i].curves;
+  }
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // For tests and benchmarks: divisions of cells that rounding did not let be connected at once, and cells connected straight.
+  std::size_t number_of_divisions() const { return m_diagram->divisions; }
+  std::size_t number_of_forced_cells() const { return m_diagram->forced_cells; }
+#endif
+
+private:
+  std::shared_ptr<const Context> m_context;
+  std::shared_ptr<const Diagram> m_diagram;
+};
+
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An arc of a bisector inside one face, between two nodes of the diagram.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_ARC_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_ARC_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_conic.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The paths to the points of an arc on one side of it.
+struct Bisector_side
+{
+  Index label = no_index;  // of the source
+  Index window = no_index; // in the face; no_index for a link
+  Source_ref source_ref;
+  Index pseudo_source = no_index;
+};
+
+struct Bisector_arc
+{
+  typedef Point_in_face<double> Point;
+
+  Index face;
+  Index start_node, end_node;
+  Bisector_side left, right;
+  Point start, end;
+  unsigned char start_edge = 3, end_edge = 3; // halfedge of the face that has the point; 3: none
+  Bisector_conic conic;                       // unless is_link
+  double from = 0, to = 0;                    // its parameters at start and end
+  double negligible = 0, smallest_loop = 0;   // lengths of arcs and closed chains that rounding does not tell from a point
+  Index edge = no_index;                      // smaller halfedge of the edge on which the whole arc lies
+  double along_edge = 0;                      // length in the direction of this halfedge
+  bool is_link = false; // straight between two nodes that rounding does not tell apart, or leaves without an arc
+
+  bool is_straight() const { return is_link || conic.kind() == Bisector_conic::SEGMENT; }
+
+  Point middle() const { return is_link ? 0.5 * (start + end) : conic.at(conic.between(from, to, 0.5)).point(); }
+
+  // True if rounding does not tell the arc from a point.
+  bool is_negligible() const { return length(end - start) <= negligible && length(middle() - start) <= negligible; }
+
+  // True if `a` is the next part of this arc: of the same windows, and with the same parameter of the common end.
+  bool continues_in(const Bisector_arc& a) const
+  {
+    return !is_link && !a.is_link && face == a.face && left.window == a.left.window && right.window == a.right.window &&
+           (from < to) == (a.from < a.to) && length(conic.at(a.from).point() - a.conic.at(a.from).point()) == 0 &&
+           length(end - a.start) <= negligible;
+  }
+
+  void append(const Bisector_arc& a)
+  {
+    end_node = a.end_node;
+    end = a.end;
+    end_edge = a.end_edge;
+    to = a.to;
+  }
+
+  void reverse()
+  {
+    std::swap(start_node, end_node);
+    std::swap(left, right);
+    std::swap(start, end);
+    std::swap(start_edge, end_edge);
+    std::swap(from, to);
+    along_edge = -along_edge;
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

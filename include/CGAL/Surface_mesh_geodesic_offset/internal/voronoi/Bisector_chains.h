@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chains of arcs of bisectors between the vertices of the diagram.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_CHAINS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_CHAINS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Where three arcs or more meet. The place is that of the end of an arc.
+struct Bisector_vertex
+{
+  Index face;
+  Point_in_face<double> point;
+  unsigned char edge;                // halfedge of the face that has the point; 3: none
+  std::vector<std::size_t> curves{}; // that end here; one with both ends twice
+};
+
+struct Bisector_chain
+{
+  std::vector<Bisector_arc> arcs;
+  bool is_closed;
+  std::size_t start_vertex, end_vertex; // no_vertex: on the border
+  static constexpr std::size_t no_vertex = ~std::size_t(0);
+};
+
+struct Bisector_diagram
+{
+  std::vector<Bisector_chain> chains;
+  std::vector<Bisector_vertex> vertices;
+  std::vector<Index> label_of_face; // of the center: of all points, if no bisector crosses the face
+  std::size_t divisions = 0, forced_cells = 0;
+};
+
+class Bisector_chains
+{
+public:
+  // `arcs`: those of all faces. Each node is the end of two arcs, of three or more (a vertex), or of one, on the border.
+  Bisector_chains(std::vector<Bisector_arc>&& arcs, std::size_t number_of_nodes) : m_begin(number_of_nodes + 1, 0)
+  {
+    contract(arcs, number_of_nodes);
+    for (const Bisector_arc& a : m_arcs)
+    {
+      ++m_begin[a.start_node];
+      ++m_begin[a.end_node];
+    }
+    std::size_t sum = 0;
+    for (std::size_t& b : m_begin) sum = (b += sum);
+    m_incident.resize(sum);
+    for (std::size_t i = m_arcs.size(); i-- > 0;)
+    {
+      m_incident[--m_begin[m_arcs[i].end_node]] = i;
+      m_incident[--m_begin[m_arcs[i].start_node]] = i;
+    }
+    m_is_used.assign(m_arcs.size(), 0);
+    m_vertex.assign(number_of_nodes, Bisector_chain::no_vertex);
+  }
+
+  void write(Bisector_diagram& out)
+  {
+    for (std::size_t n = 0; n + 1 < m_begin.size(); ++n)
+      if (degree(n) > 1 && !is_inner(n))
+      {
+        m_vertex[n] = out.vertices.size();
+        const Bisector_arc& a = m_arcs[m_incident[m_begin[n]]];
+        const bool at_start = a.start_node == n;
+        out.vertices.push_back({a.face, at_start ? a.start : a.end, at_start ? a.start_edge : a.end_edge});
+      }
+    for (std::size_t n = 0; n + 1 < m_begin.size(); ++n)
+    {
+      if (is_inner(n)) continue;
+      for (std::size_t i = m_begin[n]; i < m_begin[n + 1]; ++i)
+        if (!m_is_used[m_incident[i]]) follow(m_incident[i], Index(n), out);
+    }
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+      if (!m_is_used[i]) follow(i, m_arcs[i].start_node, out);
+  }
+
+private:
+  // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the mesh. Ends
+  // on the border remain what they are.
+  void contract(const std::vector<Bisector_arc>& arcs, std::size_t number_of_nodes)
+  {
+    std::vector<std::size_t> number_at(number_of_nodes, 0);
+    std::vector<Index> same(number_of_nodes);
+    for (Index n = 0; n < number_of_nodes; ++n) same[n] = n;
+    const auto representative = [&](Index n) {
+      while (same[n] != n) n = same[n] = same[same[n]];
+      return n;
+    };
+    for (const Bisector_arc& a : arcs)
+    {
+      ++number_at[a.start_node];
+      ++number_at[a.end_node];
+    }
+    const auto is_contracted = [&](const Bisector_arc& a) {
+      return a.is_negligible() && number_at[a.start_node] != 1 && number_at[a.end_node] != 1;
+    };
+    for (const Bisector_arc& a : arcs)
+      if (is_contracted(a)) same[representative(a.start_node)] = representative(a.end_node);
+    for (const Bisector_arc& a : arcs)
+    {
+      if (is_contracted(a)) continue;
+      m_arcs.push_back(a);
+      m_arcs.back().start_node = representative(a.start_node);
+      m_arcs.back().end_node = representative(a.end_node);
+    }
+  }
+
+  // True if a chain passes through a node: it has two ends of arcs, between the same cells.
+  bool is_inner(std::size_t node) const
+  {
+    if (degree(node) != 2) return false;
+    const std::size_t i = m_incident[m_begin[node]], j = m_incident[m_begin[node] + 1];
+    if (i == j) return true;
+    const Bisector_arc &a = m_arcs[i], &b = m_arcs[j];
+    const bool is_same_direction = (a.start_node == node) != (b.start_node == node);
+    return a.left.label == (is_same_direction ? b.left.label : b.right.label) &&
+           a.right.label == (is_same_direction ? b.right.label : b.left.label);
+  }
+
+  std::size_t degree(std::size_t node) const { return m_begin[node + 1] - m_begin[node]; }
+
+  // Follows a chain from an arc that starts at a node.
+  void follow(std::size_t arc, Index node, Bisector_diagram& out)
+  {
+    Bisector_chain chain;
+    const Index first = node;
+    std::vector<Bisector_arc> arcs;
+    for (;;)
+    {
+      m_is_used[arc] = 1;
+      Bisector_arc a = m_arcs[arc];
+      if (a.start_node != node) a.reverse();
+      CGAL_assertion(a.start_node == node);
+      CGAL_assertion(arcs.empty() || (arcs.back().left.label == a.left.label && arcs.back().right.label == a.right.label));
+      arcs.push_back(a);
+      node = a.end_node;
+      if (!is_inner(node)) break;
+      const std::size_t *const at = &m_incident[m_begin[node]], next = at[0] == arc ? at[1] : at[0];
+      if (m_is_used[next]) break;
+      arc = next;
+    }
+    chain.is_closed = is_inner(first);
+    CGAL_assertion(!chain.is_closed || node == first);
+    chain.start_vertex = chain.is_closed ? Bisector_chain::no_vertex : m_vertex[first];
+    chain.end_vertex = chain.is_closed ? Bisector_chain::no_vertex : m_vertex[node];
+    join(std::move(arcs), chain);
+    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs))) return;
+    if (chain.start_vertex != Bisector_chain::no_vertex) out.vertices[chain.start_vertex].curves.push_back(out.chains.size());
+    if (chain.end_vertex != Bisector_chain::no_vertex) out.vertices[chain.end_vertex].curves.push_back(out.chains.size());
+    out.chains.push_back(std::move(chain));
+  }
+
+  // True if rounding does not tell a closed chain from a point, or it follows edges only, each of them there and back: a tie along
+  // edges.
+  static bool has_no_area(const std::vector<Bisector_arc>& arcs)
+  {
+    std::map<Index, double> along;
+    double negligible = 0, length = 0, longest = 0;
+    for (const Bisector_arc& a : arcs)
+    {
+      length += internal::length(a.middle() - a.start) + internal::length(a.end - a.middle());
+      longest = (std::max)(longest, a.smallest_loop);
+    }
+    if (length <= longest) return true;
+    for (const Bisector_arc& a : arcs)
+    {
+      if (a.edge == no_index) return false;
+      along[a.edge] += a.along_edge;
+      negligible += a.negligible;
+    }
+    return std::all_of(along.begin(), along.end(), [&](const auto& a) { return std::abs(a.second) <= negligible; });
+  }
+
+  // Leaves out arcs that rounding does not tell from a point, and joins the parts of one arc. A chain of such arcs that is closed, or
+  // from border to border, is nothing.
+  static void join(std::vector<Bisector_arc>&& arcs, Bisector_chain& chain)
+  {
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+      if (!arcs[i].is_negligible()) longest = i;
+    if (arcs[longest].is_negligible())
+    {
+      const bool has_vertex = chain.start_vertex != Bisector_chain::no_vertex || chain.end_vertex != Bisector_chain::no_vertex;
+      if (has_vertex) chain.arcs.push_back(arcs[longest]);
+      return;
+    }
+    // but an end on the border remains there
+    const auto is_left_out = [&](std::size_t i) {
+      const bool ends_at_border = (i == 0 && chain.start_vertex == Bisector_chain::no_vertex) ||
+                                  (i + 1 == arcs.size() && chain.end_vertex == Bisector_chain::no_vertex);
+      return arcs[i].is_negligible() && !(ends_at_border && !chain.is_closed);
+    };
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+    {
+      if (is_left_out(i)) continue;
+      const Bisector_arc& a = arcs[i];
+      if (!chain.arcs.empty() && chain.arcs.back().continues_in(a)) chain.arcs.back().append(a);
+      else chain.arcs.push_back(a);
+    }
+    if (chain.is_closed && chain.arcs.size() > 1 && chain.arcs.back().continues_in(chain.arcs.front()))
+    {
+      chain.arcs.back().append(chain.arcs.front());
+      chain.arcs.front() = chain.arcs.back();
+      chain.arcs.pop_back();
+    }
+  }
+
+  std::vector<Bisector_arc> m_arcs;
+  std::vector<std::size_t> m_begin, m_incident; // per node, its arcs
+  std::vector<char> m_is_used;                  // per arc
+  std::vector<std::size_t> m_vertex;            // per node, of the diagram
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The points of a face with equal distances through two windows: a line, a parabola, or a branch of a hyperbola.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_CONIC_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_BISECTOR_CONIC_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_window.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// A point of a face and its distance.
+struct Point_with_distance
+{
+  double x, y, d;
+  Point_in_face<double> point() const { return {x, y}; }
+  friend Point_with_distance operator+(const Point_with_distance& a, const Point_with_distance& b)
+  {
+    return {a.x + b.x, a.y + b.y, a.d + b.d};
+  }
+  friend Point_with_distance operator*(double s, const Point_with_distance& a) { return {s * a.x, s * a.y, s * a.d}; }
+};
+
+// The linear form x px + y py + d pd - m.
+struct Linear_form
+{
+  double x, y, d, m;
+  double linear(const Point_with_distance& p) const { return x * p.x + y * p.y + d * p.d; }
+  double value(const Point_with_distance& p) const { return linear(p) - m; }
+};
+
+// The polynomial q2 t^2 + q1 t + q0.
+struct Quadratic
+{
+  double q2, q1, q0;
+};
+
+// The graphs of the distances of windows in (x, y, distance) are cones (points) and planes of the same slope (parallel rays). The
+// difference of the equations of two of them is linear, so the bisector of two windows, lifted to its distances, is a section of
+// one cone and a plane: with a parameter t,
+//
+//   hyperbola, two points:                 c0 + c1 t + c2 / t,  t > 0  (t = e^s for the hyperbolic angle s)
+//   parabola, a point and parallel rays:   c0 + c1 t + c2 t^2
+//   line, two bundles of parallel rays:    c0 + c1 t
+//
+// and linear forms on it are quadratic in t. In all cases rounding moves points by a few u of the coordinates of the images. Of
+// two points with equal sigma the hyperbola is a line, too.
+class Bisector_conic
+{
+public:
+  typedef Point_in_face<double> Point;
+  enum Kind : unsigned char { SEGMENT, PARABOLA, HYPERBOLA };
+
+  // Returns false if there is no bisector: one of the windows is nearer everywhere, or both have the same distances. On a ray on
+  // which a window is just as near as another one that is nearer beside the ray, cones may meet: is_ray(). `center`: a point of
+  // the face.
+  bool make(const Voronoi_window& a, const Voronoi_window& b, double tie, const Point& center)
+  {
+    m_is_ray = false;
+    m_has_inverse = false;
+    m_low = -std::numeric_limits<double>::infinity();
+    if (a.is_parallel() && b.is_parallel()) return make_line(a, b, center);
+    if (a.is_parallel()) return make_parabola(b, a, tie);
+    if (b.is_parallel()) return make_parabola(a, b, tie);
+    return a.sigma() < b.sigma() ? make_hyperbola(b, a, tie) : make_hyperbola(a, b, tie);
+  }
+
+  // The left or right bounding ray of a window.
+  void make_bound(const Voronoi_window& w, bool is_left)
+  {
+    const Point &end = is_left ? w.rays.left : w.rays.right, u = w.rays.ray_direction(end);
+    m_kind = SEGMENT;
+    m_is_ray = true;
+    m_has_inverse = false;
+    m_low = -std::numeric_limits<double>::infinity();
+    m_c0 = {end.x, end.y, w.distance_at(end)};
+    m_c1 = {u.x / length(u), u.y / length(u), 1};
+    m_c2 = {0, 0, 0};
+  }
+
+  Kind kind() const { return m_kind; }
+  bool is_ray() const { return m_is_ray; }
+  double lowest_parameter() const { return m_low; }
+
+  Point_with_distance at(double t) const
+  {
+    return m_has_inverse ? m_c0 + t * m_c1 + (1 / t) * m_c2 : m_c0 + t * m_c1 + (t * t) * m_c2;
+  }
+
+  // Tangent in the direction of increasing parameters, not normalized.
+  Point tangent(double t) const { return (m_has_inverse ? m_c1 + (-1 / (t * t)) * m_c2 : m_c1 + (2 * t) * m_c2).point(); }
+
+  // The values of a linear form; for a hyperbola, times t.
+  Quadratic along(const Linear_form& f) const
+  {
+    if (m_has_inverse) return {f.linear(m_c1), f.value(m_c0), f.linear(m_c2)};
+    return {f.linear(m_c2), f.linear(m_c1), f.value(m_c0)};
+  }
+
+  // For a line: the parameter of the point nearest to c.
+  double nearest_parameter(const Point& c) const
+  {
+    const Point u = m_c1.point();
+    return dot(c - m_c0.point(), u) / dot(u, u);
+  }
+
+  // For a line: (p - c)^2 - e^2 - 2 tie e with e = d - sigma, in the parameter minus t. Where e is positive, it is negative where a
+  // point at c is nearer, or, up to `tie`, as near.
+  Quadratic along_line(const Point& c, double sigma, double t, double tie) const
+  {
+    const Point_with_distance at_t = at(t);
+    const Point p = at_t.point() - c, u = m_c1.point();
+    const double e = at_t.d - sigma, f = m_c1.d;
+    return {dot(u, u) - f * f, 2 * (dot(p, u) - (e + tie) * f), dot(p, p) - e * (e + 2 * tie)};
+  }
+
+  // The parameter between s (at 0) and t (at 1): for a hyperbola, in proportion to the hyperbolic angle.
+  double between(double s, double t, double part) const
+  {
+    return m_has_inverse ? s * std::pow(t / s, part) : s + part * (t - s);
+  }
+
+  // Number of chords between two parameters that are no farther from the conic than the tolerance. The point that is farthest from
+  // a chord is that of the middle parameter, where the tangent is parallel to the chord:
+  //   parabola:  |c1 x c2| h^2 / (4 |tangent|), with the tangent c1 + 2 t c2
+  //   hyperbola: (cosh(h / 2) - 1) |A x B| / |A sinh s + B cosh s|, with the point A cosh s + B sinh s
+  double number_of_chords(double s, double t, double tolerance) const
+  {
+    if (m_kind == SEGMENT) return 1;
+    if (s > t) std::swap(s, t);
+    const Point c1 = m_c1.point(), c2 = m_c2.point();
+    if (!m_has_inverse)
+    {
+      const double apex = -dot(c1, c2) / (2 * dot(c2, c2)), nearest = (std::max)(s, (std::min)(t, apex));
+      const double h = 2 * std::sqrt(tolerance * length(tangent(nearest)) / std::abs(cross(c1, c2)));
+      return std::ceil((t - s) / h);
+    }
+    const Point a = c1 + c2, b = c1 - c2; // orthogonal
+    const double nearest = (std::max)(s, (std::min)(t, 1.)), angle = std::log(nearest);
+    const double slope = length(std::sinh(angle) * a + std::cosh(angle) * b);
+    const double h = 4 * std::asinh(std::sqrt(tolerance * slope / (2 * std::abs(cross(a, b)))));
+    return std::ceil(std::log(t / s) / h);
+  }
+
+private:
+  bool make_line(const Voronoi_window& a, const Voronoi_window& b, const Point& center)
+  {
+    const Point g = a.image() - b.image();
+    const double size = length(g);
+    if (!(size > 4 * std::numeric_limits<double>::epsilon())) return false;
+    const Point n = (1 / size) * g, u = quarter_turn(n);
+    const double off = a.distance_at(center) - b.distance_at(center); // falls by `size` along n
+    const Point p = center + (off / size) * n;
+    m_kind = SEGMENT;
+    m_c0 = {p.x, p.y, a.distance_at(p)};
+    m_c1 = {u.x, u.y, -dot(a.image(), u)};
+    m_c2 = {0, 0, 0};
+    return true;
+  }
+
+  // The part of a ray of `a` that is behind its image.
+  bool make_ray(const Voronoi_window& a, const Point& direction)
+  {
+    m_kind = SEGMENT;
+    m_is_ray = true;
+    m_low = 0;
+    m_c0 = {a.image().x, a.image().y, a.sigma()};
+    m_c1 = {direction.x, direction.y, 1};
+    m_c2 = {0, 0, 0};
+    return true;
+  }
+
+  // `a`: a point, `b`: parallel rays. The difference at the point decides; it is the distance of focus and directrix.
+  bool make_parabola(const Voronoi_window& a, const Voronoi_window& b, double tie)
+  {
+    const Point v = b.image(), f = a.image();
+    const double n = b.distance_at(f) - a.sigma();
+    if (n < -tie) return false;
+    if (n <= tie) return make_ray(a, -1. * v);
+    const Point w = quarter_turn(v);
+    m_kind = PARABOLA;
+    m_c0 = {f.x + n / 2 * v.x, f.y + n / 2 * v.y, a.sigma() + n / 2};
+    m_c1 = {n * w.x, n * w.y, 0};
+    m_c2 = {-n / 2 * v.x, -n / 2 * v.y, n / 2};
+    return true;
+  }
+
+  // sigma of `a` is not less than that of `b`, so the branch bends around the image of `a`.
+  bool make_hyperbola(const Voronoi_window& a, const Voronoi_window& b, double tie)
+  {
+    const Point e = b.image() - a.image();
+    const double d = length(e), k = a.sigma() - b.sigma();
+    if (d <= tie || k > d + tie) return false;
+    const Point u = (1 / d) * e, w = quarter_turn(u);
+    if (k >= d - tie) return make_ray(a, -1. * u);
+    const double height = std::sqrt((d - k) * (d + k)) / 4, width = k / 4;
+    const Point middle = 0.5 * (a.image() + b.image());
+    m_kind = k == 0 ? SEGMENT : HYPERBOLA;
+    m_has_inverse = true;
+    m_low = 0;
+    m_c0 = {middle.x, middle.y, (a.sigma() + b.sigma()) / 2};
+    m_c1 = {-width * u.x + height * w.x, -width * u.y + height * w.y, d / 4};
+    m_c2 = {-width * u.x - height * w.x, -width * u.y - height * w.y, d / 4};
+    return true;
+  }
+
+  Point_with_distance m_c0, m_c1, m_c2;
+  double m_low;
+  Kind m_kind;
+  bool m_has_inverse, m_is_ray;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

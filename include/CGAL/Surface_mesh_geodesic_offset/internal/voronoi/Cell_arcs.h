@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arcs of bisectors in one cell, from all pairs of its windows.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_CELL_ARCS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_CELL_ARCS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Parameter_intervals.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// The bisector of two windows of different sources belongs to the diagram where it is in the cell and in both cones, and where no
+// other window is nearer. Each of these conditions is quadratic in the parameter of the bisector.
+class Cell_arcs
+{
+public:
+  typedef Point_in_face<double> Point;
+
+  // `center`, `radius`: a disk around the face. The tolerances may change between calls.
+  Cell_arcs(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
+            double radius)
+    : m_windows(windows), m_tolerances(tolerances), m_center(center), m_radius(radius)
+  {
+  }
+
+  // Adds the arcs in a cell, of some of the windows, that reach up to `margin` beyond its sides.
+  void operator()(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin,
+                  std::vector<Bisector_arc>& out) const
+  {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (m_windows[candidates[i]].label != m_windows[candidates[j]].label)
+          add_arcs(cell, candidates, candidates[i], candidates[j], margin, out);
+  }
+
+private:
+  // Adds the parts of the bisector of two windows that belong to the diagram.
+  void add_arcs(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, unsigned a, unsigned b, double margin,
+                std::vector<Bisector_arc>& out) const
+  {
+    const Voronoi_window *v = &m_windows[a], *w = &m_windows[b];
+    if (v->is_parallel()) // the base is a point, if one of them is
+    {
+      std::swap(v, w);
+      std::swap(a, b);
+    }
+    Bisector_conic conic;
+    if (is_same_function(*v, *w))
+    { // the bounds of the cone of the smaller label
+      const unsigned c = v->label < w->label ? a : b;
+      for (const bool is_left : {true, false})
+      {
+        conic.make_bound(m_windows[c], is_left);
+        add_parts(cell, candidates, conic, a, b, c, margin, out);
+      }
+    }
+    else if (conic.make(*v, *w, m_tolerances.tie, m_center))
+      add_parts(cell, candidates, conic, a, b, precedes(a, b) ? a : b, margin, out);
+  }
+
+  // `nearer`: the one of the two windows that is nearer in its cone, if the bisector is a ray. The ray is then a bound of this cone.
+  void add_parts(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const Bisector_conic& conic, unsigned a,
+                 unsigned b, unsigned nearer, double margin, std::vector<Bisector_arc>& out) const
+  {
+    const Voronoi_window &v = m_windows[a], &w = m_windows[b];
+    Parameter_intervals parts(conic.lowest_parameter(), std::numeric_limits<double>::infinity());
+    const auto keep = [&](const Half_plane<double>& h, double m) {
+      parts.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{h.n.x, h.n.y, 0, h.m + m})));
+      return !parts.is_empty();
+    };
+    for (int k = 0; k < 3; ++k)
+      if (!keep(cell.outside(k), margin)) return;
+    for (const Voronoi_window* const x : {&v, &w})
+      for (int k = 0; k < x->number_of_bounds; ++k)
+        if (!keep(x->bound[std::size_t(k)], m_tolerances.slack)) return;
+    for (const unsigned c : candidates)
+    {
+      if (c == a || c == b) continue;
+      subtract_nearer(conic, v, w, a, b, c, parts);
+      if (parts.is_empty()) return;
+    }
+    for (const auto& p : parts)
+    {
+      if (!std::isfinite(p.begin) || !std::isfinite(p.end)) continue;
+      const double middle = conic.between(p.begin, p.end, 0.5);
+      const Point point = conic.at(middle).point();
+      bool a_is_on_left;
+      if (conic.is_ray())
+      {
+        // rays point away from the images, as does the direction of the bisector
+        const bool is_left_bound = is_on_bound(m_windows[nearer], 0, point),
+                   is_right_bound = is_on_bound(m_windows[nearer], 1, point);
+        if (is_left_bound == is_right_bound) continue;
+        // the normals of bounds point out of the cone
+        const Point beyond = point + 4 * m_tolerances.slack * m_windows[nearer].bound[is_left_bound ? 0 : 1].n;
+        if (!is_nearest_beyond_ray(candidates, nearer == a ? b : a, nearer, beyond)) continue;
+        a_is_on_left = is_right_bound == (nearer == a);
+      }
+      else
+      {
+        const Point growth = gradient(v, point) - gradient(w, point); // of the distance of a, compared to b
+        a_is_on_left = cross(conic.tangent(middle), growth) < 0;
+      }
+      out.push_back(arc(conic, a, b, p.begin, p.end, a_is_on_left));
+    }
+  }
+
+  // True if no window but `nearer`, whose cone ends at a ray, precedes window a at a point beyond this ray.
+  bool is_nearest_beyond_ray(const std::vector<unsigned>& candidates, unsigned a, unsigned nearer, const Point& p) const
+  {
+    const double d = m_windows[a].distance_at(p);
+    return std::none_of(candidates.begin(), candidates.end(), [&](unsigned c) {
+      if (c == a || c == nearer || !m_windows[c].contains(p, 0) || is_same_function(m_windows[a], m_windows[c])) return false;
+      return m_windows[c].distance_at(p) <= d + (this->precedes(c, a) ? m_tolerances.tie : -m_tolerances.tie);
+    });
+  }
+
+  Bisector_arc arc(const Bisector_conic& conic, unsigned a, unsigned b, double from, double to, bool a_is_on_left) const
+  {
+    Bisector_arc arc;
+    arc.face = no_index;
+    arc.start_node = arc.end_node = no_index;
+    arc.conic = conic;
+    arc.from = from;
+    arc.to = to;
+    arc.start = conic.at(from).point();
+    arc.end = conic.at(to).point();
+    arc.left = side(a_is_on_left ? a : b);
+    arc.right = side(a_is_on_left ? b : a);
+    return arc;
+  }
+
+  Bisector_side side(unsigned a) const
+  {
+    const Voronoi_window& w = m_windows[a];
+    Bisector_side s;
+    s.label = w.label;
+    s.window = a;
+    s.source_ref = w.rays.source_ref;
+    s.pseudo_source = Merge_error_code::is_merged(w.rays.pseudo_source()) ? no_index : w.rays.pseudo_source();
+    return s;
+  }
+
+  static Point gradient(const Voronoi_window& w, const Point& p)
+  {
+    const Point d = w.rays.ray_direction(p);
+    const double size = length(d);
+    return size > 0 ? (1 / size) * d : Point{0, 0};
+  }
+
+  // True if p is on a bounding ray of a window, up to rounding: the left one (0) or the right one (1).
+  bool is_on_bound(const Voronoi_window& w, int k, const Point& p) const
+  {
+    return w.bound[std::size_t(k)].value(p) > -4 * m_tolerances.slack;
+  }
+
+  bool is_same_function(const Voronoi_window& v, const Voronoi_window& w) const
+  {
+    return v.is_same_function(w, m_center, m_radius, m_tolerances.tie);
+  }
+
+  // Subtracts the points where window c is nearer than the windows v and w (a and b) of the bisector; where they tie, the order of
+  // windows decides.
+  void subtract_nearer(const Bisector_conic& conic, const Voronoi_window& v, const Voronoi_window& w, unsigned a, unsigned b,
+                       unsigned c, Parameter_intervals& parts) const
+  {
+    const Voronoi_window& x = m_windows[c];
+    const bool like_v = is_same_function(v, x), like_w = !like_v && is_same_function(w, x);
+    Parameter_intervals nearer(conic.lowest_parameter(), std::numeric_limits<double>::infinity());
+    if (like_v || like_w)
+    {
+      const Voronoi_window& y = like_v ? v : w;
+      if (x.label != y.label ? y.label < x.label : (like_v ? a : b) < c) return;
+    }
+    else
+    {
+      const bool rival_is_v = is_rival(conic, x, v, w, parts);
+      const double tie = precedes(c, rival_is_v ? a : b) ? m_tolerances.tie : -m_tolerances.tie;
+      if (x.is_parallel())
+      {
+        const Point n = x.image();
+        nearer.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{-n.x, -n.y, -1, -x.sigma() + tie})));
+      }
+      else if (!v.is_parallel())
+      { // (|p - x|^2 - (d - sigma)^2) / 2 <= tie (d - sigma), with |p - v|^2 = (d - sigma_v)^2
+        const Point to = x.image() - v.image(), sum = x.image() + v.image();
+        const double k = x.sigma() - v.sigma(), size = std::hypot(to.x, to.y, k);
+        if (k >= length(to) + m_tolerances.tie) return; // nowhere nearer
+        const Linear_form form{-to.x / size, -to.y / size, (k - tie) / size,
+                               ((k * (x.sigma() + v.sigma()) - dot(to, sum)) / 2 - tie * x.sigma()) / size};
+        nearer.intersect(Parameter_intervals::not_positive(conic.along(form)));
+      }
+      else
+      {
+        // relative to the nearest point of the line, which may be the image
+        const double t = conic.nearest_parameter(x.image());
+        const Quadratic excess = conic.along_line(x.image(), x.sigma(), t, tie);
+        nearer.intersect(Parameter_intervals::not_positive(excess, t));
+        nearer.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{0, 0, -1, -x.sigma()})));
+      }
+    }
+    for (int k = 0; k < x.number_of_bounds && !nearer.is_empty(); ++k)
+    {
+      const Half_plane<double>& h = x.bound[std::size_t(k)];
+      nearer.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{h.n.x, h.n.y, 0, h.m + m_tolerances.slack})));
+    }
+    parts.subtract(nearer);
+  }
+
+  // Order of windows that tie. Beside a common ray, on which the distances are equal, the window with the farther image is nearer,
+  // by the square of the distance from the ray only.
+  bool precedes(unsigned a, unsigned b) const
+  {
+    const Voronoi_window &v = m_windows[a], &w = m_windows[b];
+    if (v.is_parallel() != w.is_parallel()) return v.is_parallel();
+    if (!v.is_parallel() && v.sigma() != w.sigma()) return v.sigma() < w.sigma();
+    return v.label != w.label ? v.label < w.label : a < b;
+  }
+
+  // True if x may have a ray in common with v, rather than with w: its label, or a more similar direction.
+  static bool is_rival(const Bisector_conic& conic, const Voronoi_window& x, const Voronoi_window& v, const Voronoi_window& w,
+                       const Parameter_intervals& parts)
+  {
+    if (x.label == v.label || x.label == w.label) return x.label == v.label;
+    const auto& part = *parts.begin();
+    if (!std::isfinite(part.begin) || !std::isfinite(part.end)) return true;
+    const Point p = conic.at(conic.between(part.begin, part.end, 0.5)).point(), u = gradient(x, p);
+    return dot(u, gradient(v, p)) >= dot(u, gradient(w, p));
+  }
+
+  const std::vector<Voronoi_window>& m_windows;
+  const Voronoi_tolerances& m_tolerances;
+  const Point m_center;
+  const double m_radius;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,385 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bisectors in one cell: connects its arcs with each other and with its gates.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_CELL_BISECTORS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_CELL_BISECTORS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_arcs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Arcs are connected by the proximity of their ends and of the gates. The result counts only if every gate and every end of an arc has
+// a partner between the same sources, or is one of several around a point of as many sources. Otherwise the caller divides the cell.
+class Cell_bisectors
+{
+public:
+  typedef Point_in_face<double> Point;
+
+  Cell_bisectors(const Cell_bisectors&) = delete; // m_find_arcs refers to m_tolerances
+  Cell_bisectors& operator=(const Cell_bisectors&) = delete;
+
+  // `center`, `radius`: a disk around the face.
+  Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
+                 double radius)
+    : m_windows(windows), m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius)
+  {
+  }
+
+  // Finds the arcs, and passes them to out(arc) with the nodes of the gates, and new_node() for others. Returns false, without
+  // output, if they do not fit together.
+  template <class New_node, class OutputFunction>
+  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
+               const OutputFunction& out)
+  {
+    // With rounding, a bisector along a side lies on both sides of it or on none; the gates may need either. Windows that come over
+    // many edges may differ by more than a tie.
+    for (int i = 0; i < Voronoi_tolerances::number_of_ties; ++i)
+    {
+      m_tolerances.use_tie(i);
+      if (connect(cell, candidates, m_tolerances.slack, new_node, out) ||
+          connect(cell, candidates, -m_tolerances.slack, new_node, out))
+        return true;
+    }
+    return false;
+  }
+
+  // Connects the gates with straight links. Neighbours between the same sources form pairs; the others meet in one point.
+  template <class New_node, class OutputFunction>
+  static void connect_straight(const Voronoi_cell& cell, const New_node& new_node, const OutputFunction& out)
+  {
+    std::vector<const Voronoi_gate*> open;
+    for (const Voronoi_gate& g : cell.gates)
+    {
+      if (!open.empty() && open.back()->from == g.to)
+      {
+        out(link(*open.back(), g));
+        open.pop_back();
+      }
+      else open.push_back(&g);
+    }
+    std::size_t begin = 0; // also across the first corner
+    while (open.size() >= begin + 2 && open.back()->from == open[begin]->to && open.back()->to == open[begin]->from)
+    {
+      out(link(*open.back(), *open[begin++]));
+      open.pop_back();
+    }
+    if (begin == open.size()) return;
+    Point middle{0, 0};
+    for (std::size_t i = begin; i < open.size(); ++i) middle = middle + (1. / double(open.size() - begin)) * open[i]->point;
+    const Index node = new_node();
+    for (std::size_t i = begin; i < open.size(); ++i)
+    {
+      Bisector_arc arc = link(*open[i], *open[i]);
+      arc.end_node = node;
+      arc.end = middle;
+      out(arc);
+    }
+  }
+
+private:
+  struct Arc_end
+  {
+    Point point;
+    std::size_t arc; // or gate
+    bool is_gate, is_end;
+    Index left, right; // labels, seen from the end along the arc, or through the gate out of the cell
+  };
+
+  // The straight arc from a gate to another one.
+  static Bisector_arc link(const Voronoi_gate& from, const Voronoi_gate& to)
+  {
+    Bisector_arc arc;
+    arc.face = no_index;
+    arc.start_node = from.node;
+    arc.end_node = to.node;
+    arc.left.label = from.from;
+    arc.right.label = from.to;
+    arc.start = from.point;
+    arc.end = to.point;
+    arc.is_link = true;
+    return arc;
+  }
+
+  template <class New_node, class OutputFunction>
+  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, const New_node& new_node,
+               const OutputFunction& out)
+  {
+    m_arcs.clear();
+    m_find_arcs(cell, candidates, margin, m_arcs);
+    if (m_arcs.empty() && cell.gates.empty()) return true;
+    add_links_along_sides(cell, candidates);
+    m_ends.clear();
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    {
+      const Bisector_arc& a = m_arcs[i];
+      m_ends.push_back({a.start, i, false, false, a.left.label, a.right.label});
+      m_ends.push_back({a.end, i, false, true, a.right.label, a.left.label});
+    }
+    for (std::size_t i = 0; i < cell.gates.size(); ++i)
+      m_ends.push_back({cell.gates[i].point, i, true, false, cell.gates[i].to, cell.gates[i].from});
+    find_clusters();
+    join_loose_ends();
+    m_links.clear();
+    for (auto& members : m_clusters)
+      if (!fits(members) && !(link_neighbours(cell, members) && fits(members))) return false;
+    for (const auto& members : m_clusters) set_nodes(cell, members, new_node);
+    for (const Bisector_arc& arc : m_arcs)
+      if (arc.start_node != no_index) out(arc);
+    for (const Bisector_arc& l : m_links) out(l);
+    return true;
+  }
+
+  // Sorts the ends into clusters.
+  void find_clusters()
+  {
+    const std::size_t n = m_ends.size();
+    m_cluster.assign(n, n);
+    m_clusters.clear();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (m_cluster[i] != n) continue;
+      const std::size_t c = m_clusters.size();
+      m_clusters.emplace_back();
+      std::vector<std::size_t>& members = m_clusters.back();
+      members.push_back(i);
+      m_cluster[i] = c;
+      for (std::size_t j = 0; j < members.size(); ++j)
+        for (std::size_t k = i + 1; k < n; ++k)
+          if (m_cluster[k] == n && length(m_ends[members[j]].point - m_ends[k].point) <= m_tolerances.joint)
+          {
+            m_cluster[k] = c;
+            members.push_back(k);
+          }
+    }
+    // Arcs within a cluster do not count, nor arcs that lie on earlier ones: along a common bound of the cones of two windows with
+    // one image.
+    for (auto& members : m_clusters)
+      members.erase(std::remove_if(
+                      members.begin(), members.end(),
+                      [&](std::size_t e) {
+        return !m_ends[e].is_gate && (this->is_within_cluster(m_ends[e].arc) || this->repeats_another(m_ends[e].arc));
+                      }),
+                    members.end());
+  }
+
+  // Joins clusters that do not fit alone, nearest first, if the windows of their arcs have the same distances at both points: there the
+  // arcs meet at a small angle, and rounding moves their common end along them.
+  void join_loose_ends()
+  {
+    struct Pair
+    {
+      double gap;
+      std::size_t first, second;
+    };
+    std::vector<std::size_t> loose;
+    for (std::size_t c = 0; c < m_clusters.size(); ++c)
+      if (!fits(m_clusters[c])) loose.push_back(c);
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < loose.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const double gap = length(point_of(loose[i]) - point_of(loose[j]));
+        if (gap <= m_tolerances.loose_joint) pairs.push_back({gap, loose[j], loose[i]});
+      }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
+    for (const Pair& p : pairs)
+    {
+      auto &members = m_clusters[p.first], &others = m_clusters[p.second];
+      if (members.empty() || others.empty() || fits(members) || fits(others) || !ties_at_both(members, others)) continue;
+      members.insert(members.end(), others.begin(), others.end());
+      others.clear();
+    }
+  }
+
+  Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
+
+  bool ties_at_both(const std::vector<std::size_t>& members, const std::vector<std::size_t>& others) const
+  {
+    for (const Point& p : {m_ends[members.front()].point, m_ends[others.front()].point})
+    {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (const auto* const ends : {&members, &others})
+        for (const std::size_t e : *ends)
+        {
+          if (m_ends[e].is_gate || m_arcs[m_ends[e].arc].is_link) continue;
+          for (const Bisector_side* const s : {&m_arcs[m_ends[e].arc].left, &m_arcs[m_ends[e].arc].right})
+          {
+            const double d = m_windows[s->window].distance_at(p);
+            least = (std::min)(least, d);
+            most = (std::max)(most, d);
+          }
+        }
+      if (!(most - least <= m_tolerances.loose_tie)) return false;
+    }
+    return true;
+  }
+
+  bool repeats_another(std::size_t arc) const
+  {
+    const Bisector_arc& a = m_arcs[arc];
+    for (std::size_t i = 0; i < arc; ++i)
+    {
+      const bool same = m_cluster[2 * i] == m_cluster[2 * arc] && m_cluster[2 * i + 1] == m_cluster[2 * arc + 1];
+      const bool reverse = m_cluster[2 * i] == m_cluster[2 * arc + 1] && m_cluster[2 * i + 1] == m_cluster[2 * arc];
+      const Bisector_arc& b = m_arcs[i];
+      if (!(same || reverse) || length(a.middle() - b.middle()) > m_tolerances.joint) continue;
+      if ((same ? a.left.label : a.right.label) == b.left.label && (same ? a.right.label : a.left.label) == b.right.label)
+        return true;
+    }
+    return false;
+  }
+
+  bool is_within_cluster(std::size_t arc) const
+  {
+    if (m_cluster[2 * arc] != m_cluster[2 * arc + 1]) return false;
+    const Bisector_arc& a = m_arcs[arc];
+    return length(a.middle() - a.start) <= 2 * m_tolerances.joint;
+  }
+
+  // Where a side of the cell ties, its points may have a label that no window of the cell has. Then the bisector runs along the side:
+  // adds links there, from both gates of this part of the side to the bisector of the sources beside it, or to each other.
+  void add_links_along_sides(const Voronoi_cell& cell, const std::vector<unsigned>& candidates)
+  {
+    const std::size_t n = cell.gates.size(), arcs = m_arcs.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Voronoi_gate &g = cell.gates[i], &h = cell.gates[(i + 1) % n];
+      if (g.to != h.from || length(g.point - h.point) <= m_tolerances.joint) continue;
+      if (std::any_of(candidates.begin(), candidates.end(), [&](unsigned c) { return m_windows[c].label == g.to; })) continue;
+      for (int k = 0; k < 3; ++k)
+      {
+        const Half_plane<double> side = cell.outside(k);
+        const auto is_on_side = [&](const Point& p) { return std::abs(side.value(p)) <= m_tolerances.joint; };
+        if (!is_on_side(g.point) || !is_on_side(h.point)) continue;
+        if (g.from == h.to)
+        {
+          m_arcs.push_back(link(g, h));
+          m_arcs.back().start_node = m_arcs.back().end_node = no_index;
+          break;
+        }
+        for (std::size_t a = 0; a < arcs; ++a)
+          for (const Point& p : {m_arcs[a].start, m_arcs[a].end})
+          {
+            const Index l = m_arcs[a].left.label, r = m_arcs[a].right.label;
+            if (!is_on_side(p) || (std::min)(l, r) != (std::min)(g.from, h.to) || (std::max)(l, r) != (std::max)(g.from, h.to))
+              continue;
+            if (dot(p - g.point, h.point - p) < -m_tolerances.joint * length(h.point - g.point)) continue;
+            for (const Voronoi_gate* const x : {&g, &h})
+            {
+              if (length(x->point - p) <= m_tolerances.joint) continue;
+              m_arcs.push_back(link(*x, *x));
+              m_arcs.back().start_node = m_arcs.back().end_node = no_index;
+              m_arcs.back().end = p;
+            }
+          }
+        break;
+      }
+    }
+  }
+
+  // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends.
+  bool fits(const std::vector<std::size_t>& members) const
+  {
+    if (members.empty()) return true;
+    if (members.size() == 1) return false;
+    std::vector<Index> left, right;
+    for (const std::size_t e : members)
+    {
+      left.push_back(m_ends[e].left);
+      right.push_back(m_ends[e].right);
+    }
+    std::sort(left.begin(), left.end());
+    std::sort(right.begin(), right.end());
+    return left == right && std::adjacent_find(left.begin(), left.end()) == left.end();
+  }
+
+  // Links neighbouring gates of a cluster between the same two sources, and removes them from it. Returns false if there are none.
+  bool link_neighbours(const Voronoi_cell& cell, std::vector<std::size_t>& members)
+  {
+    bool has_links = false;
+    const std::size_t n = cell.gates.size();
+    const auto place_of = [&](std::size_t gate) {
+      return std::find_if(members.begin(), members.end(), [&](std::size_t e) {
+        return m_ends[e].is_gate && m_ends[e].arc == gate;
+      });
+    };
+    for (std::size_t i = 0; i < n && members.size() > 2; ++i)
+    {
+      const std::size_t j = (i + 1) % n;
+      const auto at_i = place_of(i);
+      if (at_i == members.end() || place_of(j) == members.end()) continue;
+      if (cell.gates[i].from != cell.gates[j].to || cell.gates[i].to != cell.gates[j].from) continue;
+      members.erase(at_i);
+      members.erase(place_of(j));
+      m_links.push_back(link(cell.gates[i], cell.gates[j]));
+      has_links = true;
+    }
+    return has_links;
+  }
+
+  // Sets the nodes of the arcs of a cluster: the gate, or a new node. Adds links between gates.
+  template <class New_node>
+  void set_nodes(const Voronoi_cell& cell, const std::vector<std::size_t>& members, const New_node& new_node)
+  {
+    if (members.empty()) return;
+    std::vector<std::size_t> gates;
+    for (const std::size_t e : members)
+      if (m_ends[e].is_gate) gates.push_back(m_ends[e].arc);
+    if (members.size() == 2 && gates.size() == 2)
+    {
+      m_links.push_back(link(cell.gates[gates[0]], cell.gates[gates[1]]));
+      return;
+    }
+    const bool is_gate = members.size() == 2 && gates.size() == 1;
+    const Index node = is_gate ? cell.gates[gates[0]].node : new_node();
+    const Point point = is_gate ? cell.gates[gates[0]].point : m_ends[members[0]].point;
+    for (const std::size_t e : members)
+    {
+      const Arc_end& end = m_ends[e];
+      if (end.is_gate)
+      {
+        if (is_gate) continue;
+        Bisector_arc l = link(cell.gates[end.arc], cell.gates[end.arc]);
+        l.end_node = node;
+        l.end = point;
+        m_links.push_back(l);
+        continue;
+      }
+      Bisector_arc& arc = m_arcs[end.arc];
+      (end.is_end ? arc.end_node : arc.start_node) = node;
+      (end.is_end ? arc.end : arc.start) = point;
+    }
+  }
+
+  const std::vector<Voronoi_window>& m_windows;
+  Voronoi_tolerances m_tolerances;
+  const Cell_arcs m_find_arcs;
+  std::vector<Bisector_arc> m_arcs, m_links;
+  std::vector<Arc_end> m_ends;                      // two of each arc, then the gates
+  std::vector<std::size_t> m_cluster;               // per end
+  std::vector<std::vector<std::size_t>> m_clusters; // ends that meet
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

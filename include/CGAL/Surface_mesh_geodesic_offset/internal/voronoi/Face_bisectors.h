@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bisectors in one face: its windows, the changes of the nearest source on its edges, and the division into cells.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_FACE_BISECTORS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_FACE_BISECTORS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_bisectors.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Label_changes.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Source_labels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Face_bisectors
+{
+public:
+  typedef Point_in_face<double> Point;
+
+  Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
+    : m_mesh(mesh), m_labels(mesh, initial, field), m_field(mesh, initial, field)
+  {
+  }
+
+  // Reads the windows of a face. Returns false if it has one label, also at its corners; then there are no windows, but gates of
+  // neighbours may be connected.
+  bool set_face(Index face)
+  {
+    m_field.set_face(face);
+    m_windows.clear();
+    m_all.clear();
+    m_tolerances = Voronoi_tolerances(CGAL::to_double(m_field.size()));
+    m_cell.gates.clear();
+    for (int k = 0; k < 3; ++k)
+    {
+      m_cell.corner[k] = rounded(m_field.frame().corner(k));
+      m_cell.direction[k] = rounded(m_field.frame().direction(k));
+      m_cell.label[k] = m_labels.of_vertex(m_mesh.source(3 * face + Index(k)));
+    }
+    const Index label = m_cell.label[0];
+    bool has_one_label = m_cell.label[1] == label && m_cell.label[2] == label;
+    for (const auto& w : m_field.windows()) has_one_label = has_one_label && m_labels.of_window(w) == label;
+    if (has_one_label) return false;
+
+    for (const auto& w : m_field.windows())
+    {
+      if (w.is_empty()) continue;
+      const Voronoi_window v(w, m_labels.of_window(w));
+      if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) continue;
+      if (!m_windows.empty() && w.origin < STARTS_IN_FACE && m_windows.back().rays.origin == w.origin)
+        m_windows.back().close_gap(v);
+      m_all.push_back(unsigned(m_windows.size()));
+      m_windows.push_back(v);
+    }
+    double magnitude = 0; // of the windows that may be nearest
+    prune(m_cell, m_all);
+    for (const unsigned i : m_all) magnitude = (std::max)(magnitude, m_windows[i].largest_at_chord());
+    m_tolerances = Voronoi_tolerances(magnitude + CGAL::to_double(m_field.size()));
+    return !has_one_label_at(m_cell, m_all);
+  }
+
+  // Label at the center of the face.
+  Index label() const
+  {
+    const Point center = m_cell.center();
+    Index label = m_cell.label[0];
+    double least = std::numeric_limits<double>::infinity();
+    for (const unsigned i : m_all)
+    {
+      const double d = m_windows[i].rays.path_length(center);
+      if (!(d < least)) continue;
+      least = d;
+      label = m_windows[i].label;
+    }
+    return label;
+  }
+
+  // Calls out(change) for the changes of the label along halfedge k.
+  template <class OutputFunction>
+  void find_changes(int k, const OutputFunction& out)
+  {
+    m_changes(m_cell.corner[k], m_cell.direction[k], CGAL::to_double(m_field.frame().edge_length(k)), m_cell.label[k],
+              m_cell.label[(k + 1) % 3], m_windows, m_all, m_tolerances, out);
+  }
+
+  // Adds a gate at a distance from the start of halfedge k. Gates come in order.
+  void add_gate(int k, double t, Index from, Index to, Index node)
+  {
+    m_cell.gates.push_back({m_cell.corner[k] + t * m_cell.direction[k], (unsigned char)(k), from, to, node});
+  }
+
+  // Calls out(arc) for the arcs in the face. Nodes that are not gates have the numbers new_node().
+  template <class New_node, class OutputFunction>
+  void find_arcs(const New_node& new_node, const OutputFunction& out)
+  {
+    CGAL_precondition(m_cell.is_consistent());
+    const auto write = [&](Bisector_arc arc) {
+      arc.face = m_field.face();
+      arc.negligible = 2 * m_tolerances.smallest_cell;
+      arc.smallest_loop = 2 * m_tolerances.loose_joint;
+      for (const Voronoi_gate& g : m_cell.gates)
+      {
+        if (g.node == arc.start_node) arc.start_edge = g.side;
+        if (g.node == arc.end_node) arc.end_edge = g.side;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const Half_plane<double> side = m_cell.outside(k);
+        const auto is_on_side = [&](const Point& p) { return std::abs(side.value(p)) <= arc.negligible; };
+        if (!is_on_side(arc.start) || !is_on_side(arc.end) || !is_on_side(arc.middle())) continue;
+        const Index h = 3 * arc.face + Index(k);
+        arc.edge = (std::min)(h, m_mesh.twin(h));
+        arc.along_edge = (arc.edge == h ? 1 : -1) * dot(arc.end - arc.start, m_cell.direction[k]);
+      }
+      out(arc);
+    };
+    Cell_bisectors bisectors(m_windows, m_tolerances, m_cell.center(), m_cell.radius());
+    int divisions = 0, divisions_for_windows = 0;
+    m_pending.clear();
+    m_pending.push_back({m_cell, m_all});
+    while (!m_pending.empty())
+    {
+      Part part = std::move(m_pending.back());
+      m_pending.pop_back();
+      prune(part.cell, part.windows);
+      if (part.cell.gates.empty() && has_one_label_at(part.cell, part.windows)) continue;
+      const bool is_divisible = part.cell.diameter() > m_tolerances.smallest_cell;
+      const bool has_many_windows = part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
+                                    divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows;
+      if (has_many_windows) ++divisions_for_windows;
+      else
+      {
+        if (bisectors.connect(part.cell, part.windows, new_node, write)) continue;
+        if (!is_divisible || divisions == Voronoi_tolerances::most_divisions)
+        {
+          bisectors.connect_straight(part.cell, new_node, write);
+          ++m_number_of_forced_cells;
+          continue;
+        }
+        ++divisions;
+      }
+      auto halves = part.cell.divided(
+        [&](const Point& o, const Point& u, double size, Index first, Index last, const auto& add) {
+        m_changes(o, u, size, first, last, m_windows, part.windows, m_tolerances, add);
+        },
+        new_node);
+      m_pending.push_back({std::move(halves.first), part.windows});
+      m_pending.push_back({std::move(halves.second), std::move(part.windows)});
+    }
+    m_number_of_divisions += std::size_t(divisions);
+  }
+
+  const Voronoi_tolerances& tolerances() const { return m_tolerances; }
+  std::size_t number_of_divisions() const { return m_number_of_divisions; }       // of cells that did not fit together
+  std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // connected by straight links
+
+private:
+  struct Part
+  {
+    Voronoi_cell cell;
+    std::vector<unsigned> windows;
+  };
+
+  static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
+
+  // Removes the windows that are nowhere nearest in a cell, or do not reach it. Distances are 1-Lipschitz.
+  void prune(const Voronoi_cell& cell, std::vector<unsigned>& windows) const
+  {
+    const Point center = cell.center();
+    const double radius = cell.radius();
+    double upper = std::numeric_limits<double>::infinity();
+    for (const unsigned i : windows) upper = (std::min)(upper, m_windows[i].rays.path_length(center));
+    upper += radius + m_tolerances.slack;
+    const auto is_elsewhere = [&](unsigned i) {
+      const Voronoi_window& w = m_windows[i];
+      if (w.lower_bound(center, radius) > upper) return true;
+      for (int k = 0; k < w.number_of_bounds; ++k)
+      {
+        const Half_plane<double>& h = w.bound[std::size_t(k)];
+        if ((std::min)({h.value(cell.corner[0]), h.value(cell.corner[1]), h.value(cell.corner[2])}) > m_tolerances.joint)
+          return true;
+      }
+      return false;
+    };
+    windows.erase(std::remove_if(windows.begin(), windows.end(), is_elsewhere), windows.end());
+  }
+
+  // True if all windows and all corners have one label.
+  bool has_one_label_at(const Voronoi_cell& cell, const std::vector<unsigned>& windows) const
+  {
+    const Index label = cell.label[0];
+    return cell.label[1] == label && cell.label[2] == label &&
+           std::all_of(windows.begin(), windows.end(), [&](unsigned i) { return m_windows[i].label == label; });
+  }
+
+  const Unfolded_mesh<FT>& m_mesh;
+  const Source_labels<FT> m_labels;
+  Face_field<FT> m_field;
+  Voronoi_cell m_cell; // the face
+  Voronoi_tolerances m_tolerances;
+  std::vector<Voronoi_window> m_windows;
+  std::vector<unsigned> m_all; // windows that may be nearest
+  std::vector<Part> m_pending;
+  Label_changes m_changes;
+  std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

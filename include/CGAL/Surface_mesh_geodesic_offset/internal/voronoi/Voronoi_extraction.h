@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bisectors of a field with kept windows, in all faces.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_EXTRACTION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_EXTRACTION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_chains.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_bisectors.h>
+
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
+                                const Geodesic_field<FT>& field)
+{
+  struct Edge_gate // in the direction of the halfedge with the smaller index
+  {
+    double t;
+    Index from, to, node;
+  };
+  std::unordered_map<Index, std::vector<Edge_gate>> gates; // by this halfedge
+  Face_bisectors<FT> bisectors(mesh, initial, field);
+  std::vector<Bisector_arc> arcs;
+  Bisector_diagram diagram;
+  diagram.label_of_face.assign(mesh.number_of_faces(), no_index);
+  Index nodes = 0;
+  const auto new_node = [&nodes] { return nodes++; };
+  for (Index f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    if (mesh.source(3 * f) == no_index) continue;
+    const bool is_crossed = bisectors.set_face(f);
+    diagram.label_of_face[f] = bisectors.label();
+    bool has_gates = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * f + Index(k), g = mesh.twin(h);
+      if (g == no_index || h < g)
+      { // the first face of the edge finds its gates
+        if (!is_crossed) continue;
+        bisectors.find_changes(k, [&](const Label_change& c) { gates[h].push_back({c.t, c.from, c.to, new_node()}); });
+      }
+      has_gates = has_gates || gates.count(g == no_index || h < g ? h : g) != 0;
+    }
+    if (!is_crossed && !has_gates) continue;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * f + Index(k), g = mesh.twin(h);
+      const bool is_first = g == no_index || h < g;
+      const auto found = gates.find(is_first ? h : g);
+      if (found == gates.end()) continue;
+      const std::vector<Edge_gate>& of_edge = found->second;
+      if (is_first)
+        for (const Edge_gate& e : of_edge) bisectors.add_gate(k, e.t, e.from, e.to, e.node);
+      else
+      {
+        const double length = CGAL::to_double(mesh[h].length);
+        for (auto e = of_edge.rbegin(); e != of_edge.rend(); ++e) bisectors.add_gate(k, length - e->t, e->to, e->from, e->node);
+      }
+    }
+    bisectors.find_arcs(new_node, [&](const Bisector_arc& a) { arcs.push_back(a); });
+  }
+  diagram.divisions = bisectors.number_of_divisions();
+  diagram.forced_cells = bisectors.number_of_forced_cells();
+  Bisector_chains(std::move(arcs), nodes).write(diagram);
+  return diagram;
+}
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All tolerances of the Voronoi step: multiples of the unit in the last place u of double.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_TOLERANCES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_TOLERANCES_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// All values are lengths. The magnitude of a face is its longest edge plus the largest distance at the ends of the chords of its
+// windows, which bounds the coordinates of their images. Binding tests: test_voronoi_diagram, test_voronoi_splitting.
+struct Voronoi_tolerances
+{
+  // Distances that differ by less are equal: 2^6 u times the magnitude, two errors of a distance (see Offset_tolerances::error). If
+  // the arcs of a cell do not fit together, they are found again with the next of `number_of_ties`, each eight times larger.
+  double tie;
+  // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
+  double slack;
+  double least_tie;
+  // Intervals of an edge up to this length are nowhere certainly nearest to their source: 2^8 u, two slacks.
+  double shortest_interval;
+  // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
+  // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
+  double joint;
+  // Arcs that meet at smaller angles may end up to 2^24 u, 3.7e-9 of the magnitude, apart, if all distances are equal up to eight ties
+  // at both ends: each of them is the common end up to rounding. Without this, cells around such ends are divided to the smallest.
+  double loose_joint, loose_tie;
+  // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
+  double smallest_cell;
+
+  static constexpr int number_of_ties = 3;
+  void use_tie(int i)
+  {
+    tie = double(1 << 3 * i) * least_tie;
+    slack = 2 * tie;
+  }
+
+  explicit Voronoi_tolerances(double magnitude = 0)
+    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), least_tie(tie), shortest_interval(unit(8) * magnitude),
+      joint(unit(14) * magnitude), loose_joint(unit(24) * magnitude), loose_tie(unit(9) * magnitude),
+      smallest_cell(unit(15) * magnitude)
+  {
+  }
+
+  // Angle of the widest gap between neighbouring cones that is closed: 2^-24. A path along a ray that is off by this angle is too short
+  // by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge (see least_clear_distance), so windows shorter than 2^-26 edges may
+  // leave such gaps.
+  static constexpr double widest_gap = 1. / (1 << 24);
+  // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
+  static constexpr unsigned most_windows = 12;
+  // But after this many divisions of a face only to have less windows, not for this reason any more: many windows may meet at a
+  // vertex.
+  static constexpr int most_divisions_for_windows = 1 << 12;
+  // Limit of the other divisions of a face. A bisector that rounding leaves without its ends costs at most this.
+  static constexpr int most_divisions = 1 << 10;
+
+private:
+  static double unit(int bits) { return double(1 << bits) * std::numeric_limits<double>::epsilon(); }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

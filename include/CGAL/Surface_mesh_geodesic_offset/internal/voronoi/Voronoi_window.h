@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A window in a face for the Voronoi step: rounded to double, with the label of its source and the half-planes of its cone.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_WINDOW_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_WINDOW_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Face_frame.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Window_cone.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+struct Voronoi_window
+{
+  typedef Point_in_face<double> Point;
+
+  Face_window<double> rays;
+  Index label;                             // id of the source, or of another source with which it coincides
+  std::array<Half_plane<double>, 3> bound; // the cone; the third one bounds the strip of a source segment
+  int number_of_bounds;
+  double start; // least distance of the rays: at their chord, or at their image in the face
+
+  template <class FT>
+  Voronoi_window(const Face_window<FT>& w, Index label_) : label(label_)
+  {
+    const auto point = [](const Point_in_face<FT>& p) { return Point{CGAL::to_double(p.x), CGAL::to_double(p.y)}; };
+    rays.x = CGAL::to_double(w.x);
+    rays.y = CGAL::to_double(w.y);
+    rays.sigma = CGAL::to_double(w.sigma);
+    rays.left = point(w.left);
+    rays.right = point(w.right);
+    rays.source_ref = w.source_ref;
+    rays.bits = w.bits;
+    rays.origin = w.origin;
+    rays.edge = w.edge;
+    rays.start_value = CGAL::to_double(w.start_value);
+    const Point l = rays.ray_direction(rays.left), r = rays.ray_direction(rays.right);
+    const Point nl = (1 / length(l)) * quarter_turn(l), nr = (-1 / length(r)) * quarter_turn(r);
+    bound[0] = {nl, dot(nl, rays.left)};
+    bound[1] = {nr, dot(nr, rays.right)};
+    number_of_bounds = 2;
+    if (is_strip())
+    {
+      bound[2] = {rays.image(), dot(rays.image(), rays.left)};
+      number_of_bounds = 3;
+    }
+    start = starts_at_image() ? rays.sigma : is_strip() ? rays.start_value : least_at_chord();
+  }
+
+  bool is_parallel() const { return rays.is_parallel(); }
+  bool is_strip() const { return rays.is_parallel() && rays.origin == STARTS_IN_FACE; }
+  Point image() const { return rays.image(); } // the direction opposite to the rays, if parallel
+  double sigma() const { return rays.sigma; }
+  double distance_at(const Point& p) const { return rays.distance_at(p); }
+
+  double largest_at_chord() const { return (std::max)(distance_at(rays.left), distance_at(rays.right)); }
+
+  bool contains(const Point& p, double slack) const
+  {
+    for (int k = 0; k < number_of_bounds; ++k)
+      if (bound[std::size_t(k)].value(p) > slack) return false;
+    return true;
+  }
+
+  // Lower bound of the distances in a disk: any path starts at the chord, or at the image.
+  double lower_bound(const Point& center, double radius) const
+  {
+    const double from_start = start + (starts_at_image() ? length(center - image()) : distance_from_chord(center)) - radius;
+    return is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius);
+  }
+
+  // Extends the cone of a window to that of the next one of its list, if rounding has left a gap between them. A gap between cones
+  // that do not meet otherwise, as behind a saddle vertex, remains.
+  void close_gap(const Voronoi_window& next)
+  {
+    const Point u = rays.ray_direction(rays.right), v = next.rays.ray_direction(next.rays.left);
+    const double turn = cross(u, v) / (length(u) * length(v));
+    if (turn < 0 && turn >= -Voronoi_tolerances::widest_gap && dot(u, v) > 0) bound[1] = {-1. * next.bound[0].n, 0};
+    else return;
+    bound[1].m = dot(bound[1].n, next.rays.left);
+  }
+
+  // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
+  bool is_same_function(const Voronoi_window& other, const Point& center, double radius, double tie) const
+  {
+    if (is_parallel() != other.is_parallel()) return false;
+    const double apart = length(image() - other.image());
+    if (!is_parallel()) return apart <= tie && std::abs(sigma() - other.sigma()) <= tie;
+    return apart * radius <= tie && std::abs(distance_at(center) - other.distance_at(center)) <= tie;
+  }
+
+private:
+  bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
+
+  double least_at_chord() const
+  {
+    const Point chord = rays.right - rays.left;
+    const double size = dot(chord, chord);
+    const Point to = rays.is_parallel() ? Point{0, 0} : image() - rays.left;
+    const double t = size > 0 ? (std::max)(0., (std::min)(1., dot(to, chord) / size)) : 0;
+    return (std::min)({distance_at(rays.left), distance_at(rays.right), distance_at(rays.left + t * chord)});
+  }
+
+  double distance_from_chord(const Point& p) const
+  {
+    const Point chord = rays.right - rays.left;
+    const double size = dot(chord, chord);
+    const double t = size > 0 ? (std::max)(0., (std::min)(1., dot(p - rays.left, chord) / size)) : 0;
+    return length(p - rays.left - t * chord);
+  }
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif

@@ -1,0 +1,515 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams on boxes and cones in closed form; on other meshes, the points of bisectors, vertices of the diagram, faces that
+// no curve crosses and cells of split meshes against the distances from single sources; sources that tie; bad input.
+
+#include "data_meshes.h"
+#include "generated_meshes.h"
+#include "geodesic_types.h"
+#include "locations.h"
+#include "offset_tools.h"
+#include "test_check.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/construct_geodesic_voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_voronoi_diagram {
+
+using namespace test;
+
+typedef Geodesic::Field Field;
+typedef Field::Voronoi_diagram Diagram;
+typedef Surface_mesh::Face_index Face_index;
+typedef Surface_mesh::Edge_index Edge_index;
+typedef Surface_mesh::Vertex_index Vertex_index;
+typedef Geodesic::Face_location Location;
+typedef std::function<void(Geodesic&)> Add_source;
+
+struct Totals
+{
+  std::size_t diagrams = 0, curves = 0, vertices = 0, points = 0, labels = 0, forced = 0, divisions = 0, crossed = 0;
+  double tie = 0, vertex = 0, area = 0;
+};
+Totals totals;
+
+double distance_between(const Point_3& p, const Point_3& q) { return std::sqrt((p - q).squared_length()); }
+
+Diagram diagram_of(const Surface_mesh& mesh, const std::vector<Add_source>& sources)
+{
+  Geodesic geodesic(mesh);
+  for (const Add_source& add : sources) add(geodesic);
+  ++totals.diagrams;
+  const Diagram diagram = geodesic.build(CGAL::parameters::keep_windows(true)).voronoi_diagram();
+  totals.curves += diagram.number_of_curves();
+  totals.vertices += diagram.number_of_vertices();
+  totals.forced += diagram.number_of_forced_cells();
+  totals.divisions += diagram.number_of_divisions();
+  return diagram;
+}
+
+Location random_location(const Surface_mesh& mesh, Random& random)
+{
+  return Location(Face_index(Surface_mesh::size_type(uniform_index(random, mesh.number_of_faces()))),
+                  random_barycentric(random));
+}
+
+// The edges of the graph fit together: each vertex has curves of three cells or more, and each end of a curve is at its vertex.
+void check_graph(const Surface_mesh& mesh, const Diagram& diagram, double tolerance)
+{
+  std::vector<std::size_t> ends(diagram.number_of_vertices(), 0);
+  for (std::size_t i = 0; i < diagram.number_of_curves(); ++i)
+  {
+    const auto c = diagram.curve(i);
+    CHECK(c.number_of_pieces() > 0 && c.source_on_left() != c.source_on_right());
+    for (const auto& p : c.pieces())
+      CHECK(p.source_on_left() == c.source_on_left() && p.source_on_right() == c.source_on_right());
+    const auto check_end = [&](const auto& vertex, const Location& l) {
+      if (vertex)
+      {
+        ++ends[*vertex];
+        CHECK(distance_between(c.point(l), diagram.vertex_point(*vertex)) <= tolerance);
+        const auto& curves = diagram.curves_at_vertex(*vertex);
+        CHECK(std::find(curves.begin(), curves.end(), i) != curves.end());
+      }
+      else if (!c.is_closed())
+      { // on the border
+        std::size_t zeros = 0;
+        for (const double w : l.second) zeros += w == 0 ? 1 : 0;
+        CHECK_DETAIL(zeros > 0 && !CGAL::is_closed(mesh),
+                     std::to_string(c.point(l).x()) + " " + std::to_string(c.point(l).y()) + " " +
+                       std::to_string(c.point(l).z()) + " curves " + std::to_string(diagram.number_of_curves()));
+      }
+    };
+    check_end(c.start_vertex(), c.piece(0).start());
+    check_end(c.end_vertex(), c.piece(c.number_of_pieces() - 1).end());
+    for (std::size_t k = 0; k + 1 < c.number_of_pieces(); ++k)
+      CHECK(distance_between(c.point(c.piece(k).end()), c.point(c.piece(k + 1).start())) <= tolerance);
+    if (c.is_closed())
+      CHECK(distance_between(c.point(c.piece(c.number_of_pieces() - 1).end()), c.point(c.piece(0).start())) <= tolerance);
+  }
+  for (std::size_t v = 0; v < ends.size(); ++v) CHECK(ends[v] >= 3 && ends[v] == diagram.curves_at_vertex(v).size());
+}
+
+// Compares a diagram with the distances from each source alone, and splits the mesh along it.
+void compare(const std::string& name, const Surface_mesh& mesh, const std::vector<Add_source>& sources, Random& random,
+             std::size_t random_points)
+{
+  Report::instance().set_context(name);
+  const Diagram diagram = diagram_of(mesh, sources);
+  const double diagonal = bounding_box_diagonal(mesh);
+  check_graph(mesh, diagram, 1e-8 * diagonal);
+  const Locations<Surface_mesh> locations(mesh);
+
+  struct Point
+  {
+    Location location;
+    std::size_t left, right; // sources; equal: the label
+  };
+  std::vector<Point> points;
+  std::set<Face_index> crossed;
+  for (const auto& c : diagram.curves())
+    for (const auto& p : c.pieces())
+    {
+      crossed.insert(p.face());
+      for (const double t : {0., 0.4, 0.8}) points.push_back({p.location(t), p.source_on_left(), p.source_on_right()});
+    }
+  totals.crossed += crossed.size();
+  const std::size_t on_curves = points.size();
+  for (std::size_t v = 0; v < diagram.number_of_vertices(); ++v)
+    for (const std::size_t i : diagram.curves_at_vertex(v))
+      points.push_back({diagram.vertex(v), diagram.curve(i).source_on_left(), diagram.curve(i).source_on_right()});
+  const std::size_t bisected = points.size();
+  for (std::size_t i = 0; i < random_points; ++i)
+  {
+    const Location l = random_location(mesh, random);
+    if (crossed.count(l.first) == 0) points.push_back({l, diagram.source_at_face(l.first), diagram.source_at_face(l.first)});
+  }
+  const std::size_t uncrossed = points.size();
+
+  // The split mesh has the surface and the topology of the original, and edges on curves between different cells only.
+  Surface_mesh split = mesh;
+  auto source = split.add_property_map<Face_index, std::size_t>("source", 0).first;
+  auto is_on_curve = split.add_property_map<Edge_index, bool>("curve", false).first;
+  const double chord_tolerance = 1e-6 * diagonal;
+  CGAL::split_along_geodesic_voronoi_diagram(
+    split, diagram,
+    CGAL::parameters::face_source_map(source).edge_is_constrained_map(is_on_curve).chord_tolerance(chord_tolerance));
+  CHECK(CGAL::is_valid_polygon_mesh(split) && CGAL::is_triangle_mesh(split) && CGAL::is_closed(split) == CGAL::is_closed(mesh));
+  const auto euler = [](const Surface_mesh& m) {
+    return long(m.number_of_vertices()) - long(m.number_of_edges()) + long(m.number_of_faces());
+  };
+  CHECK(euler(split) == euler(mesh));
+  std::vector<double> areas(sources.size(), 0);
+  for (const Face_index f : split.faces())
+    if (CHECK(source[f] < sources.size() || source[f] == Field::no_source()) && source[f] < sources.size())
+      areas[source[f]] += CGAL::Polygon_mesh_processing::face_area(f, split);
+  double sum = 0;
+  for (const double a : areas) sum += a;
+  double reached = 0;
+  for (const Face_index f : mesh.faces())
+    if (diagram.source_at_face(f) != Field::no_source()) reached += CGAL::Polygon_mesh_processing::face_area(f, mesh);
+  totals.area = (std::max)(totals.area, std::abs(sum - reached) / reached);
+  CHECK_DETAIL(std::abs(sum - reached) <= 1e-12 * reached, std::to_string(sum / reached - 1));
+  std::size_t wrong_edges = 0;
+  for (const Edge_index e : split.edges())
+  {
+    if (split.is_border(e)) continue;
+    const auto h = split.halfedge(e);
+    if ((source[split.face(h)] != source[split.face(split.opposite(h))]) != bool(is_on_curve[e])) ++wrong_edges;
+  }
+  CHECK_DETAIL(wrong_edges == 0, std::to_string(wrong_edges));
+  // Faces of the split mesh, by their centers
+  std::vector<Location> centers;
+  std::vector<std::size_t> labels;
+  for (const Face_index f : split.faces())
+    if (source[f] != Field::no_source() && uniform(random) * double(split.number_of_faces()) < double(random_points))
+    {
+      const auto c = Locations<Surface_mesh>(split).corners(f);
+      const Point_3 center = CGAL::centroid(split.point(c[0]), split.point(c[1]), split.point(c[2]));
+      centers.push_back(Geodesic::Mesh(mesh).locate(center));
+      labels.push_back(source[f]);
+      if (centers.size() == random_points / 10) break;
+    }
+
+  // Distances from single sources
+  std::vector<double> least(points.size() + centers.size(), infinity), left(points.size(), infinity), right(left),
+    of_label(centers.size(), infinity);
+  for (std::size_t s = 0; s < sources.size(); ++s)
+  {
+    Geodesic alone(mesh);
+    sources[s](alone);
+    const Field field = alone.build(CGAL::parameters::keep_windows(true));
+    for (std::size_t i = 0; i < points.size() + centers.size(); ++i)
+    {
+      const bool is_center = i >= points.size();
+      const double d = field.distance_to_sources(is_center ? centers[i - points.size()] : points[i].location);
+      least[i] = (std::min)(least[i], d);
+      if (is_center && labels[i - points.size()] == s) of_label[i - points.size()] = d;
+      if (!is_center && points[i].left == s) left[i] = d;
+      if (!is_center && points[i].right == s) right[i] = d;
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[i].left == Field::no_source())
+    {
+      CHECK(least[i] == infinity);
+      continue;
+    }
+    const double error = (std::max)(std::abs(left[i] - right[i]), (std::max)(left[i], right[i]) - least[i]);
+    const double relative = error / (least[i] + 0.01 * diagonal);
+    if (i < bisected) ++totals.points;
+    else ++totals.labels;
+    double& worst = i < on_curves ? totals.tie : totals.vertex;
+    if (i < bisected) worst = (std::max)(worst, relative);
+    CHECK_DETAIL(relative <= 1e-10,
+                 std::to_string(relative) +
+                   (i < on_curves ? " on a curve of " + std::to_string(points[i].left) + " " + std::to_string(points[i].right) +
+                                      " face " + std::to_string(points[i].location.first)
+                    : i < bisected ? " at a vertex"
+                                   : " in a face"));
+  }
+  CHECK(uncrossed == points.size());
+  for (std::size_t i = 0; i < centers.size(); ++i) CHECK(of_label[i] <= least[points.size() + i] + 2 * chord_tolerance);
+  totals.labels += centers.size();
+}
+
+// The centers of the sides of a cube are the sources: the bisectors are the edges. And two opposite centers: a square.
+void boxes()
+{
+  for (const bool is_grid : {false, true})
+    for (const std::size_t n : {std::size_t(1), std::size_t(4), std::size_t(5)})
+    {
+      Report::instance().set_context("cube");
+      const Surface_mesh mesh =
+        Generated_mesh<Surface_mesh>(is_grid ? cube_grid(n) : box_sides(1, 1, 1).triangulated(8 * n, n, 3)).mesh;
+      const Geodesic::Mesh prepared(mesh);
+      std::vector<Add_source> sources;
+      for (int k = 0; k < 3; ++k)
+        for (const double x : {0., 1.})
+        {
+          const Location l = prepared.locate(Point_3(k == 0 ? x : 0.5, k == 1 ? x : 0.5, k == 2 ? x : 0.5));
+          sources.push_back([l](Geodesic& g) { g.add_source_point(l); });
+        }
+      const Diagram edges = diagram_of(mesh, sources);
+      check_graph(mesh, edges, 1e-10);
+      CHECK_DETAIL(edges.number_of_curves() == 12, std::to_string(edges.number_of_curves()));
+      CHECK_DETAIL(edges.number_of_vertices() == 8, std::to_string(edges.number_of_vertices()));
+      for (const auto& c : edges.curves())
+        for (const auto& p : c.pieces())
+          for (const double t : {0., 0.5, 1.})
+          {
+            const Point_3 q = p.point(t);
+            int at_ends = 0;
+            for (int k = 0; k < 3; ++k) at_ends += (std::min)(std::abs(q[k]), std::abs(1 - q[k])) < 1e-10 ? 1 : 0;
+            CHECK(at_ends >= 2);
+          }
+      const Diagram square = diagram_of(mesh, {sources[4], sources[5]});
+      check_graph(mesh, square, 1e-10);
+      CHECK(square.number_of_curves() == 1 && square.number_of_vertices() == 0 && square.curve(0).is_closed());
+      double length = 0;
+      for (const auto& p : square.curve(0).pieces())
+      {
+        CHECK(std::abs(p.point(0.5).z() - 0.5) < 1e-12 && std::abs(p.point(0).z() - 0.5) < 1e-12);
+        length += distance_between(p.point(0), p.point(1));
+      }
+      CHECK_DETAIL(std::abs(length - 4) < 1e-10, std::to_string(length));
+    }
+}
+
+// On a cone, one source in each sector, at equal distances from the apex: the bisectors are the legs. Two other sources: distances by
+// the law of cosines.
+void cones()
+{
+  for (const double angle : {1.3 * CGAL_PI, 1.8 * CGAL_PI, 2.6 * CGAL_PI})
+    for (const std::size_t points : {std::size_t(0), std::size_t(30)})
+    {
+      Report::instance().set_context("cone of angle " + std::to_string(angle) + ", points " + std::to_string(points));
+      const Cone cone(6, angle, 2);
+      const Generated_mesh<Surface_mesh> data(cone.triangulated(points, points / 5, 2));
+      const auto polar = [&](const Location& l) { // distance from the apex, and angle
+        double x = 0, y = 0;
+        const std::size_t f = data.face_number(l.first);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          x += l.second[k] * data.uv[f][k].x();
+          y += l.second[k] * data.uv[f][k].y();
+        }
+        return std::make_pair(std::hypot(x, y), double(data.patches[f]) * cone.sector_angle() + std::atan2(y, x));
+      };
+      const auto at = [&](double r, double a) { // nearest of the centers of faces to a point
+        Location best;
+        double least = infinity;
+        for (const Face_index f : data.faces)
+          for (const double w : {0.2, 1. / 3, 0.6})
+          {
+            const Location l(f, {w, (1 - w) / 2, (1 - w) / 2});
+            const auto p = polar(l);
+            const double d = std::hypot(p.first - r, p.first * (p.second - a));
+            if (d < least) best = l;
+            least = (std::min)(least, d);
+          }
+        return best;
+      };
+      const auto distance = [&](const std::pair<double, double>& p, const std::pair<double, double>& q) {
+        double turn = std::abs(p.second - q.second);
+        turn = (std::min)(turn, angle - turn);
+        if (turn >= CGAL_PI) return p.first + q.first;
+        return std::sqrt((std::max)(0., p.first * p.first + q.first * q.first - 2 * p.first * q.first * std::cos(turn)));
+      };
+      std::vector<Add_source> sources;
+      if (points == 0)
+      {
+        for (const Face_index f : data.faces)
+          sources.push_back([f](Geodesic& g) { g.add_source_point(Location(f, {1. / 3, 1. / 3, 1. / 3})); });
+        const Diagram legs = diagram_of(data.mesh, sources);
+        check_graph(data.mesh, legs, 1e-10);
+        CHECK(legs.number_of_curves() == 6 && legs.number_of_vertices() == 1);
+        for (const auto& c : legs.curves())
+        {
+          CHECK(c.start_vertex().has_value() != c.end_vertex().has_value());
+          for (const auto& p : c.pieces())
+          {
+            const auto q = polar(p.location(0.5));
+            const double a = q.second / cone.sector_angle();
+            CHECK_DETAIL(std::abs(a - std::round(a)) * q.first < 1e-10, std::to_string(a) + " at " + std::to_string(q.first));
+          }
+        }
+      }
+      Random random(17);
+      for (int i = 0; i < 5; ++i)
+      {
+        const Location l = at(uniform(random, 0.3, 1.5), uniform(random, 0, angle / 2)),
+                       m = at(uniform(random, 0.3, 1.5), uniform(random, angle / 2, angle));
+        const double start = i < 2 ? 0 : uniform(random, 0, 0.2);
+        const Diagram diagram =
+          diagram_of(data.mesh, {[&](Geodesic& g) { g.add_source_point(l); },
+                                 [&](Geodesic& g) { g.add_source_point(m, CGAL::parameters::start_value(start)); }});
+        check_graph(data.mesh, diagram, 1e-9);
+        for (const auto& c : diagram.curves())
+          for (const auto& p : c.pieces())
+            for (const double t : {0., 0.3, 1.})
+            {
+              const auto q = polar(p.location(t));
+              const double d = distance(q, polar(l)), e = start + distance(q, polar(m));
+              CHECK_DETAIL(std::abs(d - e) < 1e-10, std::to_string(d - e));
+              ++totals.points;
+            }
+      }
+    }
+}
+
+std::vector<Add_source> random_sources(const Surface_mesh& mesh, std::size_t number, int kind, Random& random)
+{
+  std::vector<Add_source> sources;
+  const Locations<Surface_mesh> locations(mesh);
+  const double spacing = std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(number));
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const double start = kind % 2 == 1 ? uniform(random, 0, 0.1) * spacing : 0;
+    Vertex_index v(Surface_mesh::size_type(uniform_index(random, mesh.number_of_vertices())));
+    while (mesh.is_isolated(v)) v = Vertex_index(Surface_mesh::size_type(uniform_index(random, mesh.number_of_vertices())));
+    if (i % 3 == 0 && kind < 2)
+    {
+      sources.push_back([=](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); });
+      continue;
+    }
+    if (i % 3 == 1 || kind < 2)
+    {
+      const Location l = random_location(mesh, random);
+      sources.push_back([=](Geodesic& g) { g.add_source_point(l, CGAL::parameters::start_value(start)); });
+      continue;
+    }
+    std::vector<Vertex_index> path{v}; // along edges
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      auto h = mesh.halfedge(path.back());
+      for (std::size_t turns = uniform_index(random, 6); turns > 0; --turns) h = mesh.opposite(mesh.next(h));
+      if (std::find(path.begin(), path.end(), mesh.source(h)) == path.end()) path.push_back(mesh.source(h));
+    }
+    std::vector<Location> polyline;
+    for (const Vertex_index w : path) polyline.push_back(locations.at_vertex(w));
+    sources.push_back([=](Geodesic& g) { g.add_source_polyline(polyline, false, CGAL::parameters::start_value(start)); });
+  }
+  return sources;
+}
+
+void generated_meshes()
+{
+  unsigned seed = 0;
+  for (const auto& soup : {icosphere(2), torus(14, 10), cube_grid(3), l_shape(10, 2, 1), saddle_fan(), planar_grid(8, 8),
+                           box_sides(1, 2, 3).triangulated(10, 2, 2)})
+    for (const int kind : {0, 1, 2, 3})
+    {
+      Random random(++seed);
+      const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
+      compare("generated mesh, seed " + std::to_string(seed), mesh, random_sources(mesh, 8, kind, random), random, 100);
+    }
+}
+
+// Sources that tie in regions: the smallest id is the label, and there are no curves between them.
+void ties()
+{
+  const Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(8, 8, Diagonals::alternating)).mesh;
+  const Locations<Surface_mesh> locations(mesh);
+  const auto vertex = [](std::size_t i, std::size_t j) { return Vertex_index(Surface_mesh::size_type(9 * j + i)); };
+  const auto point = [&](std::size_t i, std::size_t j) -> Add_source {
+    return [v = vertex(i, j)](Geodesic& g) { g.add_source_point(v); };
+  };
+  const auto polyline = [&](std::vector<std::pair<std::size_t, std::size_t>> at) -> Add_source {
+    std::vector<Location> path;
+    for (const auto& p : at) path.push_back(locations.at_vertex(vertex(p.first, p.second)));
+    return [path](Geodesic& g) { g.add_source_polyline(path); };
+  };
+  Random random(5);
+  compare("two equal points", mesh, {point(2, 2), point(2, 2)}, random, 0);
+  CHECK(diagram_of(mesh, {point(2, 2), point(2, 2)}).number_of_curves() == 0);
+  const Diagram three = diagram_of(mesh, {point(2, 4), point(2, 4), point(6, 4)});
+  CHECK(three.number_of_curves() == 1);
+  for (const auto& p : three.curve(0).pieces()) CHECK(std::abs(p.point(0.5).x() - 4) < 1e-12);
+  // the lines x = 4 and y = 4 are edges
+  const Diagram four = diagram_of(mesh, {point(2, 2), point(6, 2), point(6, 6), point(2, 6)});
+  CHECK(four.number_of_curves() == 4 && four.number_of_vertices() == 1);
+  CHECK(distance_between(four.vertex_point(0), Point_3(4, 4, 0)) < 1e-10);
+  // equal polylines; a common corner; a common end, and a common line; a point on a polyline; crossing polylines
+  const auto corner = polyline({{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}});
+  compare("equal polylines", mesh, {corner, corner, point(7, 7)}, random, 100);
+  compare("common corner", mesh, {corner, polyline({{5, 1}, {4, 1}, {3, 1}}), point(7, 7)}, random, 100);
+  compare("common end", mesh, {polyline({{1, 3}, {2, 3}, {3, 3}}), polyline({{3, 3}, {4, 3}, {5, 3}}), point(7, 7)}, random,
+          100);
+  compare("ends at one point", mesh,
+          {polyline({{2, 3}, {3, 3}}), polyline({{3, 5}, {3, 4}, {3, 3}}), polyline({{3, 3}, {3, 2}})}, random, 100);
+  compare("point on a polyline", mesh, {corner, point(2, 1), point(7, 7)}, random, 100);
+  compare("crossing polylines", mesh, {polyline({{2, 4}, {3, 4}, {4, 4}, {5, 4}}), polyline({{4, 2}, {4, 3}, {4, 4}, {4, 5}})},
+          random, 100);
+}
+
+void bad_input()
+{
+  const Surface_mesh mesh = Generated_mesh<Surface_mesh>(icosphere(1)).mesh;
+  const auto at = [](unsigned i) { return Vertex_index(i); };
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(at(0));
+  geodesic.add_source_point(at(1));
+  CHECK_THROWS(geodesic.build().voronoi_diagram(), std::logic_error);
+  CHECK_THROWS(geodesic.build(CGAL::parameters::keep_windows(true).distance_limit(0.5)).voronoi_diagram(), std::logic_error);
+  CHECK_THROWS(geodesic.build(CGAL::parameters::keep_windows(true).relative_tolerance(0.01)).voronoi_diagram(),
+               std::logic_error);
+  CHECK_THROWS(Field().voronoi_diagram(), std::logic_error);
+  const Diagram diagram = geodesic.build(CGAL::parameters::keep_windows(true)).voronoi_diagram();
+  CHECK(diagram.number_of_curves() == 1 && diagram.curve(0).is_closed());
+  std::vector<Point_3> points;
+  CHECK_THROWS(diagram.curve(0).points(0., std::back_inserter(points)), std::invalid_argument);
+  CHECK(CGAL::construct_geodesic_voronoi_diagram(mesh, std::vector<Vertex_index>{at(0), at(1)}).number_of_curves() == 1);
+  CHECK_THROWS(CGAL::construct_geodesic_voronoi_diagram(mesh, std::vector<Vertex_index>{at(0), at(1)},
+                                                        CGAL::parameters::visitor([](double) { return false; })),
+               std::logic_error);
+  Surface_mesh copy = mesh;
+  CHECK_THROWS(CGAL::split_along_geodesic_voronoi_diagram(copy, diagram, CGAL::parameters::chord_tolerance(-1.)),
+               std::invalid_argument);
+  CHECK(copy.number_of_faces() == mesh.number_of_faces());
+  // without sources, and with one
+  CHECK(Geodesic(mesh).build(CGAL::parameters::keep_windows(true)).voronoi_diagram().number_of_curves() == 0);
+  Geodesic one(mesh);
+  one.add_source_point(at(3));
+  const Diagram whole = one.build(CGAL::parameters::keep_windows(true)).voronoi_diagram();
+  CHECK(whole.number_of_curves() == 0 && whole.number_of_vertices() == 0);
+  for (const Face_index f : mesh.faces()) CHECK(whole.source_at_face(f) == 0);
+}
+
+void unreachable()
+{
+  Surface_mesh mesh = Generated_mesh<Surface_mesh>(icosphere(2)).mesh;
+  const Surface_mesh other = Generated_mesh<Surface_mesh>(torus(8, 6, 5, 0.4)).mesh;
+  CGAL::copy_face_graph(other, mesh);
+  Random random(3);
+  const auto at = [](unsigned i) -> Add_source { return [i](Geodesic& g) { g.add_source_point(Vertex_index(i)); }; };
+  compare("unreachable component", mesh, {at(0), at(20), at(70)}, random, 200);
+}
+
+void data_meshes()
+{
+  for (const char* const name : {"sphere.off", "elephant.off", "anchor.off", "mesh_with_border.off", "knot1.off"})
+  {
+    Surface_mesh mesh;
+    if (!read_data_mesh(std::filesystem::path(data_directory()) / name, 20000, mesh).empty()) continue;
+    Random random(7);
+    compare(name, mesh, random_sources(mesh, number_of_cases(6, 50), int(totals.diagrams % 4), random), random, 500);
+  }
+}
+
+} // namespace test_voronoi_diagram
+
+GEODESIC_OFFSET_TEST(test_voronoi_diagram)
+{
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"boxes", test_voronoi_diagram::boxes},
+    {"cones", test_voronoi_diagram::cones},
+    {"generated meshes", test_voronoi_diagram::generated_meshes},
+    {"ties", test_voronoi_diagram::ties},
+    {"bad input", test_voronoi_diagram::bad_input},
+    {"unreachable", test_voronoi_diagram::unreachable},
+    {data_case, test_voronoi_diagram::data_meshes}};
+  const auto& totals = test_voronoi_diagram::totals;
+  const int result = run_tests("test_voronoi_diagram", tests);
+  std::cout.precision(3);
+  std::cout << totals.diagrams << " diagrams, " << totals.curves << " curves, " << totals.vertices << " vertices, "
+            << totals.crossed << " crossed faces, " << totals.divisions << " divisions, " << totals.forced
+            << " forced cells; at " << totals.points << " points distances differ by at most " << totals.tie << " on curves, "
+            << totals.vertex << " at vertices; " << totals.labels << " labels; areas off by at most " << totals.area
+            << std::endl;
+  return result;
+}
