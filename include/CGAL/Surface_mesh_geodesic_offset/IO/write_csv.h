@@ -72,13 +72,8 @@ Each row is a point of a curve, in order. The columns are
 template <class OffsetCurveRange, class FT>
 bool write_offset_CSV(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
-  namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
-  internal::Csv_lines lines;
-  lines.begin(os);
-  lines.add(os, curves, chord_tolerance);
-  lines.end(os);
-  return os.good();
+  return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Csv_lines>(
+    os, curves, chord_tolerance);
 }
 
 } // namespace IO

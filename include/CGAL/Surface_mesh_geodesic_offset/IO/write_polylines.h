@@ -60,10 +60,8 @@ A closed curve repeats its first point.
 template <class OffsetCurveRange, class FT>
 bool write_offset_polylines(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
-  namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
-  internal::Polyline_lines::add(os, curves, chord_tolerance);
-  return os.good();
+  return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Polyline_lines>(
+    os, curves, chord_tolerance);
 }
 
 } // namespace IO

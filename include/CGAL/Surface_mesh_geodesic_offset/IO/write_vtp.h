@@ -106,12 +106,8 @@ see `Offset_level_writer`; each level is then a piece of the file, which readers
 template <class OffsetCurveRange, class FT>
 bool write_offset_VTP(std::ostream& os, const OffsetCurveRange& curves, const FT& chord_tolerance)
 {
-  namespace internal = Surface_mesh_geodesic_offset_internal;
-  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
-  internal::Vtp_lines::begin(os);
-  internal::Vtp_lines::add(os, curves, chord_tolerance);
-  internal::Vtp_lines::end(os);
-  return os.good();
+  return Surface_mesh_geodesic_offset_internal::write_lines<Surface_mesh_geodesic_offset_internal::Vtp_lines>(
+    os, curves, chord_tolerance);
 }
 
 } // namespace IO

@@ -119,6 +119,18 @@ Discretized_curve discretized(const Curve& curve, const FT& chord_tolerance)
   return discretized(curve, chord_tolerance, [](std::size_t) { return false; });
 }
 
+// Writes a whole file. Lines: the writer of a format for several ranges of curves.
+template <class Lines, class CurveRange, class FT>
+bool write_lines(std::ostream& os, const CurveRange& curves, const FT& chord_tolerance)
+{
+  Geodesic_offset::internal::check_all_numbers_of_chords(curves, chord_tolerance); // before any output
+  Lines lines;
+  lines.begin(os);
+  lines.add(os, curves, chord_tolerance);
+  lines.end(os);
+  return os.good();
+}
+
 } // namespace Surface_mesh_geodesic_offset_internal
 } // namespace IO
 } // namespace CGAL
