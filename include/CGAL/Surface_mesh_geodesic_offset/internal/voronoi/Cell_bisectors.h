@@ -180,7 +180,7 @@ private:
                     members.end());
   }
 
-  // Joins clusters that do not fit alone, nearest first, if the windows of their arcs have the same distances at both points: there the
+  // Joins clusters that do not fit alone, nearest first, if the windows of their arcs have the same distances at both points and between them: there the
   // arcs meet at a small angle, and rounding moves their common end along them.
   void join_loose_ends()
   {
@@ -203,7 +203,7 @@ private:
     for (const Pair& p : pairs)
     {
       auto &members = m_clusters[p.first], &others = m_clusters[p.second];
-      if (members.empty() || others.empty() || fits(members) || fits(others) || !ties_at_both(members, others)) continue;
+      if (members.empty() || others.empty() || fits(members) || fits(others) || !tie_between(members, others)) continue;
       members.insert(members.end(), others.begin(), others.end());
       others.clear();
     }
@@ -211,9 +211,10 @@ private:
 
   Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
 
-  bool ties_at_both(const std::vector<std::size_t>& members, const std::vector<std::size_t>& others) const
+  bool tie_between(const std::vector<std::size_t>& members, const std::vector<std::size_t>& others) const
   {
-    for (const Point& p : {m_ends[members.front()].point, m_ends[others.front()].point})
+    const Point &first = m_ends[members.front()].point, &last = m_ends[others.front()].point;
+    for (const Point& p : {first, 0.5 * (first + last), last})
     {
       double least = std::numeric_limits<double>::infinity(), most = -least;
       for (const auto* const ends : {&members, &others})

@@ -110,7 +110,7 @@ public:
     const auto write = [&](Bisector_arc arc) {
       arc.face = m_field.face();
       arc.negligible = 2 * m_tolerances.smallest_cell;
-      arc.smallest_loop = 2 * m_tolerances.loose_joint;
+      arc.smallest_loop = m_tolerances.smallest_loop;
       for (const Voronoi_gate& g : m_cell.gates)
       {
         if (g.node == arc.start_node) arc.start_edge = g.side;

@@ -29,9 +29,12 @@ struct Voronoi_tolerances
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
   // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
   double joint;
-  // Arcs that meet at smaller angles may end up to 2^24 u, 3.7e-9 of the magnitude, apart, if all distances are equal up to eight ties
-  // at both ends: each of them is the common end up to rounding. Without this, cells around such ends are divided to the smallest.
+  // Arcs that meet at smaller angles may end farther apart, up to 2^-8 of the magnitude, if all distances are equal up to eight ties
+  // at both ends and between them: each of these points is the common end up to rounding. Without this, cells around such ends are
+  // divided to the smallest.
   double loose_joint, loose_tie;
+  // Closed curves up to this length are left out: 2^25 u, 7.5e-9, the square root of u. Arcs that touch at a point may enclose as much.
+  double smallest_loop;
   // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
   double smallest_cell;
 
@@ -44,8 +47,8 @@ struct Voronoi_tolerances
 
   explicit Voronoi_tolerances(double magnitude = 0)
     : tie(unit(6) * magnitude), slack(unit(7) * magnitude), least_tie(tie), shortest_interval(unit(8) * magnitude),
-      joint(unit(14) * magnitude), loose_joint(unit(24) * magnitude), loose_tie(unit(9) * magnitude),
-      smallest_cell(unit(15) * magnitude)
+      joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)), loose_tie(unit(9) * magnitude),
+      smallest_loop(unit(25) * magnitude), smallest_cell(unit(15) * magnitude)
   {
   }
 
