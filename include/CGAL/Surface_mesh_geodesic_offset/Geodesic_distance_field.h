@@ -318,7 +318,7 @@ public:
   /// computes the exact Voronoi diagram of the sources, from kept windows. The time is linear in the size of the mesh and the
   /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there; faces
   /// with more than 12 of them are divided. The distances agree on both sides of the curves up to rounding. Cells that are
-  /// smaller than about 1e-8 of the distances at them, or narrower than 1e-11, may be lost in rounding.
+  /// smaller than about 1e-7 of the distances at them, or narrower than 1e-11, may be lost in rounding.
   /// \throws std::logic_error if the build kept no windows, or had a tolerance, or `covered_distance()` is finite
   Voronoi_diagram voronoi_diagram() const
   {

@@ -33,7 +33,8 @@ struct Voronoi_tolerances
   // at both ends and between them: each of these points is the common end up to rounding. Without this, cells around such ends are
   // divided to the smallest.
   double loose_joint, loose_tie;
-  // Closed curves up to this length are left out: 2^25 u, 7.5e-9, the square root of u. Arcs that touch at a point may enclose as much.
+  // Closed curves up to this length are left out: 2^29 u, 1.2e-7, eight times the square root of u: arcs
+  // that touch at a point tie up to eight ties within this distance of it, and rounding may let them enclose a region.
   double smallest_loop;
   // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
   double smallest_cell;
@@ -48,7 +49,7 @@ struct Voronoi_tolerances
   explicit Voronoi_tolerances(double magnitude = 0)
     : tie(unit(6) * magnitude), slack(unit(7) * magnitude), least_tie(tie), shortest_interval(unit(8) * magnitude),
       joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)), loose_tie(unit(9) * magnitude),
-      smallest_loop(unit(25) * magnitude), smallest_cell(unit(15) * magnitude)
+      smallest_loop(unit(29) * magnitude), smallest_cell(unit(15) * magnitude)
   {
   }
 
