@@ -516,6 +516,43 @@ std::vector<Polyline_beside_edge> polylines_beside_edges()
      2.38735}};
 }
 
+// A strip over source edges, a corner of which is beyond the end of these edges. The level is that of the end of the opposite edge up
+// to rounding, but passes before the corner, which is farther.
+void corner_beyond_an_end()
+{
+  for (const double height : {1e-7, 1.5e-8, 2e-9})
+    for (const double lean : {0.1, 0.2, 0.5, 2.})
+      for (const double below : {1e-8, 1e-9, 0.})
+        for (const bool is_one_pass : {false, true})
+        {
+          Report::instance().set_context("a corner beyond an end, height " + std::to_string(1e9 * height) + "e-9, lean " +
+                                         std::to_string(lean));
+          Soup soup;
+          soup.points = {Point_3(0, 0, 0), Point_3(6, 0.4 * height, 0), Point_3(12, 0, 0), Point_3(12 + lean * height, height, 0),
+                         Point_3(0, height, 0)};
+          soup.add_triangle({{0, 1, 4}});
+          soup.add_triangle({{1, 3, 4}});
+          soup.add_triangle({{1, 2, 3}});
+          const Data data(soup);
+          Geodesic geodesic(data.mesh);
+          std::vector<Surface_mesh::Edge_index> source;
+          for (std::size_t i : {0, 1}) source.push_back(edge(halfedge(data.vertices[i], data.vertices[i + 1], data.mesh).first, data.mesh));
+          geodesic.add_source_edges(source);
+          geodesic.build(CGAL::parameters::keep_windows(true));
+          const double level = height * (1 - below), side = std::hypot(lean, 1.);
+          Offset_curves curves;
+          if (is_one_pass) geodesic.build_with_offset_curves(level, std::back_inserter(curves));
+          else curves = offsets(geodesic, level);
+          const Point_3 crossing(12 + lean / side * level, level / side, 0);
+          bool is_found = false;
+          for (const Offset_curve& c : curves)
+            for (const Point_3& p : {c.piece(0).point(0), c.piece(c.number_of_pieces() - 1).point(1)})
+              is_found = is_found || CGAL::squared_distance(p, crossing) < 1e-6 * height * height;
+          CHECK_DETAIL(is_found, std::to_string(curves.size()) + " curves");
+          CHECK(geodesic.statistics().forced_joints == 0);
+        }
+}
+
 void levels_at_start_values()
 {
   for (const Polyline_beside_edge& p : polylines_beside_edges())
@@ -649,6 +686,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_levels)
   corners_beside_edges();
   plateaus();
   cusps();
+  corner_beyond_an_end();
   levels_at_start_values();
   levels_that_are_no_distances();
   print_level_totals();

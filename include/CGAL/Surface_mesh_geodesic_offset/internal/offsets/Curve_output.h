@@ -35,14 +35,13 @@ public:
   typedef Geodesic_offset_curve<Surface> Curve;
   typedef Curve_context<Surface> Context;
 
-  // `levels` and `f` must outlive this object.
+  // `distance`: of the vertices. It, `levels` and `f` must outlive this object.
   Curve_output(const std::shared_ptr<const Surface>& surface, const std::vector<Source_primitive>& primitives,
-               const Offset_levels<FT>& levels, const Offset_selection& selection, std::map<Index, Source_side> inside,
-               Function& f)
+               const std::vector<FT>& distance, const Offset_levels<FT>& levels, const Offset_selection& selection,
+               std::map<Index, Source_side> inside, Function& f)
     : m_context(std::make_shared<Context>(Context{surface, primitives})), m_levels(levels),
-      m_select(selection, m_context->primitives, std::move(inside)), m_is_shallow(surface->unfolded),
-      m_edge(surface->unfolded.mean_edge_length()),
-      m_function(f)
+      m_select(selection, m_context->primitives, std::move(inside)), m_is_shallow(surface->unfolded, distance),
+      m_edge(surface->unfolded.mean_edge_length()), m_function(f)
   {
   }
 
@@ -56,8 +55,8 @@ public:
     cut.for_each_curve([&](bool closed, std::vector<Level_piece<FT>>&& pieces) {
       if (m_is_shallow(closed, pieces, m_levels[level])) return;
       m_select(shortest, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
-        curves.push_back(
-          Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed, std::forward<decltype(part)>(part)));
+        curves.push_back(Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed,
+                                             std::forward<decltype(part)>(part)));
       });
     });
     m_next = (std::max)(m_next, level + 1);

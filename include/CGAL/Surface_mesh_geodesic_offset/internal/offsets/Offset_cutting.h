@@ -68,7 +68,8 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                                 "distances");
   std::map<Index, Source_side> inside;
   if (selection.needs_inner_sides()) inside = inner_sides(mesh.unfolded(), mesh.traits, build.sources);
-  return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, levels, selection, std::move(inside), f);
+  return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, build.field.distance, levels, selection,
+                                         std::move(inside), f);
 }
 
 // Consumer of finalized faces that cuts the levels in them. Calls out(level index, Level_curves) for each finished level with

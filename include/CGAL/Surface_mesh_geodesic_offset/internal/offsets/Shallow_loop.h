@@ -28,10 +28,13 @@ public:
   typedef Level_piece<FT> Piece;
   typedef std::vector<Piece> Pieces;
 
-  explicit Shallow_loop(const Unfolded_mesh<FT>& mesh) : m_mesh(mesh), m_edge(mesh.mean_edge_length()) {}
+  // `distance`: of the vertices; infinite beyond the limit of the distances.
+  Shallow_loop(const Unfolded_mesh<FT>& mesh, const std::vector<FT>& distance)
+    : m_mesh(mesh), m_edge(mesh.mean_edge_length()), m_distance(distance)
+  {
+  }
 
-  // True if the curve is such a loop, or an open curve that cuts off such a vertex. The distance inside is at most the rise of
-  // each piece's function, so the result is certain.
+  // True if the curve is such a loop, or an open curve that cuts off such a vertex.
   bool operator()(bool closed, const Pieces& pieces, const FT& level) const
   {
     FT sum(0);
@@ -39,8 +42,7 @@ public:
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
     const std::vector<Index> faces = faces_of(pieces);
-    const Index v = closed ? faces.size() > 2 ? common_vertex(faces) : no_index
-                           : vertex_cut_off(pieces.front(), pieces.back());
+    const Index v = closed ? faces.size() > 2 ? common_vertex(faces) : no_index : vertex_cut_off(pieces.front(), pieces.back());
     if ((!closed || faces.size() > 2) && !is_common(v, faces)) return false; // more than one vertex inside
     // A curve this short is a point up to rounding, and the sign of its area is rounding. Around a source, its level or the
     // angle of the surface would be below rounding.
@@ -48,13 +50,44 @@ public:
     if (has_area && CGAL::is_positive(signed_area(pieces, faces, v))) return false; // around a source
     // The distance rises by at most half the length.
     const FT most = Offset_tolerances<FT>::shallow_rise(magnitude);
+    if (v != no_index && rise_at(v, pieces, level) > most) return false;
     return (closed && sum <= FT(2) * most) || rise(pieces, faces, v) <= most;
   }
 
 private:
   typedef Point_in_face<FT> Point;
 
-  // Upper bound of the rise of the distance inside: per face, that of the piece whose function rises least. The function is
+  // The rise of the distance at the vertex inside, an upper bound if its distance is unknown. The rays of a piece need not reach the
+  // vertex: behind the end of a source segment, the distance is larger than that from its line.
+  FT rise_at(Index v, const Pieces& pieces, const FT& level) const
+  {
+    if (Number_policy<FT>::is_finite(m_distance[v])) return m_distance[v] - level;
+    const FT slack = Offset_tolerances<FT>(level + m_edge).error;
+    FT result = Number_policy<FT>::infinity();
+    for (const Piece& p : pieces)
+    {
+      if (corner_of(p.face, v) > 2) continue;
+      const Point q = Face_frame<FT>(m_mesh, p.face).corner(corner_of(p.face, v));
+      const FT rise = p.is_straight ? FT(dot(p.center, q) - p.radius) : FT(length(q - p.center) - p.radius);
+      const FT by_end = (std::min)(length(q - p.start), length(q - p.end)); // the distance is 1-Lipschitz
+      result = (std::min)(result, is_beside(q, p, slack) ? (std::min)(rise, by_end) : by_end);
+    }
+    return result;
+  }
+
+  // True if the rays through a piece pass a point, up to a length.
+  static bool is_beside(const Point& q, const Piece& p, const FT& slack)
+  {
+    if (p.is_straight)
+    {
+      const Point along = quarter_turn(p.center);
+      return dot(along, q - p.start) >= -slack && dot(along, p.end - q) >= -slack;
+    }
+    const Point start = p.start - p.center, end = p.end - p.center;
+    return cross(start, q - p.center) >= -slack * length(start) && cross(q - p.center, end) >= -slack * length(end);
+  }
+
+  // Bound of the rise of the distance inside: per face, that of the piece whose function rises least. The function is
   // convex, so its maximum is at an end of a piece of the face, or at the vertex inside the loop.
   FT rise(const Pieces& pieces, const std::vector<Index>& faces, Index v) const
   {
@@ -141,6 +174,7 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   const FT m_edge;
+  const std::vector<FT>& m_distance;
 };
 
 } // namespace internal
