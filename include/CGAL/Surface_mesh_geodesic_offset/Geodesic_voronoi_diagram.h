@@ -183,6 +183,11 @@ Where sources tie in a whole region, it belongs to one of them, and there are no
 that have an end or a corner in common, to that with the smallest id; behind a vertex of the mesh where shortest paths to several
 sources bend, to the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it.
 
+The curves are right for points in general position, in tests and in searches. Where several polylines overlap or cross, and beside
+sources that lie within some 1e-7 of an edge from a vertex or from each other, or that tie with another source at their start value, rounding may
+leave curves that do not fit together: some of them are then wrong, mostly by less than 1e-5 of the size of the mesh, but in rare cases by
+a part of a face. `number_of_forced_cells()` tells of most of these cases.
+
 Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh.
 
 \tparam Surface_ an implementation detail; `Geodesic_distance_field::Voronoi_diagram` names the type
@@ -286,10 +291,17 @@ public:
   }
   /// @}
 
-#ifndef DOXYGEN_RUNNING
-  // For tests and benchmarks: divisions of cells that rounding did not let be connected at once, and cells connected straight.
-  std::size_t number_of_divisions() const { return m_diagram->divisions; }
+  /// \name Diagnosis
+  /// @{
+
+  /// the number of cells of faces in which rounding left curves that do not fit together. They are crossed straight, and may be
+  /// wrong there. 0 in general.
   std::size_t number_of_forced_cells() const { return m_diagram->forced_cells; }
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // For tests and benchmarks: divisions of cells that rounding did not let be connected at once
+  std::size_t number_of_divisions() const { return m_diagram->divisions; }
 #endif
 
 private:
