@@ -144,12 +144,8 @@ Solution solve(const Mesh_input& input, const Sources& sources, const Levels& le
   if(is_complete && field.number_of_unreached() != 0)
     progress.line("distances: " + counted(field.number_of_unreached(), "vertex", "vertices") + " not reached");
   if(!levels.empty())
-  {
-    std::size_t number = 0;
-    for(const Level_figures& level : offsets.levels)
-      number += level.number;
-    progress.line("offsets: " + counted(number, "curve") + " at " + counted(offsets.levels.size(), "distance"));
-  }
+    progress.line("offsets: " + counted(offsets.number_of_curves(), "curve") + " at " +
+                  counted(offsets.levels.size(), "distance"));
   for(const std::string& reason : missing_offsets(options, levels, offsets.levels, sources.smallest_start_value(),
                                                   figures.largest_distance))
     progress.warning(reason);

@@ -99,10 +99,14 @@ def test_vtk(bench):
     check(len(read_vtk(vtkPolyDataReader(), out)[0]) == 0, "no lines")
 
 
-def segment_on_ridge(bench):
+def write_ridge_offsets(bench, name):
+    """Offsets of a vertex and a segment on a ridge, as .vtk and in the format of the name; returns both paths."""
     with open(bench.path("segment.polylines.txt"), "w") as out:
         out.write(polyline_text([(3.1, 5.2, 0), (5.3, 7.4, 0)]))
-    return "--source-polyline", bench.path("segment.polylines.txt")
+    files = bench.path("out.vtk"), bench.path(name)
+    bench.run(bench.ridge(), "--source-vertex", 0, "--source-polyline", bench.path("segment.polylines.txt"), "--spacing", 0.7,
+              "--output", files[0], "--output", files[1])
+    return files
 
 
 def test_vtp(bench):
@@ -112,9 +116,7 @@ def test_vtp(bench):
         from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     except ImportError:
         skip("python3-vtk9")
-    files = bench.path("out.vtk"), bench.path("out.vtp")
-    bench.run(bench.ridge(), "--source-vertex", 0, *segment_on_ridge(bench), "--spacing", 0.7, "--output", files[0], "--output",
-              files[1])
+    files = write_ridge_offsets(bench, "out.vtp")
     expected, cells, points, _ = read_vtk(vtkPolyDataReader(), files[0])
     lines, xml_cells, xml_points, data = read_vtk(vtkXMLPolyDataReader(), files[1])
     check(cells == xml_cells and points == xml_points, "arrays %s, %s" % (xml_cells, xml_points))
@@ -135,9 +137,7 @@ def test_csv(bench):
         from vtkmodules.vtkIOLegacy import vtkPolyDataReader
     except ImportError:
         skip("python3-vtk9")
-    files = bench.path("out.vtk"), bench.path("out.csv")
-    bench.run(bench.ridge(), "--source-vertex", 0, *segment_on_ridge(bench), "--spacing", 0.7, "--output", files[0], "--output",
-              files[1])
+    files = write_ridge_offsets(bench, "out.csv")
     expected = read_vtk(vtkPolyDataReader(), files[0])[0]
     with open(files[1], newline="") as file:
         reader = csv.DictReader(file)

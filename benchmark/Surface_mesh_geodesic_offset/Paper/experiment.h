@@ -173,15 +173,18 @@ inline benchmark::Initial_distances<Mesh> distances_at(const Geodesic& geodesic,
 /// The curves on one panel of a picture.
 struct Drawing
 {
+  static constexpr double chord_tolerance = 1e-4; // of the size of the mesh: less than a pixel
+
   std::vector<Polyline> offsets, paths, sources;
   std::vector<Point> points; // sources, too
 
-  void add_offsets(const std::vector<Offset_curve>& curves, double chord_tolerance)
+  /// `size`: that of the mesh.
+  void add_offsets(const std::vector<Offset_curve>& curves, double size)
   {
     for (const Offset_curve& c : curves)
     {
       offsets.emplace_back();
-      c.points(chord_tolerance, std::back_inserter(offsets.back()));
+      c.points(chord_tolerance * size, std::back_inserter(offsets.back()));
     }
   }
 };

@@ -56,7 +56,7 @@ void run(Model model, const std::string& picture)
     families.push_back(family);
 
     Drawing drawing;
-    drawing.add_offsets(curves, 1e-4);
+    drawing.add_offsets(curves, 1);
     drawing.sources = points_on(model.mesh, sections);
     std::vector<Point> points;
     for (const Polyline& p : drawing.sources) points.insert(points.end(), p.begin(), p.end());

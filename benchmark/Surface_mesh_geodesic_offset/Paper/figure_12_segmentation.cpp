@@ -120,7 +120,7 @@ void run(const Model& model, const std::vector<Polyline>& features, const std::s
             << ", and the vertices on the offsets are off their level by at most " << text(error, 2) << " diagonals.\n";
 
   Drawing drawing;
-  drawing.add_offsets(offsets, 1e-4 * model.diagonal());
+  drawing.add_offsets(offsets, model.diagonal());
   drawing.sources = points_on(model.mesh, curves);
   std::vector<Point> visible;
   for (const Polyline& p : drawing.sources) visible.insert(visible.end(), p.begin(), p.end());

@@ -80,7 +80,7 @@ public:
     print("exact offsets", m_exact);
 
     m_drawings.emplace_back();
-    m_drawings.back().add_offsets(curves, 1e-4 * model.diagonal());
+    m_drawings.back().add_offsets(curves, model.diagonal());
     draw(prefix + ".png");
     expect(m_exact.largest_relative_error <= error_of_exact_offsets,
            "exact offsets are off their level by " + text(m_exact.largest_relative_error) + " of it");

@@ -124,7 +124,7 @@ public:
     print(model, "exact offsets", of_exact);
     print(model, "interpolated exact distances of vertices", of_interpolated);
 
-    drawing.add_offsets(curves, 1e-4 * model.diagonal());
+    drawing.add_offsets(curves, model.diagonal());
     drawing.sources = points_on(m_mesh, m_sections);
     std::vector<Point> visible;
     for (const Polyline& p : drawing.paths) visible.insert(visible.end(), p.begin(), p.end());

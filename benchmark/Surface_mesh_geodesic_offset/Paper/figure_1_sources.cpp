@@ -96,7 +96,7 @@ void run(const Model& model, const std::string& picture)
              text(static_cast<double>(windows) / mean_of_single, 2), text(difference, 2)});
 
   Drawing drawing;
-  drawing.add_offsets(offsets, 1e-4 * model.diagonal());
+  drawing.add_offsets(offsets, model.diagonal());
   drawing.sources = points_on(mesh, curves);
   for (Vertex p : points) drawing.points.push_back(mesh.point(p));
   std::vector<Point> visible = drawing.points;

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,12 @@ struct Offsets
   std::vector<Level_figures> levels; // distances with curves, in increasing order
   std::vector<Offset_curve>  curves; // in the same order; empty if no output needs all of them
   std::size_t                points = 0; // of polylines within the chord tolerance
+
+  std::size_t number_of_curves() const
+  {
+    return std::accumulate(levels.begin(), levels.end(), std::size_t(0),
+                           [](std::size_t sum, const Level_figures& level) { return sum + level.number; });
+  }
 };
 
 namespace internal {

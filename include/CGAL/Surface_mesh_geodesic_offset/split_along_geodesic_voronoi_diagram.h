@@ -8,15 +8,13 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Default_offset_splitting_visitor.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_voronoi_diagram.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Mesh_splitting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_lengths.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -90,14 +88,8 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
   const Vertex_point_map vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                             get_property_map(boost::vertex_point, tm));
 
-  const Bbox_3 box = Polygon_mesh_processing::bbox(tm, parameters::vertex_point_map(vpm));
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-  const typename Curve::FT default_tolerance(internal::default_chord_tolerance * diagonal);
-  const double tolerance = CGAL::to_double(
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));
-  internal::check_all_numbers_of_chords(diagram.curves(), tolerance);
-
-  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, diagonal, tolerance);
+  const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, diagram.curves(), np);
+  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
   for (std::size_t i = 0; i < diagram.number_of_curves(); ++i) splitting.add(diagram.curve(i), i);
   splitting.triangulate();
   splitting.find_uncrossed_faces([&](const auto f) { return diagram.source_at_face(f); });

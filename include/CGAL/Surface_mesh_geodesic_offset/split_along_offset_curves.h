@@ -8,11 +8,10 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Default_offset_splitting_visitor.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Mesh_splitting.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_lengths.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
@@ -20,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -127,14 +125,8 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
     return std::size_t(std::lower_bound(distances.begin(), distances.end(), d) - distances.begin());
   };
 
-  const Bbox_3 box = Polygon_mesh_processing::bbox(tm, parameters::vertex_point_map(vpm));
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-  const typename Curve::FT default_tolerance(internal::default_chord_tolerance * diagonal);
-  const double tolerance = CGAL::to_double(parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));
-  internal::check_all_numbers_of_chords(curves, tolerance);
-
-  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, diagonal, tolerance);
+  const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, curves, np);
+  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
   for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));
   splitting.triangulate();
   constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;

@@ -34,11 +34,11 @@ struct Level_piece
   bool is_straight;
   unsigned char start_edge, end_edge; // halfedge of the face with the end, 3 if the end lies inside
 
+  // Signed distance of a point from the circle or line: negative on the side of the source.
+  FT rise(const Point_in_face<FT>& p) const { return (is_straight ? dot(center, p) : length(p - center)) - radius; }
+
   // Distance of a point from the circle or line.
-  FT off(const Point_in_face<FT>& p) const
-  {
-    return CGAL::abs((is_straight ? dot(center, p) : length(p - center)) - radius);
-  }
+  FT off(const Point_in_face<FT>& p) const { return CGAL::abs(rise(p)); }
 
   // Advance from start to end; negative if rounding has moved the end behind the start.
   FT advance() const

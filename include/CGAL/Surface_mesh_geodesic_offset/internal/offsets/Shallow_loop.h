@@ -68,9 +68,8 @@ private:
     {
       if (corner_of(p.face, v) > 2) continue;
       const Point q = Face_frame<FT>(m_mesh, p.face).corner(corner_of(p.face, v));
-      const FT rise = p.is_straight ? FT(dot(p.center, q) - p.radius) : FT(length(q - p.center) - p.radius);
       const FT by_end = (std::min)(length(q - p.start), length(q - p.end)); // the distance is 1-Lipschitz
-      result = (std::min)(result, is_beside(q, p, slack) ? (std::min)(rise, by_end) : by_end);
+      result = (std::min)(result, is_beside(q, p, slack) ? (std::min)(p.rise(q), by_end) : by_end);
     }
     return result;
   }
@@ -109,7 +108,7 @@ private:
         if (p.face != f) continue;
         FT rise(0);
         for (const Point& q : corners)
-          rise = (std::max)(rise, FT((p.is_straight ? dot(p.center, q) : length(q - p.center)) - p.radius));
+          rise = (std::max)(rise, p.rise(q));
         least = (std::min)(least, rise);
       }
       result = (std::max)(result, least);

@@ -92,8 +92,7 @@ public:
   template <class Function>
   void find_sources(const Function& source_of)
   {
-    for (const face_descriptor f : faces(m_mesh))
-      if (get(m_number_at, f) == 0) m_sources.push_back({f, source_of(f, Weights{1. / 3, 1. / 3, 1. / 3})});
+    find_uncrossed_faces([&](face_descriptor f) { return source_of(f, Weights{1. / 3, 1. / 3, 1. / 3}); });
     for (Triangulated_face& f : m_triangulated)
       for (const auto& t : f.triangles)
       {
@@ -124,7 +123,7 @@ public:
       m_edges.push_back({halfedge_of(e), e.level});
       put(is_constrained, edge(m_edges.back().halfedge, m_mesh), true);
     }
-    for (const auto& s : m_sources) put_source(s.first, s.second);
+    for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
   // Writes the band of each face: the number of levels that its points are not nearer than. Faces in components of the surface
@@ -132,41 +131,22 @@ public:
   template <class FaceBandMap, class Function>
   void write_bands(FaceBandMap band_map, const Function& band_of)
   {
-    for (const face_descriptor f : faces(m_mesh)) put(m_number_at, f, 0); // 1 + band
-    typedef CGAL::dynamic_edge_property_t<bool> Edge_tag;
-    auto is_curve = get(Edge_tag(), m_mesh);
-    for (const auto e : edges(m_mesh)) put(is_curve, e, false);
-    std::deque<face_descriptor> pending;
-    const auto set = [&](halfedge_descriptor h, std::size_t band) {
-      const face_descriptor f = face(h, m_mesh);
-      if (f == Graph_traits::null_face() || get(m_number_at, f) != 0) return;
-      put(m_number_at, f, band + 1);
-      pending.push_back(f);
-    };
-    for (const Curve_edge& e : m_edges) put(is_curve, edge(e.halfedge, m_mesh), true);
+    Face_labels bands(m_mesh, m_edges);
     // Where curves are closer than the snap distance, an edge belongs to several: the nearest level bounds its left side.
     std::stable_sort(m_edges.begin(), m_edges.end(),
                      [](const Curve_edge& a, const Curve_edge& b) { return a.level < b.level; });
-    for (const Curve_edge& e : m_edges) set(e.halfedge, e.level);
-    for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e) set(opposite(e->halfedge, m_mesh), e->level + 1);
-    const auto spread = [&] {
-      while (!pending.empty())
-      {
-        const face_descriptor f = pending.front();
-        pending.pop_front();
-        for (const halfedge_descriptor h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-          if (!get(is_curve, edge(h, m_mesh))) set(opposite(h, m_mesh), get(m_number_at, f) - 1);
-      }
-    };
-    spread();
+    for (const Curve_edge& e : m_edges) bands.set(face(e.halfedge, m_mesh), e.level);
+    for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e)
+      bands.set(face(opposite(e->halfedge, m_mesh), m_mesh), e->level + 1);
+    bands.spread();
     for (const face_descriptor f : faces(m_mesh))
     {
-      if (get(m_number_at, f) == 0)
+      if (!bands.is_set(f))
       {
-        set(halfedge(f, m_mesh), band_of(f));
-        spread();
+        bands.set(f, band_of(f));
+        bands.spread();
       }
-      put(band_map, f, get(m_number_at, f) - 1);
+      put(band_map, f, bands.of(f));
     }
   }
 
@@ -196,7 +176,7 @@ public:
       }
       labels.spread();
     }
-    for (const face_descriptor f : faces(m_mesh)) put(source_map, f, labels.of(f, other));
+    for (const face_descriptor f : faces(m_mesh)) put(source_map, f, labels.is_set(f) ? labels.of(f) : other);
   }
 
 private:
@@ -244,7 +224,8 @@ private:
       }
     }
 
-    std::size_t of(face_descriptor f, std::size_t other) const { return get(m_is_set, f) ? get(m_label, f) : other; }
+    bool is_set(face_descriptor f) const { return get(m_is_set, f); }
+    std::size_t of(face_descriptor f) const { return get(m_label, f); }
 
   private:
     typedef CGAL::dynamic_face_property_t<bool> Set_tag;
@@ -384,10 +365,9 @@ private:
   std::vector<Face_pieces> m_faces;
   std::vector<Triangulated_face> m_triangulated;
   std::vector<Split_edge> m_split_edges;                            // of the triangulations
-  std::vector<std::pair<face_descriptor, std::size_t>> m_sources;   // of the faces that no curve crosses
-  std::vector<std::pair<face_descriptor, std::size_t>> m_uncrossed; // with their labels
+  std::vector<std::pair<face_descriptor, std::size_t>> m_uncrossed; // faces that no curve crosses, with their sources
   std::vector<Curve_edge> m_edges;
-  typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces; later 1 + band
+  typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces
 };
 
 } // namespace internal
