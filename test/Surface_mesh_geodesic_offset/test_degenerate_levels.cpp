@@ -608,6 +608,91 @@ void levels_at_start_values()
   }
 }
 
+// A mesh, and polylines as weights at the corners of its triangles.
+struct Narrow_offset
+{
+  std::string name;
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::vector<std::pair<std::size_t, std::array<double, 3>>>> polylines;
+  double longest_edge;
+};
+
+std::vector<Narrow_offset> narrow_offsets()
+{
+  return {
+    // The source begins 6e-10 beside a corner, and the rays between it and the corner's edge are a fan narrower than rounding.
+    {"a polyline from edge to edge, along a third one",
+     {Point_3(1, 1, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)},
+     {{{0, 1, 2}}},
+     {{{0, {{0.99999999933976946, 2.2807176901336884e-11, 6.3742336506920767e-10}}},
+       {0, {{0, 6.422803757549e-13, 0.99999999999935762}}},
+       {0, {{0, 0.83388864614077463, 0.16611135385922537}}}}},
+     1.42},
+    {"two polylines that go forth and back between nearly the same lines",
+     {Point_3(0.055941641330718994, 0.7104767560958862, 0), Point_3(0.40698325634002686, 0.17486536502838135, 0),
+      Point_3(0.47953885793685913, 0.9924541115760803, 0), Point_3(0.6374537348747253, 0.6326785087585449, 0),
+      Point_3(0.7197228670120239, 0.8325247764587402, 0), Point_3(0.9421911835670471, 0.02291698195040226, 0)},
+     {{{2, 0, 1}}, {{3, 2, 1}}, {{4, 2, 3}}, {{5, 3, 1}}, {{5, 4, 3}}},
+     {{{1, {{7.2103245663207259e-14, 3.0444953150864244e-13, 0.99999999999962352}}},
+       {0, {{0.37080562222589203, 2.9825076918644239e-13, 0.62919437777380971}}},
+       {0, {{0, 3.3264595992919206e-12, 0.99999999999667355}}},
+       {0, {{0.038051749179784267, 0, 0.96194825082021573}}},
+       {0, {{0.5, 0.5, 0}}},
+       {0, {{0.26629487223945314, 0.72562793176302187, 0.0080771959975250926}}}},
+      {{1, {{7.2103245663207259e-14, 2.8859970558378102e-13, 0.9999999999996394}}},
+       {0, {{0.37080562222589203, 2.9825076918644239e-13, 0.62919437777380971}}},
+       {0, {{0, 3.3254224721192595e-12, 0.99999999999667455}}},
+       {0, {{0.038051749179784267, 0, 0.96194825082021573}}},
+       {0, {{0.5, 0.49999999999999978, 2.0593788895828187e-16}}},
+       {0, {{0.26629487223945192, 0.72562793176302309, 0.0080771959975250926}}}}},
+     0.84}};
+}
+
+// Levels a few times the least offset above the distance zero: the two sides of the offset are nearer to each other than the largest
+// ties. All points of the curves are on the level nevertheless.
+void sides_near_each_other()
+{
+  for (const Narrow_offset& n : narrow_offsets())
+  {
+    Soup soup;
+    soup.points = n.points;
+    for (const auto& t : n.triangles) soup.add_triangle(t);
+    const Data data(soup);
+    const Locations<test::Surface_mesh> on_mesh(data.mesh);
+    Geodesic geodesic(data.mesh);
+    for (const auto& polyline : n.polylines)
+    {
+      std::vector<Face_location> locations;
+      for (const auto& l : polyline) locations.push_back(on_mesh.in_triangle(data, soup, l.first, l.second));
+      geodesic.add_source_polyline(locations, false);
+    }
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    for (double level = 0x1p-41 * n.longest_edge; level < 1e-11; level *= 1.01)
+      for (const bool is_one_pass : {false, true})
+      {
+        Report::instance().set_context(n.name + ", level " + std::to_string(1e15 * level) + "e-15");
+        Offset_curves curves;
+        if (is_one_pass)
+        {
+          Geodesic again(geodesic);
+          again.build_with_offset_curves(level, std::back_inserter(curves));
+          CHECK(again.statistics().forced_joints == 0);
+        }
+        else curves = offsets(geodesic, level);
+        CHECK(!curves.empty());
+        for (const Offset_curve& c : curves)
+          for (const Offset_piece& piece : c.pieces())
+            for (double t : {0.1, 0.5, 0.9})
+            {
+              const double d = geodesic.distance_to_sources(piece.location(t));
+              CHECK_DETAIL(std::abs(d - level) <= 0.25 * level,
+                           values(d, level) + ", length " + std::to_string(piece.length()));
+            }
+      }
+  }
+}
+
 template <class Function>
 void check_refused(const Function& f)
 {
@@ -688,6 +773,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_levels)
   cusps();
   corner_beyond_an_end();
   levels_at_start_values();
+  sides_near_each_other();
   levels_that_are_no_distances();
   print_level_totals();
   return Report::instance().finish("test_degenerate_levels");

@@ -103,6 +103,8 @@ public:
   FT outside_cone(const Point& p) const
   {
     FT out = (std::max)(left().value(p), right().value(p));
+    // A point behind the image of a narrow cone may be near the lines of both rays.
+    if (starts_at_point_of_face()) out = (std::max)(out, FT(-dot(m_cone->middle_direction(), p - image())));
     if (starts_in_strip()) out = (std::max)(out, FT(m_window->start_value - m_window->distance_at(p)));
     return out;
   }

@@ -93,6 +93,14 @@ public:
   // Selects tie tolerance i of Offset_tolerances.
   void use_tie(int i) { m_tolerances.use_tie(i); }
 
+  // The smallest difference between the level and the start value of a source whose window has an arc.
+  FT narrowest_offset() const
+  {
+    FT result = m_level;
+    for (const Arc& a : m_arcs) result = (std::min)(result, m_sources.offset(a.window().source_ref, m_level));
+    return result;
+  }
+
   // Calls f(window) for all windows of the face whose sources have an offset, including those of add_fans().
   template <class Function>
   void for_each_window(const Function& f) const

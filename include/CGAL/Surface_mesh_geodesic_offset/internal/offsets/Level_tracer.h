@@ -192,6 +192,7 @@ private:
     for (int i = 0; i < Offset_tolerances<FT>::number_of_ties; ++i)
     {
       m_arcs.use_tie(i);
+      if (i > 0 && m_arcs.tolerances().tie > Offset_tolerances<FT>::largest_tie(m_arcs.narrowest_offset())) break;
       if (m_walk(cell, search_loops)) return true;
       m_chains.resize(chains, pieces);
       if (CGAL::is_zero(m_arcs.tolerances().tie)) break; // exact numbers

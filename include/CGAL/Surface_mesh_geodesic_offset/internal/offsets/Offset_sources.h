@@ -67,6 +67,9 @@ public:
     return m_field.distance[v] < level && reach(m_field.source_ref[v], level);
   }
 
+  // The difference between a level and the start value of a source: its distance from the source without the start value.
+  FT offset(Source_ref source_ref, const FT& level) const { return level - m_field.start_values.of(source_ref); }
+
 private:
   const Geodesic_field<FT>& m_field;
   std::vector<FT> m_bound; // per primitive: levels up to this are no offsets

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All tolerances of the offset step. Each but border_strip() is a multiple of the unit in the last place u of the number type.
-// With exact numbers u is zero, and so are these tolerances.
+// All tolerances of the offset step. Each but border_strip() and largest_tie() is a multiple of the unit in the last place u of the
+// number type. With exact numbers u is zero, and so are these tolerances.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_TOLERANCES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_TOLERANCES_H
@@ -103,6 +103,11 @@ struct Offset_tolerances
   // Limit of the divisions of one face at one level. Unexpected gaps between windows then cost no more than a face with some
   // hundred pieces.
   static constexpr int most_divisions = 1 << 10;
+
+  // Ties larger than the first one are tried up to an eighth of the distance between the level and a source, as the first tie is
+  // an eighth of least_offset(). A larger tie would take the two sides of the offset for one curve. Binding test:
+  // test_degenerate_levels.
+  static FT largest_tie(const FT& offset) { return offset / FT(8); }
 
   static constexpr int number_of_ties = 3;
   void use_tie(int i) { tie = FT(double(2 << 3 * i)) * cover; }

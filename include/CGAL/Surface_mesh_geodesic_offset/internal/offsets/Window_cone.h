@@ -57,6 +57,8 @@ public:
   // Unit vectors along the bounding rays.
   const Point& left_direction() const { return m_left_direction; }
   const Point& right_direction() const { return m_right_direction; }
+  // Vector along the bisector of the rays, of length 1 between equal rays and 0 between opposite ones.
+  Point middle_direction() const { return FT(0.5) * (m_left_direction + m_right_direction); }
   // Bounding box of the part of the face in the cone, and a test whether distances there reach a level.
   const Box_in_face<FT>& box() const { return m_box; }
   bool reaches(const FT& level) const { return CGAL::possibly(Estimate(m_highest) >= estimate(level)); }
