@@ -12,11 +12,13 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_extraction.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -260,6 +262,29 @@ public:
     const auto label = m_diagram->label_of_face[m_context->surface->index_of(f)];
     return label == Geodesic_offset::internal::no_index ? Geodesic_offset::internal::no_source_label : std::size_t(label);
   }
+
+  /// the id of the source in whose cell a point lies: the nearest one; of those that tie, any. `Geodesic_distance_field::no_source()` if
+  /// no path reaches the point. The time is linear in the number of windows in the face.
+  std::size_t source_at(const Face_location& location) const
+  {
+    return sources_at(location.first,
+                      {CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
+                       CGAL::to_double(location.second[2])},
+                      0)
+      .front();
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // Sources of a point, given by its barycentric coordinates, that are not farther than the nearest one by more than `within`, the
+  // nearest first.
+  std::vector<std::size_t> sources_at(face_descriptor f, const std::array<double, 3>& weights, double within) const
+  {
+    const auto cells = m_diagram->cells.find(Geodesic_offset::internal::Index(m_context->surface->index_of(f)));
+    if (cells == m_diagram->cells.end()) return {source_at_face(f)};
+    const auto labels = cells->second.labels(weights, within);
+    return std::vector<std::size_t>(labels.begin(), labels.end());
+  }
+#endif
   /// @}
 
   /// \name Vertices

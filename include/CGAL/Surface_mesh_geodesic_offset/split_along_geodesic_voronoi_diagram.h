@@ -15,8 +15,11 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
+#include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -92,20 +95,30 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
   for (std::size_t i = 0; i < diagram.number_of_curves(); ++i) splitting.add(diagram.curve(i), i);
   splitting.triangulate();
-  splitting.find_uncrossed_faces([&](const auto f) { return diagram.source_at_face(f); });
+  constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;
+  std::map<std::vector<std::size_t>, std::size_t> number_of; // of lists of sources
+  if constexpr (has_sources)
+    splitting.find_sources([&](const auto f, const std::array<double, 3>& w) {
+      return number_of.emplace(diagram.sources_at(f, w, 2 * lengths.chord_tolerance), number_of.size()).first->second;
+    });
+  const auto numbers = get(CGAL::dynamic_face_property_t<std::size_t>(), tm);
   auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
                                               Default_offset_splitting_visitor<TriangleMesh>());
   splitting.split(parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>()),
-                  visitor, [](auto, std::size_t) {});
-  if constexpr (internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>)
+                  visitor, [&](const auto f, std::size_t number) { put(numbers, f, number); });
+  if constexpr (has_sources)
+  {
+    std::vector<const std::vector<std::size_t>*> sources(number_of.size());
+    for (const auto& entry : number_of) sources[entry.second] = &entry.first;
     splitting.write_cells(
       parameters::get_parameter(np, internal_np::geodesic_face_source),
+      [&](const auto f) -> const std::vector<std::size_t>& { return *sources[get(numbers, f)]; },
       [&](std::size_t i) {
       const Curve c = diagram.curve(i);
       return std::make_pair(c.source_on_left(), c.source_on_right());
-      },
-      internal::no_source_label);
+      });
+  }
 }
 
 } // namespace CGAL

@@ -59,10 +59,15 @@ public:
     m_face = f;
     m_flat = m_points.flat(f);
     m_boundary = m_points.boundary(f);
-    // Chords cross only if arcs are closer than the tolerance, or curves closer than the snap distance. These cross for ever.
-    const bool has_arcs = std::any_of(pieces.begin(), pieces.end(), [](const Piece_in_face& p) { return p.arc != nullptr; });
-    const std::size_t most = has_arcs ? most_divisions : 1;
-    for (std::size_t division = 1; !triangulate(pieces, division) && division < most; division *= 2) {}
+    // Chords cross only if arcs are closer than the tolerance, or curves closer than the snap distance, or than rounding as far as two
+    // sources tie. The latter cross however far they are divided, and become edges that end where they cross.
+    std::size_t chords = 0; // of arcs
+    for (const Piece_in_face& p : pieces)
+      if (p.arc) chords += std::size_t(p.arc->number_of_chords(typename Piece::FT(m_tolerance)));
+    bool fits = triangulate(pieces, 1, false);
+    for (std::size_t division = 2; !fits && is_worth_a_try(division, chords); division *= 2)
+      fits = triangulate(pieces, division, false);
+    if (!fits) triangulate(pieces, 1, true);
     m_triangles.clear();
     m_edges.clear();
     name_crossings();
@@ -100,10 +105,17 @@ private:
 
   // Arcs are divided at most 2^10 times further: then chords of arcs at the tolerance are within 2^-20 of it.
   static constexpr std::size_t most_divisions = 1 << 10;
+  // But beyond eight times only up to this number of chords in a face, which bounds the time for curves that tie.
+  static constexpr std::size_t few_divisions = 1 << 3, most_chords = 1 << 14;
+
+  static bool is_worth_a_try(std::size_t division, std::size_t chords)
+  {
+    return chords != 0 && division <= most_divisions && (division <= few_divisions || division * chords <= most_chords);
+  }
 
   // Builds the triangulation, with arcs divided `division` times further than the tolerance asks. Returns false if constraints
-  // cross.
-  bool triangulate(const std::vector<Piece_in_face>& pieces, std::size_t division)
+  // cross; then there is no triangulation, unless they may cross.
+  bool triangulate(const std::vector<Piece_in_face>& pieces, std::size_t division, bool may_cross)
   {
     m_cdt.clear();
     m_vertex_of.clear();
@@ -131,7 +143,11 @@ private:
       constrain(last, vertex(p.to), p.level);
     }
     const std::size_t expected = m_cdt.number_of_vertices();
-    for (const Constraint& c : m_constraints) m_cdt.insert_constraint(c.from, c.to);
+    for (const Constraint& c : m_constraints)
+    {
+      m_cdt.insert_constraint(c.from, c.to);
+      if (m_cdt.number_of_vertices() != expected && !may_cross) return false;
+    }
     return m_cdt.number_of_vertices() == expected;
   }
 

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -88,11 +89,12 @@ public:
   }
 
   // Finds the sources of the faces of the result, before the mesh changes. `source_of(face, weights)` is the nearest source of a
-  // point.
+  // point, or another number that stands for it.
   template <class Function>
   void find_sources(const Function& source_of)
   {
-    find_uncrossed_faces([&](face_descriptor f) { return source_of(f, Weights{1. / 3, 1. / 3, 1. / 3}); });
+    for (const face_descriptor f : faces(m_mesh))
+      if (get(m_number_at, f) == 0) m_uncrossed.push_back({f, source_of(f, Weights{1. / 3, 1. / 3, 1. / 3})});
     for (Triangulated_face& f : m_triangulated)
       for (const auto& t : f.triangles)
       {
@@ -101,14 +103,6 @@ public:
           for (std::size_t k = 0; k < 3; ++k) center[k] += m_points.weights(f.face, id)[k] / 3;
         f.sources.push_back(source_of(f.face, center));
       }
-  }
-
-  // Finds the labels of the faces that no curve crosses, before the mesh changes.
-  template <class Function>
-  void find_uncrossed_faces(const Function& label_of)
-  {
-    for (const face_descriptor f : faces(m_mesh))
-      if (get(m_number_at, f) == 0) m_uncrossed.push_back({f, label_of(f)});
   }
 
   // Changes the mesh. Sets the map to true for the new edges of curves. Calls `put_source(face, source)` for the results of
@@ -150,33 +144,27 @@ public:
     }
   }
 
-  // Writes the label of each face: those of find_uncrossed_faces(), and `labels_of(level)`, on the left and on the right, at the
-  // curves. `other`: for faces of which neither tells the label.
-  template <class FaceSourceMap, class Function>
-  void write_cells(FaceSourceMap source_map, const Function& labels_of, std::size_t other)
+  // Writes the label of each face: one of `labels_at(face)`, the nearest first. Where there are several, as at the centers of thin
+  // triangles beside a curve, that of a neighbour on the same side of the curves, or of `labels_of(level)`, on the left and on the
+  // right of a curve.
+  template <class FaceSourceMap, class Function, class Labels_of>
+  void write_cells(FaceSourceMap source_map, const Function& labels_at, const Labels_of& labels_of)
   {
-    Face_labels labels(m_mesh, m_edges);
-    for (const auto& f : m_uncrossed) labels.set(f.first, f.second);
-    labels.spread();
-    // Where curves are closer than the snap distance, an edge belongs to several, and its sides are not certain.
-    std::stable_sort(m_edges.begin(), m_edges.end(), [this](const Curve_edge& a, const Curve_edge& b) {
-      return edge(a.halfedge, m_mesh) < edge(b.halfedge, m_mesh);
+    Face_labels labels(m_mesh, m_edges, [&](face_descriptor f, std::size_t label) {
+      const std::vector<std::size_t>& allowed = labels_at(f);
+      return std::find(allowed.begin(), allowed.end(), label) != allowed.end();
     });
-    for (const bool is_certain : {true, false})
+    for (const face_descriptor f : faces(m_mesh))
+      if (labels_at(f).size() == 1) labels.set(f, labels_at(f).front());
+    labels.spread();
+    for (const Curve_edge& e : m_edges)
     {
-      for (std::size_t i = 0; i < m_edges.size(); ++i)
-      {
-        const auto is_same_edge = [&](std::size_t j) {
-          return j < m_edges.size() && edge(m_edges[i].halfedge, m_mesh) == edge(m_edges[j].halfedge, m_mesh);
-        };
-        if (is_certain && ((i > 0 && is_same_edge(i - 1)) || is_same_edge(i + 1))) continue;
-        const std::pair<std::size_t, std::size_t> sides = labels_of(m_edges[i].level);
-        labels.set(face(m_edges[i].halfedge, m_mesh), sides.first);
-        labels.set(face(opposite(m_edges[i].halfedge, m_mesh), m_mesh), sides.second);
-      }
-      labels.spread();
+      const std::pair<std::size_t, std::size_t> sides = labels_of(e.level);
+      labels.set(face(e.halfedge, m_mesh), sides.first);
+      labels.set(face(opposite(e.halfedge, m_mesh), m_mesh), sides.second);
     }
-    for (const face_descriptor f : faces(m_mesh)) put(source_map, f, labels.is_set(f) ? labels.of(f) : other);
+    labels.spread();
+    for (const face_descriptor f : faces(m_mesh)) put(source_map, f, labels.is_set(f) ? labels.of(f) : labels_at(f).front());
   }
 
 private:
@@ -196,8 +184,11 @@ private:
   class Face_labels
   {
   public:
-    Face_labels(const TriangleMesh& mesh, const std::vector<Curve_edge>& curves)
-      : m_mesh(mesh), m_label(get(Face_tag(), mesh)), m_is_set(get(Set_tag(), mesh)), m_is_curve(get(Edge_tag(), mesh))
+    typedef std::function<bool(face_descriptor, std::size_t)> Is_allowed;
+
+    Face_labels(const TriangleMesh& mesh, const std::vector<Curve_edge>& curves, Is_allowed is_allowed = {})
+      : m_mesh(mesh), m_is_allowed(std::move(is_allowed)), m_label(get(Face_tag(), mesh)), m_is_set(get(Set_tag(), mesh)),
+        m_is_curve(get(Edge_tag(), mesh))
     {
       for (const face_descriptor f : faces(mesh)) put(m_is_set, f, false);
       for (const auto e : edges(mesh)) put(m_is_curve, e, false);
@@ -207,7 +198,7 @@ private:
     // The first label counts.
     void set(face_descriptor f, std::size_t label)
     {
-      if (f == Graph_traits::null_face() || get(m_is_set, f)) return;
+      if (f == Graph_traits::null_face() || get(m_is_set, f) || (m_is_allowed && !m_is_allowed(f, label))) return;
       put(m_is_set, f, true);
       put(m_label, f, label);
       m_pending.push_back(f);
@@ -232,6 +223,7 @@ private:
     typedef CGAL::dynamic_edge_property_t<bool> Edge_tag;
 
     const TriangleMesh& m_mesh;
+    const Is_allowed m_is_allowed;
     typename boost::property_map<TriangleMesh, Face_tag>::const_type m_label;
     typename boost::property_map<TriangleMesh, Set_tag>::const_type m_is_set;
     typename boost::property_map<TriangleMesh, Edge_tag>::const_type m_is_curve;

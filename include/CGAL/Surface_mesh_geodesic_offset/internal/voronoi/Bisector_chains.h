@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_cells.h>
 
 #include <CGAL/assertions.h>
 
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -44,7 +46,8 @@ struct Bisector_diagram
 {
   std::vector<Bisector_chain> chains;
   std::vector<Bisector_vertex> vertices;
-  std::vector<Index> label_of_face; // of the center: of all points, if no bisector crosses the face
+  std::vector<Index> label_of_face;            // of the center: of all points, if no bisector crosses the face
+  std::unordered_map<Index, Face_cells> cells; // of the faces that bisectors may cross
   std::size_t divisions = 0, forced_cells = 0;
 };
 

@@ -136,10 +136,10 @@ private:
     for (std::size_t i = 0; i < cell.gates.size(); ++i)
       m_ends.push_back({cell.gates[i].point, i, true, false, cell.gates[i].to, cell.gates[i].from});
     find_clusters();
-    join_loose_ends();
+    join_loose_ends(cell);
     m_links.clear();
     for (auto& members : m_clusters)
-      if (!fits(members) && !(link_neighbours(cell, members) && fits(members))) return false;
+      if (!fits(cell, members) && !(link_neighbours(cell, members) && fits(cell, members))) return false;
     for (const auto& members : m_clusters) set_nodes(cell, members, new_node);
     for (const Bisector_arc& arc : m_arcs)
       if (arc.start_node != no_index) out(arc);
@@ -182,7 +182,7 @@ private:
 
   // Joins clusters that do not fit alone, nearest first, if the windows of their arcs have the same distances at both points and between them: there the
   // arcs meet at a small angle, and rounding moves their common end along them.
-  void join_loose_ends()
+  void join_loose_ends(const Voronoi_cell& cell)
   {
     struct Pair
     {
@@ -191,7 +191,7 @@ private:
     };
     std::vector<std::size_t> loose;
     for (std::size_t c = 0; c < m_clusters.size(); ++c)
-      if (!fits(m_clusters[c])) loose.push_back(c);
+      if (!fits(cell, m_clusters[c])) loose.push_back(c);
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < loose.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -203,7 +203,8 @@ private:
     for (const Pair& p : pairs)
     {
       auto &members = m_clusters[p.first], &others = m_clusters[p.second];
-      if (members.empty() || others.empty() || fits(members) || fits(others) || !tie_between(members, others)) continue;
+      if (members.empty() || others.empty() || fits(cell, members) || fits(cell, others) || !tie_between(members, others))
+        continue;
       members.insert(members.end(), others.begin(), others.end());
       others.clear();
     }
@@ -296,8 +297,9 @@ private:
     }
   }
 
-  // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends.
-  bool fits(const std::vector<std::size_t>& members) const
+  // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors between
+  // the ends, in the order of their directions, have one source each, as where two polylines cross.
+  bool fits(const Voronoi_cell& cell, const std::vector<std::size_t>& members) const
   {
     if (members.empty()) return true;
     if (members.size() == 1) return false;
@@ -309,7 +311,27 @@ private:
     }
     std::sort(left.begin(), left.end());
     std::sort(right.begin(), right.end());
-    return left == right && std::adjacent_find(left.begin(), left.end()) == left.end();
+    if (left != right) return false;
+    if (std::adjacent_find(left.begin(), left.end()) == left.end()) return true;
+    std::vector<std::pair<double, std::size_t>> around; // gates of a side have one direction, and come in order
+    for (const std::size_t e : members)
+    {
+      const Point u = direction_of(cell, m_ends[e]);
+      around.emplace_back(std::atan2(u.y, u.x), e);
+    }
+    std::sort(around.begin(), around.end());
+    for (std::size_t i = 0; i < around.size(); ++i)
+      if (m_ends[around[i].second].left != m_ends[around[(i + 1) % around.size()].second].right) return false;
+    return true;
+  }
+
+  // Direction from an end along its arc, or through the gate out of the cell.
+  Point direction_of(const Voronoi_cell& cell, const Arc_end& end) const
+  {
+    if (end.is_gate) return cell.outside(cell.gates[end.arc].side).n;
+    const Bisector_arc& a = m_arcs[end.arc];
+    const double forward = end.is_end ? -1 : 1;
+    return forward * (a.is_link ? a.end - a.start : a.conic.tangent(end.is_end ? a.to : a.from));
   }
 
   // Links neighbouring gates of a cluster between the same two sources, and removes them from it. Returns false if there are none.

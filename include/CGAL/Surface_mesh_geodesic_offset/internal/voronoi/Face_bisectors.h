@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Face_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_bisectors.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_cells.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Label_changes.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Source_labels.h>
 
@@ -58,10 +59,10 @@ public:
     for (const auto& w : m_field.windows())
     {
       if (w.is_empty()) continue;
-      const Voronoi_window v(w, m_labels.of_window(w));
+      Voronoi_window v(w, m_labels.of_window(w));
       if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) continue;
       if (!m_windows.empty() && w.origin < STARTS_IN_FACE && m_windows.back().rays.origin == w.origin)
-        m_windows.back().close_gap(v);
+        m_windows.back().close_gap(v, m_tolerances.tie);
       m_all.push_back(unsigned(m_windows.size()));
       m_windows.push_back(v);
     }
@@ -86,6 +87,14 @@ public:
       label = m_windows[i].label;
     }
     return label;
+  }
+
+  // The nearest sources of points of the face.
+  Face_cells cells() const
+  {
+    std::vector<Voronoi_window> windows;
+    for (const unsigned i : m_all) windows.push_back(m_windows[i]);
+    return Face_cells(m_cell.corner, m_tolerances.least_tie, std::move(windows));
   }
 
   // Calls out(change) for the changes of the label along halfedge k.

@@ -41,6 +41,7 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
     if (mesh.source(3 * f) == no_index) continue;
     const bool is_crossed = bisectors.set_face(f);
     diagram.label_of_face[f] = bisectors.label();
+    if (is_crossed) diagram.cells.emplace(f, bisectors.cells());
     bool has_gates = false;
     for (int k = 0; k < 3; ++k)
     {

@@ -53,9 +53,9 @@ struct Voronoi_tolerances
   {
   }
 
-  // Angle of the widest gap between neighbouring cones that is closed: 2^-24. A path along a ray that is off by this angle is too short
-  // by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge (see least_clear_distance), so windows shorter than 2^-26 edges may
-  // leave such gaps.
+  // Angle of the widest gap between neighbouring cones that is closed, besides what a tie at the image explains: 2^-24. A path along a
+  // ray that is off by this angle is too short by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge (see
+  // least_clear_distance), so windows shorter than 2^-26 edges may leave such gaps.
   static constexpr double widest_gap = 1. / (1 << 24);
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;

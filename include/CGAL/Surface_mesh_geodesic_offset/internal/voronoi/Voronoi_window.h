@@ -82,15 +82,25 @@ struct Voronoi_window
     return is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius);
   }
 
-  // Extends the cone of a window to that of the next one of its list, if rounding has left a gap between them. A gap between cones
-  // that do not meet otherwise, as behind a saddle vertex, remains.
-  void close_gap(const Voronoi_window& next)
+  // Extends the cone of a window to that of the next one of its list, or that one to it, if rounding has left a gap between them. A gap
+  // between cones that do not meet otherwise, as behind a saddle vertex, remains. `tie`: bounds the rounding of points.
+  void close_gap(Voronoi_window& next, double tie)
   {
     const Point u = rays.ray_direction(rays.right), v = next.rays.ray_direction(next.rays.left);
     const double turn = cross(u, v) / (length(u) * length(v));
-    if (turn < 0 && turn >= -Voronoi_tolerances::widest_gap && dot(u, v) > 0) bound[1] = {-1. * next.bound[0].n, 0};
-    else return;
-    bound[1].m = dot(bound[1].n, next.rays.left);
+    // the directions of the rays of an image depend on it the more, the nearer it is to the ends of windows
+    const double rounding = (is_parallel() ? 0 : tie / length(u)) + (next.is_parallel() ? 0 : tie / length(v));
+    if (!(turn < 0 && turn >= -(Voronoi_tolerances::widest_gap + rounding) && dot(u, v) > 0)) return;
+    if (is_parallel() && !next.is_parallel())
+    { // the direction of parallel rays does not depend on an image
+      next.bound[0] = {-1. * bound[1].n, 0};
+      next.bound[0].m = dot(next.bound[0].n, rays.right);
+    }
+    else
+    {
+      bound[1] = {-1. * next.bound[0].n, 0};
+      bound[1].m = dot(bound[1].n, next.rays.left);
+    }
   }
 
   // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
