@@ -59,13 +59,12 @@ public:
     for (const auto& w : m_field.windows())
     {
       if (w.is_empty()) continue;
-      Voronoi_window v(w, m_labels.of_window(w));
+      const Voronoi_window v(w, m_labels.of_window(w));
       if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) continue;
-      if (!m_windows.empty() && w.origin < STARTS_IN_FACE && m_windows.back().rays.origin == w.origin)
-        m_windows.back().close_gap(v, m_tolerances.tie);
       m_all.push_back(unsigned(m_windows.size()));
       m_windows.push_back(v);
     }
+    close_gaps();
     double magnitude = 0; // of the windows that may be nearest
     prune(m_cell, m_all);
     for (const unsigned i : m_all) magnitude = (std::max)(magnitude, m_windows[i].largest_at_chord());
@@ -184,6 +183,23 @@ private:
   };
 
   static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
+
+  // Closes the gaps between the cones of windows whose bounding rays start at one point.
+  void close_gaps()
+  {
+    typedef std::pair<double, unsigned> Place; // x coordinate, window
+    std::vector<Place> left;
+    for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
+    std::sort(left.begin(), left.end());
+    for (unsigned i = 0; i < m_windows.size(); ++i)
+    {
+      const Point p = m_windows[i].start_of_bound(1);
+      for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.tie, 0));
+           next != left.end() && next->first <= p.x + m_tolerances.tie; ++next)
+        if (next->second != i && length(m_windows[next->second].start_of_bound(0) - p) <= m_tolerances.tie)
+          m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie);
+    }
+  }
 
   // Removes the windows that are nowhere nearest in a cell, or do not reach it. Distances are 1-Lipschitz.
   void prune(const Voronoi_cell& cell, std::vector<unsigned>& windows) const

@@ -82,24 +82,27 @@ struct Voronoi_window
     return is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius);
   }
 
-  // Extends the cone of a window to that of the next one of its list, or that one to it, if rounding has left a gap between them. A gap
-  // between cones that do not meet otherwise, as behind a saddle vertex, remains. `tie`: bounds the rounding of points.
+  // Where the left (0) or the right (1) bounding ray starts in the face.
+  Point start_of_bound(int k) const { return starts_at_image() ? image() : k == 0 ? rays.left : rays.right; }
+
+  // Extends the cone of a window to that of another one to the right of it, or that one to it, if their bounding rays start at one point,
+  // and rounding has left a gap between them. A gap between cones that do not meet otherwise, as behind a saddle vertex, remains.
+  // `tie`: bounds the rounding of points.
   void close_gap(Voronoi_window& next, double tie)
   {
     const Point u = rays.ray_direction(rays.right), v = next.rays.ray_direction(next.rays.left);
     const double turn = cross(u, v) / (length(u) * length(v));
-    // the directions of the rays of an image depend on it the more, the nearer it is to the ends of windows
-    const double rounding = (is_parallel() ? 0 : tie / length(u)) + (next.is_parallel() ? 0 : tie / length(v));
-    if (!(turn < 0 && turn >= -(Voronoi_tolerances::widest_gap + rounding) && dot(u, v) > 0)) return;
-    if (is_parallel() && !next.is_parallel())
-    { // the direction of parallel rays does not depend on an image
+    const double rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
+    if (!(turn < 0 && turn >= -(Voronoi_tolerances::widest_gap + rounding + rounding_of_next) && dot(u, v) > 0)) return;
+    if (rounding < rounding_of_next)
+    {
       next.bound[0] = {-1. * bound[1].n, 0};
-      next.bound[0].m = dot(next.bound[0].n, rays.right);
+      next.bound[0].m = dot(next.bound[0].n, start_of_bound(1));
     }
     else
     {
       bound[1] = {-1. * next.bound[0].n, 0};
-      bound[1].m = dot(bound[1].n, next.rays.left);
+      bound[1].m = dot(bound[1].n, next.start_of_bound(0));
     }
   }
 
@@ -114,6 +117,12 @@ struct Voronoi_window
 
 private:
   bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
+
+  // Angle by which rounding turns a bounding ray: the larger, the nearer the image is to the end of the chord.
+  double rounding_of_bound(int k, double tie) const
+  {
+    return is_parallel() ? 0 : tie / length((k == 0 ? rays.left : rays.right) - image());
+  }
 
   double least_at_chord() const
   {
