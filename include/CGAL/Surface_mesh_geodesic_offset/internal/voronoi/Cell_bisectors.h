@@ -265,7 +265,9 @@ private:
     {
       const Voronoi_gate &g = cell.gates[i], &h = cell.gates[(i + 1) % n];
       if (g.to != h.from || length(g.point - h.point) <= m_tolerances.joint) continue;
-      if (std::any_of(candidates.begin(), candidates.end(), [&](unsigned c) { return m_windows[c].label == g.to; })) continue;
+      const bool has_windows =
+        std::any_of(candidates.begin(), candidates.end(), [&](unsigned c) { return m_windows[c].label == g.to; });
+      if (has_windows || (candidates.empty() && g.to == cell.label[0])) continue; // without windows, the cell has one label
       for (int k = 0; k < 3; ++k)
       {
         const Half_plane<double> side = cell.outside(k);

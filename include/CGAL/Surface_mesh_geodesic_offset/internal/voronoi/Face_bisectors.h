@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Source_labels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -72,21 +73,8 @@ public:
     return !has_one_label_at(m_cell, m_all);
   }
 
-  // Label at the center of the face.
-  Index label() const
-  {
-    const Point center = m_cell.center();
-    Index label = m_cell.label[0];
-    double least = std::numeric_limits<double>::infinity();
-    for (const unsigned i : m_all)
-    {
-      const double d = m_windows[i].rays.path_length(center);
-      if (!(d < least)) continue;
-      least = d;
-      label = m_windows[i].label;
-    }
-    return label;
-  }
+  // Label of the first corner: of the whole face, if there are no arcs in it.
+  Index label() const { return m_cell.label[0]; }
 
   // The nearest sources of points of the face.
   Face_cells cells() const
@@ -184,10 +172,12 @@ private:
 
   static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
 
-  // Closes the gaps between the cones of windows whose bounding rays start at one point.
+  // Closes the gaps between the cones of windows with a common bounding ray. A bounding ray without a neighbour may lie on an edge of the
+  // face, so the cone is extended there.
   void close_gaps()
   {
     typedef std::pair<double, unsigned> Place; // x coordinate, window
+    std::vector<std::array<bool, 2>> has_neighbor(m_windows.size(), {false, false});
     std::vector<Place> left;
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
     std::sort(left.begin(), left.end());
@@ -196,9 +186,13 @@ private:
       const Point p = m_windows[i].start_of_bound(1);
       for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.tie, 0));
            next != left.end() && next->first <= p.x + m_tolerances.tie; ++next)
-        if (next->second != i && length(m_windows[next->second].start_of_bound(0) - p) <= m_tolerances.tie)
-          m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie);
+        if (next->second != i && length(m_windows[next->second].start_of_bound(0) - p) <= m_tolerances.tie &&
+            m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie))
+          has_neighbor[i][1] = has_neighbor[next->second][0] = true;
     }
+    for (std::size_t i = 0; i < m_windows.size(); ++i)
+      for (int k = 0; k < 2; ++k)
+        if (!has_neighbor[i][std::size_t(k)]) m_windows[i].widen(k, m_tolerances.tie);
   }
 
   // Removes the windows that are nowhere nearest in a cell, or do not reach it. Distances are 1-Lipschitz.

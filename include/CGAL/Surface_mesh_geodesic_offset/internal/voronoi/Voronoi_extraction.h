@@ -41,7 +41,6 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
     if (mesh.source(3 * f) == no_index) continue;
     const bool is_crossed = bisectors.set_face(f);
     diagram.label_of_face[f] = bisectors.label();
-    if (is_crossed) diagram.cells.emplace(f, bisectors.cells());
     bool has_gates = false;
     for (int k = 0; k < 3; ++k)
     {
@@ -69,7 +68,12 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
         for (auto e = of_edge.rbegin(); e != of_edge.rend(); ++e) bisectors.add_gate(k, length - e->t, e->to, e->from, e->node);
       }
     }
+    const std::size_t known = arcs.size();
     bisectors.find_arcs(new_node, [&](const Bisector_arc& a) { arcs.push_back(a); });
+    if (!is_crossed || arcs.size() == known) continue;
+    Face_cells cells = bisectors.cells();
+    diagram.label_of_face[f] = cells.labels({1. / 3, 1. / 3, 1. / 3}, 0).front();
+    diagram.cells.emplace(f, std::move(cells));
   }
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();

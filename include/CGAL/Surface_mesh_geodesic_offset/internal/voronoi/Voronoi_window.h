@@ -85,15 +85,16 @@ struct Voronoi_window
   // Where the left (0) or the right (1) bounding ray starts in the face.
   Point start_of_bound(int k) const { return starts_at_image() ? image() : k == 0 ? rays.left : rays.right; }
 
-  // Extends the cone of a window to that of another one to the right of it, or that one to it, if their bounding rays start at one point,
-  // and rounding has left a gap between them. A gap between cones that do not meet otherwise, as behind a saddle vertex, remains.
-  // `tie`: bounds the rounding of points.
-  void close_gap(Voronoi_window& next, double tie)
+  // For a window whose right bounding ray starts where the left one of another window does: true if these are the same ray up to
+  // rounding. Then, if there is a gap between the cones, one of them is extended to the other. A gap between cones that do not meet
+  // otherwise, as behind a saddle vertex, remains. `tie`: bounds the rounding of points.
+  bool close_gap(Voronoi_window& next, double tie)
   {
     const Point u = rays.ray_direction(rays.right), v = next.rays.ray_direction(next.rays.left);
     const double turn = cross(u, v) / (length(u) * length(v));
     const double rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
-    if (!(turn < 0 && turn >= -(Voronoi_tolerances::widest_gap + rounding + rounding_of_next) && dot(u, v) > 0)) return;
+    if (!(std::abs(turn) <= Voronoi_tolerances::widest_gap + rounding + rounding_of_next && dot(u, v) > 0)) return false;
+    if (turn >= 0) return true;
     if (rounding < rounding_of_next)
     {
       next.bound[0] = {-1. * bound[1].n, 0};
@@ -104,6 +105,17 @@ struct Voronoi_window
       bound[1] = {-1. * next.bound[0].n, 0};
       bound[1].m = dot(bound[1].n, next.start_of_bound(0));
     }
+    return true;
+  }
+
+  // Extends the cone at its left (0) or right (1) bounding ray by the angle that rounding explains. With r the distance of the image from
+  // the start of the ray, a path through the extension is too short by less than r tie^2 / (2 r^2), or 2 r: less than two ties.
+  void widen(int k, double tie)
+  {
+    const double angle = (std::min)(1., rounding_of_bound(k, tie));
+    const Point n = bound[std::size_t(k)].n, forward = (k == 0 ? -1. : 1.) * quarter_turn(n); // along the ray
+    bound[std::size_t(k)].n = std::cos(angle) * n + -std::sin(angle) * forward;
+    bound[std::size_t(k)].m = dot(bound[std::size_t(k)].n, start_of_bound(k));
   }
 
   // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
