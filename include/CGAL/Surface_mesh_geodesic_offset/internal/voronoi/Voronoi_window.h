@@ -29,7 +29,7 @@ struct Voronoi_window
 
   Face_window<double> rays;
   Index label;                             // id of the source, or of another source with which it coincides
-  std::array<Half_plane<double>, 3> bound; // the cone; the third one bounds the strip of a source segment
+  std::array<Half_plane<double>, 3> bound; // the cone; the third one is where parallel rays start
   int number_of_bounds;
   double start; // least distance of the rays: at their chord, or at their image in the face
 
@@ -51,13 +51,9 @@ struct Voronoi_window
     const Point nl = (1 / length(l)) * quarter_turn(l), nr = (-1 / length(r)) * quarter_turn(r);
     bound[0] = {nl, dot(nl, rays.left)};
     bound[1] = {nr, dot(nr, rays.right)};
-    number_of_bounds = 2;
-    if (is_strip())
-    {
-      bound[2] = {rays.image(), dot(rays.image(), rays.left)};
-      number_of_bounds = 3;
-    }
     start = starts_at_image() ? rays.sigma : is_strip() ? rays.start_value : least_at_chord();
+    number_of_bounds = is_parallel() ? 3 : 2;
+    if (is_parallel()) bound[2] = {rays.image(), rays.sigma - start};
   }
 
   bool is_parallel() const { return rays.is_parallel(); }
