@@ -221,14 +221,11 @@ private:
     parts.subtract(nearer);
   }
 
-  // Order of windows that tie. Beside a common ray, on which the distances are equal, the window with the farther image is nearer,
-  // by the square of the distance from the ray only.
+  // Order of windows that tie.
   bool precedes(unsigned a, unsigned b) const
   {
     const Voronoi_window &v = m_windows[a], &w = m_windows[b];
-    if (v.is_parallel() != w.is_parallel()) return v.is_parallel();
-    if (!v.is_parallel() && v.sigma() != w.sigma()) return v.sigma() < w.sigma();
-    return v.label != w.label ? v.label < w.label : a < b;
+    return v.precedes(w) || (!w.precedes(v) && a < b);
   }
 
   // True if x may have a ray in common with v, rather than with w: its label, or a more similar direction.

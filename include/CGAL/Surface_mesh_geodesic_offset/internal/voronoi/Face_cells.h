@@ -14,8 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
-#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -28,32 +27,31 @@ class Face_cells
 public:
   typedef Point_in_face<double> Point;
 
-  // `windows`: those that may be nearest in the face. Distances that differ by less than `tie` are equal.
+  // `windows`: those that may be nearest in the face; not empty. Distances that differ by less than `tie` are equal.
   Face_cells(const Per_corner<Point>& corner, double tie, std::vector<Voronoi_window>&& windows)
     : m_corner(corner), m_tie(tie), m_windows(std::move(windows))
   {
   }
 
   // Labels of the sources of a point, given by its barycentric coordinates, that are not farther than the nearest one by more than
-  // `within`, the nearest first: of those that tie, the smallest.
+  // `within`, the nearest first.
   std::vector<Index> labels(const std::array<double, 3>& weights, double within) const
   {
     Point p{0, 0};
     for (int k = 0; k < 3; ++k) p = p + weights[std::size_t(k)] * m_corner[k];
-    std::map<Index, double> distance;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Voronoi_window& w : m_windows)
+    std::vector<double> distance;
+    for (const Voronoi_window& w : m_windows) distance.push_back(w.rays.path_length(p));
+    const double least = *std::min_element(distance.begin(), distance.end());
+    const Voronoi_window* nearest = nullptr;
+    std::set<Index> others;
+    for (std::size_t i = 0; i < distance.size(); ++i)
     {
-      const double d = w.rays.path_length(p);
-      const auto known = distance.emplace(w.label, d).first;
-      known->second = (std::min)(known->second, d);
-      least = (std::min)(least, d);
+      if (distance[i] <= least + m_tie && (!nearest || m_windows[i].precedes(*nearest))) nearest = &m_windows[i];
+      if (distance[i] <= least + within) others.insert(m_windows[i].label);
     }
-    std::vector<Index> result;
-    for (const auto& entry : distance)
-      if (entry.second <= least + (std::max)(within, m_tie)) result.push_back(entry.first);
-    const auto nearest = std::find_if(result.begin(), result.end(), [&](Index l) { return distance[l] <= least + m_tie; });
-    if (nearest != result.end()) std::rotate(result.begin(), nearest, nearest + 1);
+    others.erase(nearest->label);
+    std::vector<Index> result{nearest->label};
+    result.insert(result.end(), others.begin(), others.end());
     return result;
   }
 

@@ -91,16 +91,8 @@ struct Voronoi_window
     const double rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
     if (!(std::abs(turn) <= Voronoi_tolerances::widest_gap + rounding + rounding_of_next && dot(u, v) > 0)) return false;
     if (turn >= 0) return true;
-    if (rounding < rounding_of_next)
-    {
-      next.bound[0] = {-1. * bound[1].n, 0};
-      next.bound[0].m = dot(next.bound[0].n, start_of_bound(1));
-    }
-    else
-    {
-      bound[1] = {-1. * next.bound[0].n, 0};
-      bound[1].m = dot(bound[1].n, next.start_of_bound(0));
-    }
+    if (rounding < rounding_of_next) next.turn_bound(0, -1. * bound[1].n, start_of_bound(1));
+    else turn_bound(1, -1. * next.bound[0].n, next.start_of_bound(0));
     return true;
   }
 
@@ -109,9 +101,7 @@ struct Voronoi_window
   void widen(int k, double tie)
   {
     const double angle = (std::min)(1., rounding_of_bound(k, tie));
-    const Point n = bound[std::size_t(k)].n, forward = (k == 0 ? -1. : 1.) * quarter_turn(n); // along the ray
-    bound[std::size_t(k)].n = std::cos(angle) * n + -std::sin(angle) * forward;
-    bound[std::size_t(k)].m = dot(bound[std::size_t(k)].n, start_of_bound(k));
+    turn_bound(k, std::cos(angle) * bound[std::size_t(k)].n + -std::sin(angle) * along_bound(k), start_of_bound(k));
   }
 
   // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
@@ -123,8 +113,27 @@ struct Voronoi_window
     return apart * radius <= tie && std::abs(distance_at(center) - other.distance_at(center)) <= tie;
   }
 
+  // Order of windows that tie. Beside a common ray, on which the distances are equal, the window with the farther image is nearer, by the
+  // square of the distance from the ray only.
+  bool precedes(const Voronoi_window& other) const
+  {
+    if (is_parallel() != other.is_parallel()) return is_parallel();
+    if (!is_parallel() && sigma() != other.sigma()) return sigma() < other.sigma();
+    return label < other.label;
+  }
+
 private:
   bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
+
+  // Unit vector along the left (0) or right (1) bounding ray.
+  Point along_bound(int k) const { return (k == 0 ? -1. : 1.) * quarter_turn(bound[std::size_t(k)].n); }
+
+  // Turns a bounding ray to the normal n, outwards, but the cone at most to a half-plane: it is an intersection of half-planes.
+  void turn_bound(int k, Point n, const Point& start_point)
+  {
+    if (dot(n, along_bound(1 - k)) > 0) n = bound[std::size_t(1 - k)].n;
+    bound[std::size_t(k)] = {n, dot(n, start_point)};
+  }
 
   // Angle by which rounding turns a bounding ray: the larger, the nearer the image is to the end of the chord.
   double rounding_of_bound(int k, double tie) const
