@@ -131,7 +131,8 @@ private:
   // Turns a bounding ray to the normal n, outwards, but the cone at most to a half-plane: it is an intersection of half-planes.
   void turn_bound(int k, Point n, const Point& start_point)
   {
-    if (dot(n, along_bound(1 - k)) > 0) n = bound[std::size_t(1 - k)].n;
+    const bool is_wide = dot(along_bound(0), along_bound(1)) < 0;
+    if (is_wide && dot(n, along_bound(1 - k)) > 0) n = bound[std::size_t(1 - k)].n;
     bound[std::size_t(k)] = {n, dot(n, start_point)};
   }
 
