@@ -106,7 +106,7 @@ private:
   // Arcs are divided at most 2^10 times further: then chords of arcs at the tolerance are within 2^-20 of it.
   static constexpr std::size_t most_divisions = 1 << 10;
   // But beyond eight times only up to this number of chords in a face, which bounds the time for curves that tie.
-  static constexpr std::size_t few_divisions = 1 << 3, most_chords = 1 << 14;
+  static constexpr std::size_t few_divisions = 1 << 3, most_chords = 1 << 12;
 
   static bool is_worth_a_try(std::size_t division, std::size_t chords)
   {
@@ -135,7 +135,7 @@ private:
           Flat_face::Weights w;
           for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(location.second[k]);
           if (!m_points.is_inside(m_flat, w)) continue;
-          const Vertex_handle v = m_cdt.insert(inside(w));
+          const Vertex_handle v = m_cdt.insert(inside(w), last->face()); // beside the last one
           if (!v->info().is_set()) m_inner.push_back({v, w});
           last = constrain(last, v, p.level);
         }
