@@ -171,18 +171,24 @@ private:
     out.chains.push_back(std::move(chain));
   }
 
-  // True if rounding does not tell a closed chain from a point, or it follows edges only, each of them there and back: a tie along
-  // edges.
+  // True if rounding does not tell a closed chain from a point or, in a face, from a line, or it follows edges only, each of them there
+  // and back: a tie along edges.
   static bool has_no_area(const std::vector<Bisector_arc>& arcs)
   {
     std::map<Index, double> along;
-    double negligible = 0, length = 0, longest = 0;
+    double negligible = 0, length = 0, longest = 0, area = 0, widest = 0;
+    bool is_in_face = true;
+    const Point_in_face<double> origin = arcs.front().start;
     for (const Bisector_arc& a : arcs)
     {
-      length += internal::length(a.middle() - a.start) + internal::length(a.end - a.middle());
+      const auto start = a.start - origin, middle = a.middle() - origin, end = a.end - origin;
+      length += internal::length(middle - start) + internal::length(end - middle);
+      area += (cross(start, middle) + cross(middle, end)) / 2;
+      is_in_face = is_in_face && a.face == arcs.front().face;
       longest = (std::max)(longest, a.smallest_loop);
+      widest = (std::max)(widest, a.negligible);
     }
-    if (length <= longest) return true;
+    if (length <= longest || (is_in_face && std::abs(area) <= widest * length)) return true;
     for (const Bisector_arc& a : arcs)
     {
       if (a.edge == no_index) return false;
