@@ -474,6 +474,40 @@ void beside_vertices()
     }
 }
 
+// The bisector of a vertex and a point beside it crosses the faces of the vertex so near to it that its pieces in some of them are
+// points up to rounding: the split still joins the pieces on both sides of such a face.
+void curves_beside_vertices()
+{
+  const std::size_t n = 180;
+  Surface_mesh fan;
+  const Vertex_index center = fan.add_vertex(Point_3(0, 0, 0));
+  std::vector<Vertex_index> rim;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double turn = 2 * CGAL_PI * double(i) / double(n);
+    rim.push_back(fan.add_vertex(Point_3(std::cos(turn), std::sin(turn), 0)));
+  }
+  for (std::size_t i = 0; i < n; ++i) fan.add_face(center, rim[i], rim[(i + 1) % n]);
+  const Locations<Surface_mesh> locations(fan);
+  Random random(900);
+  for (int i = 0; i < 60; ++i)
+  {
+    const double e = std::pow(10, -uniform(random, 8.6, 9.2)), part = uniform(random);
+    Location beside = random_location(fan, random);
+    const auto c = locations.corners(beside.first);
+    for (std::size_t k = 0; k < 3; ++k)
+      beside.second[k] = c[k] == center ? 1 - e : c[(k + 1) % 3] == center ? e * part : e * (1 - part);
+    const Diagram diagram =
+      diagram_of(fan, {[&](Geodesic& g) { g.add_source_point(center); }, [&](Geodesic& g) { g.add_source_point(beside); }});
+    Surface_mesh split = fan;
+    CGAL::split_along_geodesic_voronoi_diagram(split, diagram);
+    CHECK(CGAL::is_valid_polygon_mesh(split) && CGAL::is_triangle_mesh(split));
+    const double area = CGAL::Polygon_mesh_processing::area(fan);
+    CHECK_DETAIL(std::abs(CGAL::Polygon_mesh_processing::area(split) - area) <= 1e-12 * area,
+                 std::to_string(CGAL::Polygon_mesh_processing::area(split) / area));
+  }
+}
+
 // Around the point where two polylines cross, there are four cells of two sources.
 void crossing_polylines()
 {
@@ -607,6 +641,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"generated meshes", test_voronoi_diagram::generated_meshes},
     {"ties", test_voronoi_diagram::ties},
     {"beside vertices", test_voronoi_diagram::beside_vertices},
+    {"curves beside vertices", test_voronoi_diagram::curves_beside_vertices},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

@@ -62,9 +62,12 @@ public:
       m_pieces.push_back(curve.piece(i));
       const Piece& p = m_pieces.back();
       if (i == 0) first = last = add(p.start());
-      const Id next = curve.is_closed() && i + 1 == n ? first : add(p.end());
+      if (!m_points.is_on(p.face(), last)) last = link(last, add(p.start()), level);
+      const bool is_last = curve.is_closed() && i + 1 == n, is_joined = is_last && m_points.is_on(p.face(), first);
+      const Id next = is_joined ? first : add(p.end());
       faces_with(p.face()).push_back({last, next, level, p.is_arc() ? &p : nullptr});
       last = next;
+      if (is_last && !is_joined) link(last, first, level);
     }
   }
 
@@ -244,6 +247,15 @@ private:
     Weights w;
     for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(l.second[k]);
     return m_points.add(l.first, w);
+  }
+
+  // Joins the ends of two pieces in faces with no common edge: curves have no pieces in faces that they cross beside a vertex, where
+  // rounding does not tell a piece from a point.
+  Id link(Id from, Id to, std::size_t level)
+  {
+    const face_descriptor f = from == to ? Graph_traits::null_face() : m_points.common_face(from, to);
+    if (f != Graph_traits::null_face()) faces_with(f).push_back({from, to, level, nullptr});
+    return to;
   }
 
   std::vector<Piece_in_face>& faces_with(face_descriptor f)

@@ -83,8 +83,8 @@ public:
   {
     Place place;
     Point_3 point;
-    vertex_descriptor vertex; // AT_VERTEX; of other points the split sets it
-    halfedge_descriptor halfedge; // ON_EDGE: that of Edge_points, and the parameter on it
+    vertex_descriptor vertex;     // AT_VERTEX; of other points the split sets it
+    halfedge_descriptor halfedge; // ON_EDGE: that of Edge_points, and the parameter on it. IN_FACE: the first of the face
     double part;
     Weights weights; // IN_FACE
   };
@@ -171,7 +171,30 @@ public:
     const FT a(w[0]), b(w[1]), g(w[2]);
     const Point_3 point(FT(a * p.x() + b * q.x() + g * r.x()), FT(a * p.y() + b * q.y() + g * r.y()),
                         FT(a * p.z() + b * q.z() + g * r.z()));
-    return add({IN_FACE, point, Graph_traits::null_vertex(), Graph_traits::null_halfedge(), 0, w});
+    return add({IN_FACE, point, Graph_traits::null_vertex(), halfedge(f, m_mesh), 0, w});
+  }
+
+  // True if a point is in a face or on its boundary.
+  bool is_on(face_descriptor f, Id id) const
+  {
+    const Split_point& p = m_points[id];
+    if (p.place == AT_VERTEX)
+    {
+      const auto c = corners(f);
+      return std::find(c.begin(), c.end(), p.vertex) != c.end();
+    }
+    return face(p.halfedge, m_mesh) == f || (p.place == ON_EDGE && face(opposite(p.halfedge, m_mesh), m_mesh) == f);
+  }
+
+  // A face that has both points, or the null face.
+  face_descriptor common_face(Id a, Id b) const
+  {
+    const Split_point& p = m_points[a];
+    const halfedge_descriptor h = p.place == AT_VERTEX ? halfedge(p.vertex, m_mesh) : p.halfedge;
+    const auto has_both = [&](face_descriptor f) { return f != Graph_traits::null_face() && is_on(f, a) && is_on(f, b); };
+    for (const halfedge_descriptor g : halfedges_around_target(h, m_mesh))
+      if (has_both(face(g, m_mesh))) return face(g, m_mesh);
+    return has_both(face(opposite(h, m_mesh), m_mesh)) ? face(opposite(h, m_mesh), m_mesh) : Graph_traits::null_face();
   }
 
   // True if a point is farther than the snap distance from all edges of its face.
@@ -307,7 +330,7 @@ private:
   std::vector<Split_point> m_points; // by id
   std::vector<Id> m_same_as;
   std::vector<Edge_points> m_edges;
-  typename boost::property_map<TriangleMesh, Vertex_tag>::type m_id_at; // 1 + id; 0 if none
+  typename boost::property_map<TriangleMesh, Vertex_tag>::type m_id_at;   // 1 + id; 0 if none
   typename boost::property_map<TriangleMesh, Edge_tag>::type m_number_at; // 1 + index in m_edges; 0 if none
 };
 
