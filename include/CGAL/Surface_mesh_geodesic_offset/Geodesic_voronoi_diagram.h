@@ -185,12 +185,13 @@ Where sources tie in a whole region, it belongs to one of them, and there are no
 that have an end or a corner in common, to that with the smallest id; behind a vertex of the mesh where shortest paths to several
 sources bend, to the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it.
 
-The curves are right for points in general position, in tests and in searches. Where several polylines overlap or cross, and beside
-sources that lie within some 1e-7 of an edge from a vertex or from each other, or that tie with another source at their start value, rounding may
-leave curves that do not fit together: some of them are then wrong, mostly by less than 1e-5 of the size of the mesh, but in rare cases by
-a part of a face. `number_of_forced_cells()` tells of most of these cases.
+Rounding limits what the curves can tell where more than three sources have equal distances at one point, as with start values that are
+chosen so: within some 1e-6 of the size of the mesh from such a point, the distances of a curve from its sources may differ by 1e-6 of the size.
+If such sources also coincide up to rounding, the arcs of a cell may not fit together; then curves in this cell may be wrong, and
+`number_of_forced_cells()` tells in most cases.
 
-Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh.
+Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh. It
+does not need the field, but keeps the windows of the faces that curves cross.
 
 \tparam Surface_ an implementation detail; `Geodesic_distance_field::Voronoi_diagram` names the type
 */
@@ -288,8 +289,8 @@ public:
   /// @}
 
   /// \name Vertices
-  /// Points where three or more curves end. Where more than three cells meet up to rounding, there may be several vertices at
-  /// one point, with curves between them.
+  /// Points where three or more curves end: between three or more sources, or between two, as where two polylines cross. Where more than
+  /// three cells meet up to rounding, there may be several vertices at one point, with curves between them.
   /// @{
 
   /// the number of vertices.

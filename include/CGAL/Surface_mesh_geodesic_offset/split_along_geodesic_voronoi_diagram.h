@@ -30,9 +30,11 @@ namespace CGAL {
 
 The new vertices are on the exact curves, and the chords between them nowhere farther from the curves than `chord_tolerance`. All
 else is as in `split_along_offset_curves()`: crossed faces are replaced by constrained Delaunay triangulations, points closer than
-2^-33 of the diagonal of the bounding box are one, and a closed mesh stays closed. Cells narrower than that may vanish; beside such
-cells, as of sources that lie 1e-8 of an edge from each other or tie at their start values, faces may receive the source of a neighbouring
-cell, and the split may take long.
+2^-33 of the diagonal of the bounding box are one, and a closed mesh stays closed.
+
+The source of a face is the nearest one to the centroid of the face, up to twice the chord tolerance: of sources that differ by less
+there, that on the same side of the curves as its neighbours. In cells narrower than the chord tolerance, chords of different curves may
+cross, and faces on both sides of an edge of a curve may have the same source.
 
 The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. If an
 exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
