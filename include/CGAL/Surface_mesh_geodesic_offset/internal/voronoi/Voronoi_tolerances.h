@@ -57,6 +57,9 @@ struct Voronoi_tolerances
   // ray that is off by this angle is too short by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge (see
   // least_clear_distance), so windows shorter than 2^-26 edges may leave such gaps.
   static constexpr double widest_gap = 1. / (1 << 24);
+  // The largest angle by which a cone is widened, in radians: that of an image within a tie of the start of its ray, which has no
+  // direction. Binding test of these angles: test_voronoi_diagram, beside vertices.
+  static constexpr double widest_turn = 1;
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
   // But after this many divisions of a face only to have less windows, not for this reason any more: many windows may meet at a

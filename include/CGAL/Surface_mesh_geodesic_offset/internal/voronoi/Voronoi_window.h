@@ -100,7 +100,7 @@ struct Voronoi_window
   // the start of the ray, a path through the extension is too short by less than r tie^2 / (2 r^2), or 2 r: less than two ties.
   void widen(int k, double tie)
   {
-    const double angle = (std::min)(1., rounding_of_bound(k, tie));
+    const double angle = (std::min)(Voronoi_tolerances::widest_turn, rounding_of_bound(k, tie));
     turn_bound(k, std::cos(angle) * bound[std::size_t(k)].n + -std::sin(angle) * along_bound(k), start_of_bound(k));
   }
 
