@@ -387,6 +387,7 @@ void found_cases()
         2003022u, 2008893u, 2210632u, 2212989u, 2219517u, 2914345u, 3004703u, 3407098u})
     check_case(seed, 0);
   for (const unsigned seed : {1766u, 3775u}) check_case(seed, 4);
+  check_case(6912663, 3); // a level along a needle, whose sides rounding does not tell apart: 22 forced joints before
 }
 
 } // namespace test_offset_search

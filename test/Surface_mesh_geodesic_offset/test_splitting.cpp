@@ -455,6 +455,39 @@ void sources_and_visitor()
 }
 
 // The same split of a Polyhedron_3; components without curves; bad parameters leave the mesh as it was.
+// Chords of curves that are much closer than the chord tolerance cross, however far they are divided; the bands beside them are right.
+void close_levels()
+{
+  const double chord_tolerance = 5e-3, radius = 0.6;
+  for (const double gap : {1e-8, 2e-9, 5e-10})
+  {
+    Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh; // of size 2
+    Geodesic geodesic(mesh);
+    geodesic.add_source_point(Vertex_index(4));
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    const Point_3 center = mesh.point(Vertex_index(4));
+    const std::vector<double> levels = {radius, radius + gap, radius + 2 * gap};
+    std::vector<Geodesic::Offset_curve> curves;
+    geodesic.offset_curves(levels, std::back_inserter(curves));
+    auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
+    CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).chord_tolerance(chord_tolerance));
+    std::size_t inside = 0, outside = 0;
+    for (const Face_index f : mesh.faces())
+    {
+      double nearest = infinity, farthest = 0;
+      for (const Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      {
+        const double d = std::sqrt((mesh.point(v) - center).squared_length());
+        nearest = (std::min)(nearest, d);
+        farthest = (std::max)(farthest, d);
+      }
+      if (nearest < radius - 2 * chord_tolerance) ++inside, CHECK_DETAIL(band[f] == 0, std::to_string(band[f]));
+      if (farthest > radius + 2 * chord_tolerance) ++outside, CHECK_DETAIL(band[f] == 3, std::to_string(band[f]));
+    }
+    CHECK(inside > 0 && outside > 0);
+  }
+}
+
 void other_meshes()
 {
   Report::instance().set_context("polyhedron");
@@ -498,6 +531,7 @@ GEODESIC_OFFSET_TEST(test_splitting)
     {"generated meshes", generated_meshes},
     {"squares", squares},
     {"sources and visitor", sources_and_visitor},
+    {"close levels", close_levels},
     {"other meshes", other_meshes},
     {data_case, data_meshes}};
   const int result = run_tests("test_splitting", tests);

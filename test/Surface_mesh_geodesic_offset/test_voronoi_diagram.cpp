@@ -508,6 +508,45 @@ void curves_beside_vertices()
   }
 }
 
+// Faces of very different sizes along a straight border: a source on its line lies in line with edges up to rounding of coordinates, so no
+// cone of a window reaches these edges.
+void graded_grids()
+{
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    Random random(seed);
+    const std::size_t n = 3 + uniform_index(random, 5);
+    const double shift = seed % 3 == 0 ? 1e3 : 0;
+    std::vector<double> at[2];
+    for (std::vector<double>& x : at)
+    {
+      const double ratio = uniform(random, 0.15, 0.6);
+      x.push_back(shift);
+      for (std::size_t i = n; i-- > 0;) x.push_back(shift + std::pow(ratio, double(i)));
+    }
+    Surface_mesh mesh;
+    std::vector<Vertex_index> v;
+    for (const double x : at[0])
+      for (const double y : at[1]) v.push_back(mesh.add_vertex(Point_3(x, y, shift)));
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+      {
+        const Vertex_index a = v[i * (n + 1) + j], b = v[(i + 1) * (n + 1) + j], c = v[(i + 1) * (n + 1) + j + 1],
+                           d = v[i * (n + 1) + j + 1];
+        mesh.add_face(a, b, c);
+        mesh.add_face(a, c, d);
+      }
+    // corners of the square, vertices of its border, and points
+    std::vector<Add_source> sources;
+    const Vertex_index on_border = v[n * (n + 1) + uniform_index(random, n + 1)], corner = v[n];
+    const Location l = random_location(mesh, random);
+    sources.push_back([=](Geodesic& g) { g.add_source_point(on_border); });
+    if (seed % 2 == 0) sources.push_back([=](Geodesic& g) { g.add_source_point(l); });
+    else sources.push_back([=](Geodesic& g) { g.add_source_point(corner); });
+    compare("graded grid, seed " + std::to_string(seed), mesh, sources, random, 100, true);
+  }
+}
+
 // Around the point where two polylines cross, there are four cells of two sources.
 void crossing_polylines()
 {
@@ -642,6 +681,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"ties", test_voronoi_diagram::ties},
     {"beside vertices", test_voronoi_diagram::beside_vertices},
     {"curves beside vertices", test_voronoi_diagram::curves_beside_vertices},
+    {"graded grids", test_voronoi_diagram::graded_grids},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

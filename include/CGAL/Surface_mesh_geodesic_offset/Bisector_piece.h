@@ -164,7 +164,7 @@ private:
 
   Face_location location_of(const Point_in_face& p, int edge) const
   {
-    return m_context->surface->location(m_arc->face, {Number(p.x), Number(p.y)}, edge);
+    return m_context->surface->location_inside(m_arc->face, {Number(p.x), Number(p.y)}, edge);
   }
 
   Point_in_face at(double t) const

@@ -302,7 +302,7 @@ public:
     CGAL_precondition(i < number_of_vertices());
     typedef typename Surface_::Number Number;
     const auto& v = m_diagram->vertices[i];
-    return m_context->surface->location(v.face, {Number(v.point.x), Number(v.point.y)}, v.edge);
+    return m_context->surface->location_inside(v.face, {Number(v.point.x), Number(v.point.y)}, v.edge);
   }
 
   /// the point in space of a vertex. \pre `i < number_of_vertices()`

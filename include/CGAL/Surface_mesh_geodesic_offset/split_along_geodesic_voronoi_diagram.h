@@ -34,7 +34,7 @@ else is as in `split_along_offset_curves()`: crossed faces are replaced by const
 
 The source of a face is the nearest one to the centroid of the face, up to twice the chord tolerance: of sources that differ by less
 there, that on the same side of the curves as its neighbours. In cells narrower than the chord tolerance, chords of different curves may
-cross, and faces on both sides of an edge of a curve may have the same source.
+cross; faces on both sides of an edge of a curve may then have the same source, and faces on both sides of another edge different ones.
 
 The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. If an
 exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
@@ -94,7 +94,8 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
                                                             get_property_map(boost::vertex_point, tm));
 
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, diagram.curves(), np);
-  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
+  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance,
+                                                                            true);
   for (std::size_t i = 0; i < diagram.number_of_curves(); ++i) splitting.add(diagram.curve(i), i);
   splitting.triangulate();
   constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -124,6 +125,16 @@ struct Geodesic_surface
   {
     if (edge == 3) return location(face, p);
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
+  }
+
+  // The same for a point that rounding may have moved out of the face: negative coordinates become 0.
+  Face_location location_inside(Index face, const Point_in_face<Number>& p, int edge) const
+  {
+    Face_location l = location(face, p, edge);
+    for (FT& w : l.second) w = (std::max)(w, FT(0));
+    const FT sum = l.second[0] + l.second[1] + l.second[2];
+    for (FT& w : l.second) w = w / sum;
+    return l;
   }
 
   // Location in the null face for an isolated vertex.

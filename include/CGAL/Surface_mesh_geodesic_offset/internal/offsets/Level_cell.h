@@ -68,6 +68,13 @@ struct Level_cell
 
   FT diameter() const { return (std::max)({side_length(0), side_length(1), side_length(2)}); }
 
+  // The least distance of a corner from the opposite side.
+  FT height() const
+  {
+    const FT d = diameter();
+    return CGAL::is_positive(d) ? FT(CGAL::abs(cross(corner[1] - corner[0], corner[2] - corner[0])) / d) : d;
+  }
+
   int longest_side() const
   {
     int k = side_length(1) > side_length(0) ? 1 : 0;

@@ -114,7 +114,8 @@ private:
     }
     const bool is_point = cell.diameter() <= (std::max)(m_arcs.tolerances().smallest_cell, m_farther_rounding);
     const bool is_last = m_divisions == Offset_tolerances<FT>::most_divisions;
-    if (is_point || is_last || (!search_loops && is_sliver(cell)))
+    const bool may_have_loops = search_loops && cell.height() > m_arcs.tolerances().error;
+    if (is_point || is_last || (!may_have_loops && is_sliver(cell)))
     {
       ++(is_last && !is_point ? m_forced : m_crossed);
       cross_straight(cell);
@@ -147,16 +148,21 @@ private:
     }
   }
 
-  // True if two sides of the cell run along the level, so that only rounding decides where it crosses them: the segment between
-  // its two gates is on the level.
+  // True if sides of the cell run along the level, so that only rounding decides where it crosses them: the segments that cut
+  // off the far intervals of the boundary are on the level.
   bool is_sliver(const Cell& cell) const
   {
-    if (cell.gates.size() != 2) return false;
-    const Point &p = cell.gates[0].point, &q = cell.gates[1].point;
-    if (!(length(q - p) <= m_arcs.tolerances().longest_sliver)) return false;
-    std::size_t nearest;
-    const FT d = m_arcs.distance(FT(0.5) * (p + q), nearest);
-    return CGAL::abs(FT(d - m_arcs.level())) <= m_arcs.tolerances().error;
+    const std::size_t n = cell.gates.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if (!cell.gates[i].is_start) continue;
+      const Point &p = cell.gates[i].point, &q = cell.gates[(i + 1) % n].point;
+      if (!(length(q - p) <= m_arcs.tolerances().longest_sliver)) return false;
+      std::size_t nearest;
+      const FT d = m_arcs.distance(FT(0.5) * (p + q), nearest);
+      if (!(CGAL::abs(FT(d - m_arcs.level())) <= m_arcs.tolerances().error)) return false;
+    }
+    return n > 0;
   }
 
   // A piece between two gates within rounding of each other, or of a sliver, on the arc nearest to the first gate if that arc

@@ -51,7 +51,11 @@ public:
   typedef typename Points::face_descriptor face_descriptor;
   typedef Split_piece<Piece> Piece_in_face;
 
-  explicit Face_triangulation(Points& points, double chord_tolerance) : m_points(points), m_tolerance(chord_tolerance) {}
+  // `curves_may_tie`: curves may be closer than rounding along their length, as bisectors of sources that tie.
+  Face_triangulation(Points& points, double chord_tolerance, bool curves_may_tie)
+    : m_points(points), m_tolerance(chord_tolerance), m_curves_may_tie(curves_may_tie)
+  {
+  }
 
   // Triangulates a face. The result is valid until the next call.
   void operator()(face_descriptor f, const std::vector<Piece_in_face>& pieces)
@@ -105,12 +109,13 @@ private:
 
   // Arcs are divided at most 2^10 times further: then chords of arcs at the tolerance are within 2^-20 of it.
   static constexpr std::size_t most_divisions = 1 << 10;
-  // But beyond eight times only up to this number of chords in a face, which bounds the time for curves that tie.
+  // But beyond eight times only up to this number of chords in a face if curves may tie, which bounds the time for these.
   static constexpr std::size_t few_divisions = 1 << 3, most_chords = 1 << 12;
 
-  static bool is_worth_a_try(std::size_t division, std::size_t chords)
+  bool is_worth_a_try(std::size_t division, std::size_t chords) const
   {
-    return chords != 0 && division <= most_divisions && (division <= few_divisions || division * chords <= most_chords);
+    if (chords == 0 || division > most_divisions) return false;
+    return !m_curves_may_tie || division <= few_divisions || division * chords <= most_chords;
   }
 
   // Builds the triangulation, with arcs divided `division` times further than the tolerance asks. Returns false if constraints
@@ -241,6 +246,7 @@ private:
 
   Points& m_points;
   const double m_tolerance;
+  const bool m_curves_may_tie;
   face_descriptor m_face;
   Flat_face m_flat;
   Triangulation m_cdt;

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -45,9 +46,10 @@ public:
   typedef typename Points::Id Id;
   typedef typename Points::Weights Weights;
 
-  // `diagonal`: of the bounding box of the mesh.
-  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance)
-    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance), m_number_at(get(Face_tag(), tm))
+  // `diagonal`: of the bounding box of the mesh. `curves_may_tie`: see Face_triangulation.
+  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance, bool curves_may_tie)
+    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance), m_curves_may_tie(curves_may_tie),
+      m_number_at(get(Face_tag(), tm))
   {
     for (const face_descriptor f : faces(tm)) put(m_number_at, f, 0);
   }
@@ -76,7 +78,7 @@ public:
   {
     m_points.merge();
     for (const auto& e : m_points.edges_with_points()) add_faces_beside(e.halfedge);
-    Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance);
+    Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance, m_curves_may_tie);
     for (Face_pieces& f : m_faces)
     {
       for (auto& p : f.pieces)
@@ -128,23 +130,37 @@ public:
   template <class FaceBandMap, class Function>
   void write_bands(FaceBandMap band_map, const Function& band_of)
   {
-    Face_labels bands(m_mesh, m_edges);
-    // Where curves are closer than the snap distance, an edge belongs to several: the nearest level bounds its left side.
-    std::stable_sort(m_edges.begin(), m_edges.end(),
-                     [](const Curve_edge& a, const Curve_edge& b) { return a.level < b.level; });
-    for (const Curve_edge& e : m_edges) bands.set(face(e.halfedge, m_mesh), e.level);
-    for (auto e = m_edges.rbegin(); e != m_edges.rend(); ++e)
-      bands.set(face(opposite(e->halfedge, m_mesh), m_mesh), e->level + 1);
-    bands.spread();
+    Face_labels regions(m_mesh, m_edges); // connected without crossing a curve
+    std::vector<face_descriptor> first;   // a face of each
     for (const face_descriptor f : faces(m_mesh))
     {
-      if (!bands.is_set(f))
-      {
-        bands.set(f, band_of(f));
-        bands.spread();
-      }
-      put(band_map, f, bands.of(f));
+      if (regions.is_set(f)) continue;
+      regions.set(f, first.size());
+      regions.spread();
+      first.push_back(f);
     }
+    // A region is nearer than all levels that it has on the left, and farther than those on the right. The chords of levels that are very
+    // close cross, so a region may have edges of both.
+    const std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> upper(first.size(), none), lower(first.size(), none);
+    for (const Curve_edge& e : m_edges)
+    {
+      const face_descriptor left = face(e.halfedge, m_mesh), right = face(opposite(e.halfedge, m_mesh), m_mesh);
+      if (left != Graph_traits::null_face())
+      {
+        std::size_t& u = upper[regions.of(left)];
+        u = (std::min)(u, e.level);
+      }
+      if (right != Graph_traits::null_face())
+      {
+        std::size_t& l = lower[regions.of(right)];
+        l = l == none ? e.level + 1 : (std::max)(l, e.level + 1);
+      }
+    }
+    std::vector<std::size_t> bands;
+    for (std::size_t r = 0; r < first.size(); ++r)
+      bands.push_back(upper[r] != none ? upper[r] : lower[r] != none ? lower[r] : band_of(first[r]));
+    for (const face_descriptor f : faces(m_mesh)) put(band_map, f, bands[regions.of(f)]);
   }
 
   // Writes the label of each face: one of `labels_at(face)`, the nearest first. Where there are several, as at the centers of thin
@@ -365,6 +381,7 @@ private:
   const VertexPointMap m_vpm;
   Points m_points;
   const double m_tolerance;
+  const bool m_curves_may_tie;
   std::deque<Piece> m_pieces; // the addresses stay
   std::vector<Face_pieces> m_faces;
   std::vector<Triangulated_face> m_triangulated;

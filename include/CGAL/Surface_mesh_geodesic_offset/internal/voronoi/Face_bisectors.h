@@ -33,7 +33,7 @@ public:
   typedef Point_in_face<double> Point;
 
   Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_labels(mesh, initial, field), m_field(mesh, initial, field)
+    : m_mesh(mesh), m_distance(field.distance), m_labels(mesh, initial, field), m_field(mesh, initial, field)
   {
   }
 
@@ -59,11 +59,8 @@ public:
 
     for (const auto& w : m_field.windows())
     {
-      if (w.is_empty()) continue;
-      const Voronoi_window v(w, m_labels.of_window(w));
-      if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) continue;
-      m_all.push_back(unsigned(m_windows.size()));
-      m_windows.push_back(v);
+      add(w);
+      if (w.origin == STARTS_AT_CORNER && w.sigma == m_distance[m_mesh.source(3 * face + Index(w.edge))]) add(whole_corner(w));
     }
     close_gaps();
     double magnitude = 0; // of the windows that may be nearest
@@ -172,6 +169,26 @@ private:
 
   static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
 
+  void add(const Face_window<FT>& w)
+  {
+    if (w.is_empty()) return;
+    const Voronoi_window v(w, m_labels.of_window(w));
+    if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) return;
+    m_all.push_back(unsigned(m_windows.size()));
+    m_windows.push_back(v);
+  }
+
+  // The function d(v) + |p - v| of a corner in the whole face. It is an upper bound everywhere, and tells the distance where rounding
+  // leaves points outside all cones, as beside an edge that is in line with a source; so it counts only where it is nearer by more than
+  // a loose tie.
+  Face_window<FT> whole_corner(Face_window<FT> w) const
+  {
+    w.right = m_field.frame().corner((w.edge + 1) % 3);
+    w.left = m_field.frame().corner((w.edge + 2) % 3);
+    w.sigma = w.sigma + FT(Voronoi_tolerances(CGAL::to_double(m_field.size() + w.sigma)).loose_tie);
+    return w;
+  }
+
   // Closes the gaps between the cones of windows with a common bounding ray. A bounding ray without a neighbour may lie on an edge of the
   // face, so the cone is extended there.
   void close_gaps()
@@ -226,6 +243,7 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
+  const std::vector<FT>& m_distance; // of the vertices
   const Source_labels<FT> m_labels;
   Face_field<FT> m_field;
   Voronoi_cell m_cell; // the face
