@@ -547,6 +547,24 @@ void graded_grids()
   }
 }
 
+// A strip of which the upper border is in line with a source up to rounding of its coordinates, that of the sums of edges. There were four
+// curves along the border before, of points 0.8 off.
+void graded_strip()
+{
+  Surface_mesh mesh;
+  std::vector<Vertex_index> v;
+  for (const double x : {0., 0.0006032011217889932, 0.003848988428089954, 0.02456015313040603, 0.15671679275178532, 1.})
+    for (const double y : {0., 1.}) v.push_back(mesh.add_vertex(Point_3(x, y, 0)));
+  for (std::size_t i = 0; i + 3 < v.size(); i += 2)
+  {
+    mesh.add_face(v[i], v[i + 2], v[i + 3]);
+    mesh.add_face(v[i], v[i + 3], v[i + 1]);
+  }
+  Random random(11);
+  compare("graded strip", mesh,
+          {[&](Geodesic& g) { g.add_source_point(v[1]); }, [&](Geodesic& g) { g.add_source_point(v[8]); }}, random, 100);
+}
+
 // Around the point where two polylines cross, there are four cells of two sources.
 void crossing_polylines()
 {
@@ -682,6 +700,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"beside vertices", test_voronoi_diagram::beside_vertices},
     {"curves beside vertices", test_voronoi_diagram::curves_beside_vertices},
     {"graded grids", test_voronoi_diagram::graded_grids},
+    {"graded strip", test_voronoi_diagram::graded_strip},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

@@ -179,9 +179,12 @@ private:
       }
       c.push(m_curve, {i, parts, parts}, height);
       c.vertices.back().is_kept = is_kept(i);
-      // drop a piece that is a point, but retain the first and last points of the curve
+      // drop a piece that is a point, also an arc of which all parts round to one, but retain the first and last points of the curve
+      const auto copies = std::find_if(c.vertices.rbegin() + 1, c.vertices.rbegin() + 1 + std::ptrdiff_t(parts),
+                                       [&](const Thinning_vertex& v) { return !(v.point == c.vertices.back().point); });
+      const bool is_point = copies == c.vertices.rbegin() + 1 + std::ptrdiff_t(parts);
+      for (std::size_t j = 1; is_point && j < parts; ++j) c.erase(c.points.size() - 2);
       const std::size_t size = c.points.size();
-      const bool is_point = parts == 1 && c.vertices[size - 2].point == c.vertices[size - 1].point;
       if (!is_point) is_after_segment = piece.is_segment();
       else if (size > 2) c.erase(size - 2);
       else if (k + 1 < count) c.pop();
