@@ -454,7 +454,6 @@ void sources_and_visitor()
   }
 }
 
-// The same split of a Polyhedron_3; components without curves; bad parameters leave the mesh as it was.
 // Chords of curves that are much closer than the chord tolerance cross, however far they are divided; the bands beside them are right.
 void close_levels()
 {
@@ -488,6 +487,7 @@ void close_levels()
   }
 }
 
+// The same split of a Polyhedron_3; components without curves; bad parameters leave the mesh as it was.
 void other_meshes()
 {
   Report::instance().set_context("polyhedron");

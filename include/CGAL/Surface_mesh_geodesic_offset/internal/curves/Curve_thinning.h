@@ -180,9 +180,10 @@ private:
       c.push(m_curve, {i, parts, parts}, height);
       c.vertices.back().is_kept = is_kept(i);
       // drop a piece that is a point, also an arc of which all parts round to one, but retain the first and last points of the curve
-      const auto copies = std::find_if(c.vertices.rbegin() + 1, c.vertices.rbegin() + 1 + std::ptrdiff_t(parts),
-                                       [&](const Thinning_vertex& v) { return !(v.point == c.vertices.back().point); });
-      const bool is_point = copies == c.vertices.rbegin() + 1 + std::ptrdiff_t(parts);
+      const auto before = c.vertices.rbegin() + 1;
+      const bool is_point = std::all_of(before, before + std::ptrdiff_t(parts), [&](const Thinning_vertex& v) {
+        return v.point == c.vertices.back().point;
+      });
       for (std::size_t j = 1; is_point && j < parts; ++j) c.erase(c.points.size() - 2);
       const std::size_t size = c.points.size();
       if (!is_point) is_after_segment = piece.is_segment();
