@@ -114,7 +114,7 @@ private:
     expect(usage, "option without its value",
            {good_, "--source-vertex", "0", "--distance", "1", "--spacing"}, false);
     for (const char* distance :
-         {"0", "-1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
+         {"0", "-1", "+-1", "++1", "nan", "NaN", "inf", "abc", "", "1x", "1,2", "-0", "1e999"})
       for (const char* option : {"--distance", "--spacing", "--maximum-distance", "--tolerance"})
       {
         Arguments arguments = {good_, "--source-vertex", "0", std::string(option) + "=" + distance};

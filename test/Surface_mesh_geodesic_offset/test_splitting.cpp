@@ -487,6 +487,53 @@ void close_levels()
   }
 }
 
+// Levels whose curves shrink to points at the farthest vertices, or to a polyline along both sides of a source, leave the bands as
+// they are.
+void levels_without_width()
+{
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh;
+    Geodesic geodesic(mesh);
+    geodesic.add_source_point(Vertex_index(Surface_mesh::size_type(i)));
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
+    geodesic.vertex_distances(distance);
+    std::vector<Geodesic::Offset_curve> curves;
+    geodesic.offset_curves(std::vector<double>{geodesic.largest_distance() * (1 - 1e-11)}, std::back_inserter(curves));
+    CHECK(!curves.empty());
+    auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
+    CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).vertex_distance_map(distance));
+    for (const Face_index f : mesh.faces()) CHECK_DETAIL(band[f] == 0, std::to_string(i) + ": " + std::to_string(band[f]));
+  }
+  const double start_value = 0.25;
+  for (const bool has_second_level : {false, true})
+  {
+    Surface_mesh mesh = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh;
+    Geodesic geodesic(mesh);
+    std::vector<Geodesic::Face_location> row; // through the center
+    for (const Surface_mesh::size_type v : {3u, 4u, 5u}) row.push_back(Locations<Surface_mesh>(mesh).at_vertex(Vertex_index(v)));
+    geodesic.add_source_polyline(row, false, CGAL::parameters::start_value(start_value));
+    geodesic.build(CGAL::parameters::keep_windows(true));
+    std::vector<double> levels = {start_value * (1 + 1e-11)};
+    if (has_second_level) levels.push_back(start_value + 0.5);
+    std::vector<Geodesic::Offset_curve> curves;
+    geodesic.offset_curves(levels, std::back_inserter(curves));
+    auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
+    geodesic.vertex_distances(distance);
+    auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
+    CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).vertex_distance_map(distance));
+    const double middle = mesh.point(Vertex_index(4)).y();
+    for (const Face_index f : mesh.faces())
+    {
+      double farthest = 0;
+      for (const Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+        farthest = (std::max)(farthest, std::abs(mesh.point(v).y() - middle));
+      CHECK_DETAIL(band[f] == (has_second_level && farthest > 0.6 ? 2u : 1u), std::to_string(band[f]));
+    }
+  }
+}
+
 // The same split of a Polyhedron_3; components without curves; bad parameters leave the mesh as it was.
 void other_meshes()
 {
@@ -532,6 +579,7 @@ GEODESIC_OFFSET_TEST(test_splitting)
     {"squares", squares},
     {"sources and visitor", sources_and_visitor},
     {"close levels", close_levels},
+    {"levels without width", levels_without_width},
     {"other meshes", other_meshes},
     {data_case, data_meshes}};
   const int result = run_tests("test_splitting", tests);

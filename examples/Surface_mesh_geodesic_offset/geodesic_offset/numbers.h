@@ -25,10 +25,11 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // Numbers too small for a double become 0.
 inline bool parse_number(std::string_view word, double& value)
 {
-  if(!word.empty() && word.front() == '+')
+  const bool has_plus = !word.empty() && word.front() == '+';
+  if(has_plus)
     word.remove_prefix(1);
-  // std::from_chars also accepts "nan", "inf", and would accept "+-1"
-  if(word.empty() || !(word.front() == '-' || word.front() == '.' || is_digit(word.front())))
+  // std::from_chars also accepts "nan" and "inf", and "-1" after the plus
+  if(word.empty() || !((word.front() == '-' && !has_plus) || word.front() == '.' || is_digit(word.front())))
     return false;
   double number = 0;
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);

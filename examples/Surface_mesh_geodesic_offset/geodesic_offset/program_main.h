@@ -53,9 +53,9 @@ int program_main(const std::string& name, const Work& work)
     std::cerr << name << ": " << one_line(text) << std::endl;
     return code;
   };
-  end_cleanly_on_signals();
   try
   {
+    end_cleanly_on_signals();
     const int code = work();
     check_standard_output();
     return code;

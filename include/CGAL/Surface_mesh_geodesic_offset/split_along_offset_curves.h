@@ -65,8 +65,9 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
                           for points nearer than all of them}
     \cgalParamType{a model of `WritablePropertyMap` with `face_descriptor` as key and `std::size_t` as value}
     \cgalParamDefault{none}
-    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. In components of the surface
-                    that no curve crosses the value is 0, unless `vertex_distance_map` is given.}
+    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. If no curve is on the
+                    border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
+                    narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given.}
   \cgalParamNEnd
   \cgalParamNBegin{face_source_map}
     \cgalParamDescription{receives for each face the id of the source that is nearest to the centroid of the face; other points
@@ -150,15 +151,20 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
                     if constexpr (has_sources) put(parameters::get_parameter(np, internal_np::geodesic_face_source), f, source);
                   });
   if constexpr (internal::has_parameter<internal_np::geodesic_face_band_t, NamedParameters>)
-    splitting.write_bands(parameters::get_parameter(np, internal_np::geodesic_face_band), [&](auto f) {
-      if constexpr (internal::has_parameter<internal_np::geodesic_vertex_distance_t, NamedParameters>)
-      {
-        // the number of distances that are not greater
-        const auto d = get(parameters::get_parameter(np, internal_np::geodesic_vertex_distance), source(halfedge(f, tm), tm));
-        return std::size_t(std::upper_bound(distances.begin(), distances.end(), d) - distances.begin());
-      }
-      else return (void)f, std::size_t(0);
-    });
+  {
+    const auto band_map = parameters::get_parameter(np, internal_np::geodesic_face_band);
+    if constexpr (internal::has_parameter<internal_np::geodesic_vertex_distance_t, NamedParameters>)
+    {
+      const auto distance_map = parameters::get_parameter(np, internal_np::geodesic_vertex_distance);
+      typedef typename boost::property_traits<std::decay_t<decltype(distance_map)>>::value_type FT;
+      splitting.write_bands(
+        band_map, [&](const auto v) -> FT { return get(distance_map, v); },
+        [&](const FT& d) { // the number of distances that are not greater
+          return std::size_t(std::upper_bound(distances.begin(), distances.end(), d) - distances.begin());
+        });
+    }
+    else splitting.write_bands(band_map, [](const auto) { return 0.; }, [](double) { return std::size_t(0); });
+  }
 }
 
 } // namespace CGAL

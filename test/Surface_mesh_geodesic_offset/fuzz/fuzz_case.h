@@ -16,10 +16,20 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <iostream>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace test {
+
+/// Ends the program, which libFuzzer reports.
+[[noreturn]] inline void fail_fuzzing(const std::string& text)
+{
+  std::cerr << text << std::endl;
+  std::abort();
+}
 
 /// Numbers from bytes; zeros after the last byte.
 class Fuzz_bytes

@@ -23,12 +23,6 @@ namespace {
 using test::Geodesic;
 using test::Reference_distances;
 
-[[noreturn]] void fail(const std::string& text)
-{
-  std::cerr << text << std::endl;
-  std::abort();
-}
-
 class Distances
 {
 public:
@@ -128,13 +122,13 @@ private:
     const auto source = geodesic.nearest_source(location);
     std::vector<test::Point_3> path;
     geodesic.shortest_path_points_to_sources(location, std::back_inserter(path));
-    if (!source || path.empty()) fail("no path");
+    if (!source || path.empty()) test::fail_fuzzing("no path");
     double length = 0;
     for (std::size_t i = 1; i < path.size(); ++i) length += std::sqrt(CGAL::squared_distance(path[i - 1], path[i]));
     compare(length, expected, test::infinity, 0, "path of", path.size());
     compare(source->distance, expected, test::infinity, 0, "source", source->source);
     const double slope = std::sqrt(geodesic.gradient(location).squared_length());
-    if (slope != 0 && std::abs(slope - 1) > 1e-10) fail("a gradient of length " + std::to_string(slope));
+    if (slope != 0 && std::abs(slope - 1) > 1e-10) test::fail_fuzzing("a gradient of length " + std::to_string(slope));
   }
 
   // No vertex or query may be farther.
@@ -143,7 +137,7 @@ private:
     double largest = largest_;
     for (std::size_t q = 0; q < c_.queries.size(); ++q) largest = (std::max)(largest, double(reference_.of_query(q)));
     const double actual = geodesic.farthest_point().second;
-    if (!(actual >= largest - tolerance(largest))) fail("the farthest point is at " + std::to_string(actual));
+    if (!(actual >= largest - tolerance(largest))) test::fail_fuzzing("the farthest point is at " + std::to_string(actual));
   }
 
   double tolerance(double distance) const { return 1e-10 * (distance + 4 * size_); }
@@ -155,7 +149,7 @@ private:
                             ? true // beyond the limit
                             : actual <= expected + allowed && actual >= expected * (1 - relative) - allowed;
     if (!is_right)
-      fail(std::string(what) + ' ' + std::to_string(i) + ": " + std::to_string(actual) + " instead of " +
+      test::fail_fuzzing(std::string(what) + ' ' + std::to_string(i) + ": " + std::to_string(actual) + " instead of " +
            std::to_string(expected) + ", off by " + std::to_string(1e12 * (actual - expected)) + "e-12");
   }
 
@@ -184,7 +178,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const std::exception& error)
   {
-    fail(error.what());
+    test::fail_fuzzing(error.what());
   }
   return 0;
 }

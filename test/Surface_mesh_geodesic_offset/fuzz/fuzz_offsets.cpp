@@ -7,18 +7,16 @@
 // skipped.
 
 #include "../certified_search.h"
-#include "../locations.h"
 #include "../offset_oracle.h"
 #include "../offset_tools.h"
 #include "../thin_polylines.h"
-#include "fuzz_case.h"
+#include "fuzz_sources.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <iterator>
@@ -30,22 +28,16 @@ namespace {
 
 using test::Geodesic;
 
-[[noreturn]] void fail(const std::string& text)
-{
-  std::cerr << text << std::endl;
-  std::abort();
-}
-
 class Offsets
 {
 public:
   Offsets(test::Fuzz_bytes& bytes, const test::Fuzz_case& fuzz_case)
-    : bytes_(bytes), size_(fuzz_case.size()), flatness_(fuzz_case.flatness()), data_(soup_of(fuzz_case.certified_case())), geodesic_(data_.mesh)
+    : bytes_(bytes), size_(fuzz_case.size()), flatness_(fuzz_case.flatness()), data_(test::soup_of(fuzz_case.certified_case())), geodesic_(data_.mesh)
   {
     const test::Certified_case& c = fuzz_case.certified_case();
     for (std::size_t v : c.source_vertices) geodesic_.add_source_point(data_.vertices[v]);
     for (const auto& s : c.sources) geodesic_.add_source_point(test::Certified_search::location(data_, c, s));
-    for (std::size_t n = bytes_.index(3); n > 0; --n) add_curve();
+    for (std::size_t n = bytes_.index(3); n > 0; --n) test::Fuzz_curves(bytes_, data_).add_to(geodesic_);
     geodesic_.build(CGAL::parameters::keep_windows(true));
   }
 
@@ -61,7 +53,7 @@ public:
       if (!(level > 1e-9 * size_)) continue;
       for (const auto f : data_.mesh.faces())
         oracle.compare(tracing, geodesic_.field_index(f), level, [](const std::string& text) { std::cerr << text << std::endl; });
-      if (oracle.counts.differences() > 0) fail("the oracle has other curves");
+      if (oracle.counts.differences() > 0) test::fail_fuzzing("the oracle has other curves");
       levels.push_back(level);
     }
     if (levels.empty()) return;
@@ -71,22 +63,21 @@ public:
     Geodesic again(geodesic_);
     test::Offset_curves curves;
     again.build_with_offset_curves(levels, std::back_inserter(curves), selection.parameters());
-    if (again.statistics().forced_joints > 0) fail("forced joints at the level " + std::to_string(levels[0]));
+    if (again.statistics().forced_joints > 0) test::fail_fuzzing("forced joints at the level " + std::to_string(levels[0]));
     if (!std::isfinite(test::total_length(curves) + test::total_length(test::offsets(geodesic_, levels, selection))))
-      fail("a curve without a finite length");
+      test::fail_fuzzing("a curve without a finite length");
     check_polylines(curves);
     for (const double level : levels) certify(level);
   }
 
 private:
-  typedef std::vector<Geodesic::Face_location> Path;
   typedef test::Certified_search::Enclosure Enclosure;
 
   void check_polylines(const test::Offset_curves& curves)
   {
     const double tolerance = size_ * std::pow(10, -1. - double(bytes_.index(6)));
     for (const auto& curve : curves) test::check_thin_polyline(curve, tolerance, size_);
-    if (test::Report::instance().failures() > 0) fail("a polyline for a curve, tolerance " + std::to_string(tolerance));
+    if (test::Report::instance().failures() > 0) test::fail_fuzzing("a polyline for a curve, tolerance " + std::to_string(tolerance));
   }
 
   // A curve crosses a smallest cell straight, with distances that differ from the level by up to its diameter. The certificate
@@ -119,75 +110,10 @@ private:
     }
     const test::Offset_curves curves = test::offsets(geodesic_, std::vector<double>{level});
     const auto certificate = enclosure.certify_offset(level, curves);
-    if (!certificate.bounds_region) fail("no region at the level " + std::to_string(level));
+    if (!certificate.bounds_region) test::fail_fuzzing("no region at the level " + std::to_string(level));
     const double largest = largest_tolerance(level);
     if (!(certificate.tolerance <= largest))
-      fail("certified only within " + std::to_string(certificate.tolerance / largest) + " times the largest tolerance");
-  }
-
-  void add_curve()
-  {
-    switch (bytes_.index(6))
-    {
-    case 0: geodesic_.add_source_polyline(path_of_edges(), false); break;
-    case 1: geodesic_.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{data_.mesh.edge(draw_halfedge())}); break;
-    case 2:
-    { // around a face
-      const test::Locations<test::Surface_mesh> locations(data_.mesh);
-      Path path;
-      for (const auto h : data_.mesh.halfedges_around_face(draw_halfedge()))
-        path.push_back(locations.at_vertex(data_.mesh.source(h)));
-      geodesic_.add_source_polyline(path, true);
-      break;
-    }
-    case 3:
-    { // through a vertex
-      const test::Point_3 p = data_.mesh.point(data_.vertices[bytes_.index(data_.vertices.size())]);
-      const double a = bytes_.coordinate(), b = bytes_.coordinate(), c = bytes_.coordinate();
-      if (a * a + b * b + c * c > 0) geodesic_.add_source_plane_section({p, CGAL::Vector_3<test::Kernel>(a, b, c)});
-      break;
-    }
-    default: geodesic_.add_source_polyline(polyline_across_faces(), false);
-    }
-  }
-
-  test::Surface_mesh::Halfedge_index draw_halfedge()
-  {
-    return data_.mesh.halfedge(data_.faces[bytes_.index(data_.faces.size())]);
-  }
-
-  Path path_of_edges()
-  {
-    auto h = draw_halfedge();
-    const test::Locations<test::Surface_mesh> locations(data_.mesh);
-    Path path = {locations.at_vertex(data_.mesh.source(h))};
-    for (std::size_t n = 1 + bytes_.index(3); n > 0; --n, h = data_.mesh.next(h))
-      path.push_back(locations.at_vertex(data_.mesh.target(h)));
-    return path;
-  }
-
-  // From edge to edge of up to four faces; consecutive points may coincide.
-  Path polyline_across_faces()
-  {
-    auto h = draw_halfedge();
-    const test::Locations<test::Surface_mesh> locations(data_.mesh);
-    Path path = {locations.on_edge(h, bytes_.weight())};
-    for (std::size_t n = 1 + bytes_.index(4); n > 0; --n)
-    {
-      h = bytes_.flag() ? data_.mesh.next(h) : data_.mesh.prev(h);
-      path.push_back(locations.on_edge(h, bytes_.weight()));
-      if (data_.mesh.is_border(data_.mesh.opposite(h))) break;
-      h = data_.mesh.opposite(h);
-    }
-    return path;
-  }
-
-  static test::Soup soup_of(const test::Certified_case& c)
-  {
-    test::Soup soup;
-    for (const auto& p : c.points) soup.points.push_back(test::Point_3(p[0], p[1], p[2]));
-    for (const auto& t : c.triangles) soup.add_triangle(t);
-    return soup;
+      test::fail_fuzzing("certified only within " + std::to_string(certificate.tolerance / largest) + " times the largest tolerance");
   }
 
   double draw_level()
@@ -222,7 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const std::exception& error)
   {
-    fail(error.what());
+    test::fail_fuzzing(error.what());
   }
   return 0;
 }

@@ -125,10 +125,10 @@ public:
     for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
-  // Writes the band of each face: the number of levels that its points are not nearer than. Faces in components of the surface
-  // without curves have the value of `band_of(face)`.
-  template <class FaceBandMap, class Function>
-  void write_bands(FaceBandMap band_map, const Function& band_of)
+  // Writes the band of each face: the number of levels that its points are not nearer than. Components of the surface without curves
+  // have that of the middle of the distances of their vertices, of which the largest may be a level whose curve is a point.
+  template <class FaceBandMap, class Distance, class Function>
+  void write_bands(FaceBandMap band_map, const Distance& distance_of, const Function& band_at)
   {
     Face_labels regions(m_mesh, m_edges); // connected without crossing a curve
     std::vector<face_descriptor> first;   // a face of each
@@ -143,8 +143,13 @@ public:
     // close cross, so a region may have edges of both.
     const std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> upper(first.size(), none), lower(first.size(), none);
-    for (const Curve_edge& e : m_edges)
+    const auto directed = sorted_split_edges();
+    for (std::size_t i = 0; i < m_edges.size(); ++i)
     {
+      const Split_edge& s = m_split_edges[i];
+      // both sides of a strip that is a polyline: the edge does not tell on which side points are nearer
+      if (std::binary_search(directed.begin(), directed.end(), std::array<std::size_t, 3>{s.to, s.from, s.level})) continue;
+      const Curve_edge& e = m_edges[i];
       const face_descriptor left = face(e.halfedge, m_mesh), right = face(opposite(e.halfedge, m_mesh), m_mesh);
       if (left != Graph_traits::null_face())
       {
@@ -158,8 +163,13 @@ public:
       }
     }
     std::vector<std::size_t> bands;
-    for (std::size_t r = 0; r < first.size(); ++r)
-      bands.push_back(upper[r] != none ? upper[r] : lower[r] != none ? lower[r] : band_of(first[r]));
+    for (std::size_t r = 0; r < first.size(); ++r) bands.push_back(upper[r] != none ? upper[r] : lower[r]);
+    if (std::count(bands.begin(), bands.end(), none) > 0)
+    {
+      const auto middle = middle_distances(regions, first.size(), distance_of);
+      for (std::size_t r = 0; r < first.size(); ++r)
+        if (bands[r] == none) bands[r] = band_at(middle[r]);
+    }
     for (const face_descriptor f : faces(m_mesh)) put(band_map, f, bands[regions.of(f)]);
   }
 
@@ -257,6 +267,39 @@ private:
     std::vector<std::size_t> sources; // of the triangles, if they are requested
   };
 
+  // From, to and level of each
+  std::vector<std::array<std::size_t, 3>> sorted_split_edges() const
+  {
+    std::vector<std::array<std::size_t, 3>> result;
+    for (const Split_edge& e : m_split_edges) result.push_back({e.from, e.to, e.level});
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // The mean of the smallest and the largest distance of the original vertices of each region.
+  template <class Distance>
+  auto middle_distances(const Face_labels& regions, std::size_t number, const Distance& distance_of) const
+  {
+    const auto is_new = get(CGAL::dynamic_vertex_property_t<bool>(), m_mesh);
+    for (const vertex_descriptor v : vertices(m_mesh)) put(is_new, v, false);
+    for (const vertex_descriptor v : m_new_vertices) put(is_new, v, true);
+    typedef decltype(distance_of(vertex_descriptor())) FT;
+    std::vector<FT> least(number), largest(number);
+    std::vector<bool> is_set(number, false);
+    for (const face_descriptor f : faces(m_mesh))
+      for (const vertex_descriptor v : vertices_around_face(halfedge(f, m_mesh), m_mesh))
+      {
+        if (get(is_new, v)) continue;
+        const std::size_t r = regions.of(f);
+        const FT d = distance_of(v);
+        least[r] = is_set[r] ? (std::min)(least[r], d) : d;
+        largest[r] = is_set[r] ? (std::max)(largest[r], d) : d;
+        is_set[r] = true;
+      }
+    for (std::size_t r = 0; r < number; ++r) least[r] = (least[r] + largest[r]) / 2;
+    return least;
+  }
+
   template <class Location>
   Id add(const Location& l)
   {
@@ -301,6 +344,7 @@ private:
     {
       const halfedge_descriptor h = CGAL::Euler::split_edge(e.halfedge, m_mesh);
       const vertex_descriptor v = target(h, m_mesh);
+      m_new_vertices.push_back(v);
       put(m_vpm, v, m_points[id].point);
       m_points.set_vertex(id, v);
       visitor.new_vertex_added(v, m_mesh);
@@ -363,6 +407,7 @@ private:
   {
     if (m_points[id].vertex != Graph_traits::null_vertex()) return m_points[id].vertex;
     const vertex_descriptor v = add_vertex(m_mesh);
+    m_new_vertices.push_back(v);
     put(m_vpm, v, m_points[id].point);
     set_halfedge(v, h, m_mesh);
     m_points.set_vertex(id, v);
@@ -388,6 +433,7 @@ private:
   std::vector<Split_edge> m_split_edges;                            // of the triangulations
   std::vector<std::pair<face_descriptor, std::size_t>> m_uncrossed; // faces that no curve crosses, with their sources
   std::vector<Curve_edge> m_edges;
+  std::vector<vertex_descriptor> m_new_vertices;
   typename boost::property_map<TriangleMesh, Face_tag>::type m_number_at; // 1 + index in m_faces
 };
 
