@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A vertex shared by several fans of faces is one point of the surface, whether the fans are open or closed: distances,
-// paths and offset curves pass through it between all fans.
+// paths and offset curves pass through it between all fans, and splits divide all of them.
 
 #include "geodesic_types.h"
 #include "test_check.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
+#include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <array>
@@ -103,10 +108,49 @@ void run(const std::string& name, const std::vector<int>& left_out)
   for (unsigned i = 1; i < 7; ++i) CHECK(from_tip.distance_to_sources(Vertex(i)) == 1);
 }
 
+// Splits find the edges of all fans at a vertex.
+void splits()
+{
+  Report::instance().set_context("splits");
+  const Mesh mesh = two_corners({3, 7});
+  Geodesic geodesic(mesh);
+  for (unsigned v = 1; v < 7; ++v) geodesic.add_source_point(Vertex(v));
+  const auto field = geodesic.build(CGAL::parameters::keep_windows(true));
+  const auto area = [](const Mesh& m) { return CGAL::Polygon_mesh_processing::area(m); };
+  for (const bool is_voronoi : {true, false})
+  {
+    Mesh split = mesh;
+    auto label = split.add_property_map<Mesh::Face_index, std::size_t>("f:label", 99).first;
+    auto is_curve = split.add_property_map<Mesh::Edge_index, bool>("e:curve", false).first;
+    if (is_voronoi)
+      CGAL::split_along_geodesic_voronoi_diagram(split, field.voronoi_diagram(),
+                                                 CGAL::parameters::face_source_map(label).edge_is_constrained_map(is_curve));
+    else
+    {
+      std::vector<Geodesic::Offset_curve> curves;
+      geodesic.offset_curves(std::vector<double>{0.6, 0.9}, std::back_inserter(curves));
+      CGAL::split_along_offset_curves(split, curves,
+                                      CGAL::parameters::face_band_map(label).edge_is_constrained_map(is_curve));
+    }
+    CHECK(split.number_of_faces() > mesh.number_of_faces() && CGAL::is_triangle_mesh(split));
+    CHECK_DETAIL(std::abs(area(split) - area(mesh)) < 1e-12, std::to_string(area(split)));
+    std::size_t curve_edges = 0;
+    for (const Mesh::Edge_index e : split.edges())
+    {
+      curve_edges += is_curve[e] ? 1 : 0;
+      if (split.is_border(e)) continue;
+      const auto h = split.halfedge(e);
+      CHECK((label[split.face(h)] != label[split.face(split.opposite(h))]) == bool(is_curve[e]));
+    }
+    CHECK(curve_edges >= 6);
+  }
+}
+
 } // namespace test_shared_vertices
 
 GEODESIC_OFFSET_TEST(test_shared_vertices)
 {
+  splits();
   run("two closed fans", {});
   run("an open and a closed fan", {2});
   run("a closed and an open fan", {6});

@@ -76,6 +76,9 @@ std::vector<Peak> peaks()
           {"square, at a vertex", square, -1, 1, 1, 8, true},
           {"square, on an edge", halves, -1, 1, 1, 8, true},
           {"rectangle, at a border vertex", rectangle, 0, 5, 1, 25. / 12, false},
+          // the triangle (0, 0) (4, 0) (4, 3) on both sides
+          {"two faces, at their vertex", soup_of({Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(4, 3, 0)}, {{{0, 1, 2}}, {{1, 0, 2}}}), 0, 5,
+           1, 8. / 3, true},
           {"cube, on an edge", cube, 8, 4, 1, 8, true},
           rhombus(16),
           rhombus(0x1p17)};

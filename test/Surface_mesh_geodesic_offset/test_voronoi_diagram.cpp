@@ -565,6 +565,53 @@ void graded_strip()
           {[&](Geodesic& g) { g.add_source_point(v[1]); }, [&](Geodesic& g) { g.add_source_point(v[8]); }}, random, 100);
 }
 
+// Two sources within 1e-15 to 1e-12 of each other, among others: the curve between them is known up to a large angle only, but at its
+// vertices with a third cell both distances agree.
+void sources_beside_each_other()
+{
+  Random random(23);
+  for (const bool is_bumpy : {false, true})
+  {
+    Soup soup = planar_grid(3, 3);
+    if (is_bumpy)
+      for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), uniform(random, 0, 0.4));
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
+    for (int exponent = 12; exponent <= 15; ++exponent)
+      for (int repeat = 0; repeat < 5; ++repeat)
+      {
+        std::vector<Add_source> sources;
+        const Location first = random_location(mesh, random);
+        Location second = first;
+        second.second[0] += std::pow(10, -exponent);
+        second.second[1] -= std::pow(10, -exponent) * uniform(random);
+        for (const Location& l : {first, second, random_location(mesh, random), random_location(mesh, random)})
+          sources.push_back([l](Geodesic& g) { g.add_source_point(l); });
+        compare("sources 1e-" + std::to_string(exponent) + " apart", mesh, sources, random, 100, true);
+      }
+  }
+}
+
+// Two polylines begin at a point 1.4e-12 beside an edge: behind the edge, the rays from this point between those of their segments
+// pass it within less than a unit in the last place.
+void common_end_beside_edge()
+{
+  Surface_mesh mesh;
+  std::vector<Vertex_index> v;
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(0, 0.153, -0.2155), Point_3(0.001, -0.974, 0), Point_3(0.0015, -0.758, 0)})
+    v.push_back(mesh.add_vertex(p));
+  mesh.add_face(v[0], v[1], v[2]);
+  mesh.add_face(v[3], v[0], v[2]);
+  const Face_index f(0);
+  const Location end(f, {0.748936, 1.4e-12, 0.251064 - 1.4e-12});
+  Random random(5);
+  for (const double x : {1e-5, 1e-4, 1e-3})
+    compare("common end beside an edge", mesh,
+            {[&](Geodesic& g) { g.add_source_polyline(std::vector<Location>{end, Location(f, {0.696, 0, 0.304})}); },
+             [&](Geodesic& g) { g.add_source_point(Location(f, {0.9999995, 2.5e-7, 2.5e-7})); },
+             [&](Geodesic& g) { g.add_source_polyline(std::vector<Location>{end, Location(f, {1 - 1.2 * x, x, 0.2 * x})}); }},
+            random, 100, true);
+}
+
 // Around the point where two polylines cross, there are four cells of two sources.
 void crossing_polylines()
 {
@@ -701,6 +748,8 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"curves beside vertices", test_voronoi_diagram::curves_beside_vertices},
     {"graded grids", test_voronoi_diagram::graded_grids},
     {"graded strip", test_voronoi_diagram::graded_strip},
+    {"sources beside each other", test_voronoi_diagram::sources_beside_each_other},
+    {"common end beside an edge", test_voronoi_diagram::common_end_beside_edge},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

@@ -127,7 +127,7 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   };
 
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, curves, np);
-  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance, false);
+  internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
   for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));
   splitting.triangulate();
   constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;

@@ -42,8 +42,9 @@ public:
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
     const std::vector<Index> faces = faces_of(pieces);
-    const Index v = closed ? faces.size() > 2 ? common_vertex(faces) : no_index : vertex_cut_off(pieces.front(), pieces.back());
-    if ((!closed || faces.size() > 2) && !is_common(v, faces)) return false; // more than one vertex inside
+    const bool has_vertex = !closed || faces.size() > 2 || crosses_two_edges(pieces); // around a vertex of two faces, for one
+    const Index v = !closed ? vertex_cut_off(pieces.front(), pieces.back()) : has_vertex ? vertex_inside(faces, pieces) : no_index;
+    if (has_vertex && !is_common(v, faces)) return false; // more than one vertex inside
     // A curve this short is a point up to rounding, and the sign of its area is rounding. Around a source, its level or the
     // angle of the surface would be below rounding.
     const bool has_area = sum > Offset_tolerances<FT>(magnitude).error;
@@ -148,10 +149,31 @@ private:
     return v != no_index && std::all_of(faces.begin(), faces.end(), [&](Index f) { return this->corner_of(f, v) < 3; });
   }
 
-  Index common_vertex(const std::vector<Index>& faces) const
+  bool crosses_two_edges(const Pieces& pieces) const
+  {
+    Index first = no_index;
+    for (const Piece& p : pieces)
+    {
+      if (p.start_edge > 2) continue;
+      const Index h = 3 * p.face + p.start_edge, edge = (std::min)(h, m_mesh.twin(h));
+      if (first == no_index) first = edge;
+      if (edge != first) return true;
+    }
+    return false;
+  }
+
+  // The vertex of all faces of a closed curve at which all edges end that it crosses.
+  Index vertex_inside(const std::vector<Index>& faces, const Pieces& pieces) const
   {
     for (Index h = 3 * faces.front(); h < 3 * faces.front() + 3; ++h)
-      if (is_common(m_mesh.source(h), faces)) return m_mesh.source(h);
+    {
+      const Index v = m_mesh.source(h);
+      const auto ends_there = [&](const Piece& p) {
+        const Index g = 3 * p.face + p.start_edge;
+        return p.start_edge > 2 || m_mesh.source(g) == v || m_mesh.source(m_mesh.next(g)) == v;
+      };
+      if (is_common(v, faces) && std::all_of(pieces.begin(), pieces.end(), ends_there)) return v;
+    }
     return no_index;
   }
 

@@ -46,10 +46,9 @@ public:
   typedef typename Points::Id Id;
   typedef typename Points::Weights Weights;
 
-  // `diagonal`: of the bounding box of the mesh. `curves_may_tie`: see Face_triangulation.
-  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance, bool curves_may_tie)
-    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance), m_curves_may_tie(curves_may_tie),
-      m_number_at(get(Face_tag(), tm))
+  // `diagonal`: of the bounding box of the mesh.
+  Mesh_splitting(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal, double chord_tolerance)
+    : m_mesh(tm), m_vpm(vpm), m_points(tm, vpm, diagonal), m_tolerance(chord_tolerance), m_number_at(get(Face_tag(), tm))
   {
     for (const face_descriptor f : faces(tm)) put(m_number_at, f, 0);
   }
@@ -78,7 +77,7 @@ public:
   {
     m_points.merge();
     for (const auto& e : m_points.edges_with_points()) add_faces_beside(e.halfedge);
-    Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance, m_curves_may_tie);
+    Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance);
     for (Face_pieces& f : m_faces)
     {
       for (auto& p : f.pieces)
@@ -87,9 +86,12 @@ public:
         p.to = m_points.merged(p.to);
       }
       triangulation(f.face, f.pieces);
-      m_triangulated.push_back(
-        {f.face, m_points[triangulation.boundary()[0]].vertex, triangulation.boundary(), triangulation.triangles(), {}});
-      m_split_edges.insert(m_split_edges.end(), triangulation.edges().begin(), triangulation.edges().end());
+      m_triangulated.push_back({f.face,
+                                m_points[triangulation.boundary()[0]].vertex,
+                                triangulation.boundary(),
+                                triangulation.triangles(),
+                                triangulation.edges(),
+                                {}});
     }
   }
 
@@ -117,11 +119,7 @@ public:
   {
     for (const auto& e : m_points.edges_with_points()) divide(e, visitor);
     for (const Triangulated_face& f : m_triangulated) replace(f, visitor, put_source);
-    for (const Split_edge& e : m_split_edges)
-    {
-      m_edges.push_back({halfedge_of(e), e.level});
-      put(is_constrained, edge(m_edges.back().halfedge, m_mesh), true);
-    }
+    for (const Curve_edge& e : m_edges) put(is_constrained, edge(e.halfedge, m_mesh), true);
     for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
@@ -143,13 +141,11 @@ public:
     // close cross, so a region may have edges of both.
     const std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> upper(first.size(), none), lower(first.size(), none);
-    const auto directed = sorted_split_edges();
-    for (std::size_t i = 0; i < m_edges.size(); ++i)
+    const auto directed = sorted_edges();
+    for (const Curve_edge& e : m_edges)
     {
-      const Split_edge& s = m_split_edges[i];
       // both sides of a strip that is a polyline: the edge does not tell on which side points are nearer
-      if (std::binary_search(directed.begin(), directed.end(), std::array<std::size_t, 3>{s.to, s.from, s.level})) continue;
-      const Curve_edge& e = m_edges[i];
+      if (std::binary_search(directed.begin(), directed.end(), std::array<std::size_t, 3>{e.to, e.from, e.level})) continue;
       const face_descriptor left = face(e.halfedge, m_mesh), right = face(opposite(e.halfedge, m_mesh), m_mesh);
       if (left != Graph_traits::null_face())
       {
@@ -204,10 +200,9 @@ private:
     face_descriptor face;
     std::vector<Piece_in_face> pieces;
   };
-  struct Curve_edge // of the split mesh, in the direction of its curve
+  struct Curve_edge : Split_edge // of the split mesh, in the direction of its curve
   {
     halfedge_descriptor halfedge;
-    std::size_t level;
   };
   // Labels of faces, spread over all edges but those of curves.
   class Face_labels
@@ -264,14 +259,15 @@ private:
     vertex_descriptor first;  // source of the first halfedge of the face, before the split
     std::vector<Id> boundary; // from there on
     std::vector<std::array<Id, 3>> triangles;
+    std::vector<Split_edge> edges;
     std::vector<std::size_t> sources; // of the triangles, if they are requested
   };
 
   // From, to and level of each
-  std::vector<std::array<std::size_t, 3>> sorted_split_edges() const
+  std::vector<std::array<std::size_t, 3>> sorted_edges() const
   {
     std::vector<std::array<std::size_t, 3>> result;
-    for (const Split_edge& e : m_split_edges) result.push_back({e.from, e.to, e.level});
+    for (const Curve_edge& e : m_edges) result.push_back({e.from, e.to, e.level});
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -358,7 +354,6 @@ private:
   void replace(const Triangulated_face& f, Visitor& visitor, const PutSource& put_source)
   {
     if (!f.sources.empty()) put_source(f.face, f.sources[0]);
-    if (f.triangles.size() == 1) return; // the face itself
     std::map<std::pair<Id, Id>, halfedge_descriptor> halfedge_between;
     halfedge_descriptor h = halfedge(f.face, m_mesh);
     while (source(h, m_mesh) != f.first) h = next(h, m_mesh);
@@ -367,6 +362,18 @@ private:
       CGAL_assertion(source(h, m_mesh) == m_points[f.boundary[i]].vertex);
       halfedge_between[{f.boundary[i], f.boundary[(i + 1) % f.boundary.size()]}] = h;
     }
+    if (f.triangles.size() > 1) create_triangles(f, halfedge_between, visitor, put_source);
+    for (const Split_edge& e : f.edges)
+    { // edges of the boundary are known in one direction
+      const auto it = halfedge_between.find({e.from, e.to});
+      m_edges.push_back({e, it != halfedge_between.end() ? it->second : opposite(halfedge_between.at({e.to, e.from}), m_mesh)});
+    }
+  }
+
+  template <class Visitor, class PutSource>
+  void create_triangles(const Triangulated_face& f, std::map<std::pair<Id, Id>, halfedge_descriptor>& halfedge_between,
+                        Visitor& visitor, const PutSource& put_source)
+  {
     visitor.before_subface_creations(f.face, m_mesh);
     for (std::size_t i = 0; i < f.triangles.size(); ++i)
     {
@@ -415,22 +422,13 @@ private:
     return v;
   }
 
-  halfedge_descriptor halfedge_of(const Split_edge& e) const
-  {
-    const auto h = halfedge(m_points[e.from].vertex, m_points[e.to].vertex, m_mesh);
-    CGAL_postcondition(h.second);
-    return h.first;
-  }
-
   TriangleMesh& m_mesh;
   const VertexPointMap m_vpm;
   Points m_points;
   const double m_tolerance;
-  const bool m_curves_may_tie;
   std::deque<Piece> m_pieces; // the addresses stay
   std::vector<Face_pieces> m_faces;
   std::vector<Triangulated_face> m_triangulated;
-  std::vector<Split_edge> m_split_edges;                            // of the triangulations
   std::vector<std::pair<face_descriptor, std::size_t>> m_uncrossed; // faces that no curve crosses, with their sources
   std::vector<Curve_edge> m_edges;
   std::vector<vertex_descriptor> m_new_vertices;

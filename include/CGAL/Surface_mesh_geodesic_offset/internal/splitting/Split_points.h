@@ -189,12 +189,16 @@ public:
   // A face that has both points, or the null face.
   face_descriptor common_face(Id a, Id b) const
   {
-    const Split_point& p = m_points[a];
-    const halfedge_descriptor h = p.place == AT_VERTEX ? halfedge(p.vertex, m_mesh) : p.halfedge;
     const auto has_both = [&](face_descriptor f) { return f != Graph_traits::null_face() && is_on(f, a) && is_on(f, b); };
-    for (const halfedge_descriptor g : halfedges_around_target(h, m_mesh))
-      if (has_both(face(g, m_mesh))) return face(g, m_mesh);
-    return has_both(face(opposite(h, m_mesh), m_mesh)) ? face(opposite(h, m_mesh), m_mesh) : Graph_traits::null_face();
+    for (const Id id : {a, b})
+    {
+      const Split_point& p = m_points[id];
+      const halfedge_descriptor h = p.place == AT_VERTEX ? halfedge(p.vertex, m_mesh) : p.halfedge;
+      for (const halfedge_descriptor g : halfedges_around_target(h, m_mesh))
+        if (has_both(face(g, m_mesh))) return face(g, m_mesh);
+      if (has_both(face(opposite(h, m_mesh), m_mesh))) return face(opposite(h, m_mesh), m_mesh);
+    }
+    return Graph_traits::null_face();
   }
 
   // True if a point is farther than the snap distance from all edges of its face.

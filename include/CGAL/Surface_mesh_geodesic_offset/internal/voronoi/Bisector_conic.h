@@ -105,6 +105,20 @@ public:
     return {f.linear(m_c2), f.linear(m_c1), f.value(m_c0)};
   }
 
+  // The parameter of the point of the conic that is nearest to a point beside it, found by steps along the tangent from the parameter t:
+  // on the same branch, where two of them are close.
+  double parameter_near(const Point& p, double t) const
+  {
+    constexpr int most_steps = 8;
+    for (int i = 0; i < most_steps; ++i)
+    {
+      const Point u = tangent(t);
+      const double next = t + dot(p - at(t).point(), u) / dot(u, u);
+      t = m_has_inverse ? (std::max)(next, t / 2) : next; // t > 0
+    }
+    return t;
+  }
+
   // For a line: the parameter of the point nearest to c.
   double nearest_parameter(const Point& c) const
   {

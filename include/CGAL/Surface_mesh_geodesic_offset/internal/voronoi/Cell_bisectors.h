@@ -180,8 +180,8 @@ private:
                     members.end());
   }
 
-  // Joins clusters that do not fit alone, nearest first, if the windows of their arcs have the same distances at both points and between them: there the
-  // arcs meet at a small angle, and rounding moves their common end along them.
+  // Joins clusters that do not fit alone, nearest first, if their arcs may end in one point: they meet at a small angle, or some of the
+  // sources nearly coincide, and rounding moves their ends along them.
   void join_loose_ends(const Voronoi_cell& cell)
   {
     struct Pair
@@ -203,36 +203,95 @@ private:
     for (const Pair& p : pairs)
     {
       auto &members = m_clusters[p.first], &others = m_clusters[p.second];
-      if (members.empty() || others.empty() || fits(cell, members) || fits(cell, others) || !tie_between(members, others))
-        continue;
-      members.insert(members.end(), others.begin(), others.end());
+      if (members.empty() || others.empty() || fits(cell, members) || fits(cell, others)) continue;
+      std::vector<std::size_t> joined = members;
+      joined.insert(joined.end(), others.begin(), others.end());
+      if (!put_common_end_first(joined)) continue;
+      members.swap(joined);
       others.clear();
     }
   }
 
-  Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
-
-  bool tie_between(const std::vector<std::size_t>& members, const std::vector<std::size_t>& others) const
+  // Moves that end to the front at which the others may be, on the best terms: nearest to the conics of their arcs. Returns false if there
+  // is none.
+  bool put_common_end_first(std::vector<std::size_t>& members) const
   {
-    const Point &first = m_ends[members.front()].point, &last = m_ends[others.front()].point;
-    for (const Point& p : {first, 0.5 * (first + last), last})
+    std::size_t best = members.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < members.size(); ++i)
     {
-      double least = std::numeric_limits<double>::infinity(), most = -least;
-      for (const auto* const ends : {&members, &others})
-        for (const std::size_t e : *ends)
+      double farthest = 0;
+      const Point p = m_ends[members[i]].point;
+      for (const std::size_t e : members)
+      {
+        if (!may_end_at(e, p, members))
         {
-          if (m_ends[e].is_gate || m_arcs[m_ends[e].arc].is_link) continue;
-          for (const Bisector_side* const s : {&m_arcs[m_ends[e].arc].left, &m_arcs[m_ends[e].arc].right})
-          {
-            const double d = m_windows[s->window].distance_at(p);
-            least = (std::min)(least, d);
-            most = (std::max)(most, d);
-          }
+          farthest = least;
+          break;
         }
-      if (!(most - least <= m_tolerances.loose_tie)) return false;
+        farthest = (std::max)(farthest, length(moved_to(e, p) - p));
+      }
+      if (farthest < least)
+      {
+        least = farthest;
+        best = i;
+      }
     }
+    if (best == members.size()) return false;
+    std::swap(members.front(), members[best]);
     return true;
   }
+
+  bool has_conic(const Arc_end& end) const { return !end.is_gate && !m_arcs[end.arc].is_link; }
+
+  // The point of an end when it is moved along its arc to a point, or as near as it comes.
+  Point moved_to(std::size_t e, const Point& p) const
+  {
+    const Arc_end& end = m_ends[e];
+    if (!has_conic(end)) return end.point;
+    const Bisector_arc& a = m_arcs[end.arc];
+    return a.conic.at(a.conic.parameter_near(p, end.is_end ? a.to : a.from)).point();
+  }
+
+  // True if all windows of a cluster have the same distances up to rounding wherever an end moves: along its arc, and straight from there to
+  // the point.
+  bool may_end_at(std::size_t e, const Point& p, const std::vector<std::size_t>& members) const
+  {
+    const Arc_end& end = m_ends[e];
+    Point q = end.point;
+    if (has_conic(end))
+    {
+      const Bisector_arc& a = m_arcs[end.arc];
+      const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from,
+                   after = a.conic.parameter_near(p, before);
+      if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return false;
+      q = a.conic.at(after).point();
+      const Point middle = a.conic.at(a.conic.between(before, after, 0.5)).point();
+      if (!(length(middle - q) <= length(end.point - q) + m_tolerances.joint)) return false; // around a bend
+      for (const Bisector_side* const s : {&a.left, &a.right}) // beyond its cone, the function of a window is no distance
+        if (!m_windows[s->window].contains(q, m_tolerances.joint)) return false;
+      if (!all_tie_at(middle, members) || !all_tie_at(q, members)) return false;
+    }
+    return all_tie_at(0.5 * (q + p), members) && all_tie_at(p, members);
+  }
+
+  bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const
+  {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const std::size_t e : members)
+    {
+      if (!has_conic(m_ends[e])) continue;
+      for (const Bisector_side* const s : {&m_arcs[m_ends[e].arc].left, &m_arcs[m_ends[e].arc].right})
+      {
+        const double d = m_windows[s->window].distance_at(p);
+        least = (std::min)(least, d);
+        most = (std::max)(most, d);
+      }
+    }
+    return most - least <= m_tolerances.loose_tie;
+  }
+
+  Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
 
   bool repeats_another(std::size_t arc) const
   {
@@ -388,10 +447,39 @@ private:
         m_links.push_back(l);
         continue;
       }
-      Bisector_arc& arc = m_arcs[end.arc];
-      (end.is_end ? arc.end_node : arc.start_node) = node;
-      (end.is_end ? arc.end : arc.start) = point;
+      move_end(end, point, node, new_node);
     }
+  }
+
+  // Ends an arc in a node: farther than a joint from its end, along its conic as far as this goes, and from there straight.
+  template <class New_node>
+  void move_end(const Arc_end& end, const Point& point, Index node, const New_node& new_node)
+  {
+    Bisector_arc& arc = m_arcs[end.arc];
+    Index& end_node = end.is_end ? arc.end_node : arc.start_node;
+    Point& end_point = end.is_end ? arc.end : arc.start;
+    end_node = node;
+    if (has_conic(end) && length(end.point - point) > m_tolerances.joint)
+    {
+      double& parameter = end.is_end ? arc.to : arc.from;
+      parameter = arc.conic.parameter_near(point, parameter);
+      const Point q = arc.conic.at(parameter).point();
+      if (length(q - point) > m_tolerances.joint)
+      {
+        end_node = new_node();
+        end_point = q;
+        Bisector_arc l = arc;
+        l.is_link = true;
+        l.left.window = l.right.window = no_index;
+        l.start = end.is_end ? q : point;
+        l.end = end.is_end ? point : q;
+        l.start_node = end.is_end ? end_node : node;
+        l.end_node = end.is_end ? node : end_node;
+        m_links.push_back(l);
+        return;
+      }
+    }
+    end_point = point;
   }
 
   const std::vector<Voronoi_window>& m_windows;

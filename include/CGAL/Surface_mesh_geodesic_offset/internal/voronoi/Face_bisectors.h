@@ -33,7 +33,7 @@ public:
   typedef Point_in_face<double> Point;
 
   Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_distance(field.distance), m_labels(mesh, initial, field), m_field(mesh, initial, field)
+    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field)
   {
   }
 
@@ -60,7 +60,8 @@ public:
     for (const auto& w : m_field.windows())
     {
       add(w);
-      if (w.origin == STARTS_AT_CORNER && w.sigma == m_distance[m_mesh.source(3 * face + Index(w.edge))]) add(whole_corner(w));
+      if (w.origin == STARTS_AT_CORNER && w.sigma == m_results.distance[m_mesh.source(3 * face + Index(w.edge))])
+        add(whole_corner(w));
     }
     close_gaps();
     double magnitude = 0; // of the windows that may be nearest
@@ -198,18 +199,32 @@ private:
     std::vector<Place> left;
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
     std::sort(left.begin(), left.end());
-    for (unsigned i = 0; i < m_windows.size(); ++i)
+    for (unsigned i = 0; i < has_neighbor.size(); ++i)
     {
       const Point p = m_windows[i].start_of_bound(1);
       for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.tie, 0));
            next != left.end() && next->first <= p.x + m_tolerances.tie; ++next)
         if (next->second != i && length(m_windows[next->second].start_of_bound(0) - p) <= m_tolerances.tie &&
-            m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie))
+            (m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie) || add_fan(i, next->second)))
           has_neighbor[i][1] = has_neighbor[next->second][0] = true;
     }
-    for (std::size_t i = 0; i < m_windows.size(); ++i)
+    for (std::size_t i = 0; i < has_neighbor.size(); ++i)
       for (int k = 0; k < 2; ++k)
         if (!has_neighbor[i][std::size_t(k)]) m_windows[i].widen(k, m_tolerances.tie);
+  }
+
+  bool add_fan(unsigned i, unsigned next)
+  {
+    const double source_value = CGAL::to_double(m_results.start_values.of(m_windows[i].rays.source_ref));
+    auto fan = m_windows[i].fan_between(m_windows[next], source_value, m_tolerances.tie);
+    if (!fan) return false;
+    const auto same = std::find_if(m_windows.begin(), m_windows.end(), [&](const Voronoi_window& w) {
+      return w.is_same_function(*fan, fan->image(), 0, m_tolerances.tie);
+    });
+    if (same != m_windows.end()) fan->label = same->label; // the point may be that of another source as well
+    m_all.push_back(unsigned(m_windows.size()));
+    m_windows.push_back(*fan);
+    return true;
   }
 
   // Removes the windows that are nowhere nearest in a cell, or do not reach it. Distances are 1-Lipschitz.
@@ -243,7 +258,7 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
-  const std::vector<FT>& m_distance; // of the vertices
+  const Geodesic_field<FT>& m_results;
   const Source_labels<FT> m_labels;
   Face_field<FT> m_field;
   Voronoi_cell m_cell; // the face

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -94,6 +95,28 @@ struct Voronoi_window
     if (rounding < rounding_of_next) next.turn_bound(0, -1. * bound[1].n, start_of_bound(1));
     else turn_bound(1, -1. * next.bound[0].n, next.start_of_bound(0));
     return true;
+  }
+
+  // For parallel rays of two windows that come over an edge, as in close_gap(), with a gap between them: the rays from the common end of
+  // their sources, if it is so near to this edge that rounding may have lost them. `source_value`: distance at the source.
+  std::optional<Voronoi_window> fan_between(const Voronoi_window& next, double source_value, double tie) const
+  {
+    if (!is_parallel() || !next.is_parallel() || is_strip() || next.is_strip()) return std::nullopt;
+    const Point p = rays.right, u = along_bound(1), v = next.along_bound(0);
+    const double r = (std::max)(0., distance_at(p) - source_value), turn = cross(u, v);
+    if (!(turn < 0 && dot(u, v) > 0 && -turn * r <= tie)) return std::nullopt;
+    Voronoi_window fan(*this);
+    fan.rays.bits = Window<double>::make_bits(false, no_index);
+    fan.rays.origin = STARTS_IN_FACE;
+    fan.rays.x = p.x;
+    fan.rays.y = p.y;
+    fan.rays.left = fan.rays.right = p;
+    fan.rays.sigma = fan.start = distance_at(p);
+    fan.label = (std::min)(label, next.label);
+    fan.number_of_bounds = 2;
+    fan.bound[0] = {-1. * bound[1].n, dot(-1. * bound[1].n, p)};
+    fan.bound[1] = {-1. * next.bound[0].n, dot(-1. * next.bound[0].n, p)};
+    return fan;
   }
 
   // Extends the cone at its left (0) or right (1) bounding ray by the angle that rounding explains. With r the distance of the image from
