@@ -246,9 +246,10 @@ public:
   std::vector<std::size_t> add_source_points(const LocationRange& locations,
                                              const NamedParameters& np = parameters::default_values())
   {
-    for (const auto& l : locations) data().classified(l);
+    const std::vector<std::decay_t<decltype(*std::begin(locations))>> points(std::begin(locations), std::end(locations));
+    for (const auto& l : points) data().classified(l);
     std::vector<std::size_t> ids;
-    for (const auto& l : locations) ids.push_back(add_source_point(l, np));
+    for (const auto& l : points) ids.push_back(add_source_point(l, np));
     return ids;
   }
 

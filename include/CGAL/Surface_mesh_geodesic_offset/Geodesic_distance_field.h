@@ -284,6 +284,10 @@ public:
   /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
   /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the
   /// distance limit of the build, give no curves.
+  ///
+  /// Takes time linear in the size of the mesh and of the curves, but in a face quadratic in the number of its windows that reach a
+  /// distance, and up to cubic if they start at sources that cross each other: hundreds of segments of polylines in one face take
+  /// seconds. Triangulate the face again before.
   /// \param levels a distance, a range of distances, or an `Offset_levels` object
   /// \param out an output iterator for `Offset_curve`; curves come by increasing distance
   /// \param np optional named parameters: `offset_side`, `end_style` and `concurrency_tag` as in
