@@ -47,8 +47,8 @@ public:
 
 // On SIGINT, SIGTERM and SIGHUP, removes the temporary files and ends the program with exit code 128 + signal; signals that
 // the caller ignores, as nohup does, remain ignored. Failed writes are errors of the writing functions and not signals,
-// both for closed pipes and for file size limits. Must be called before other threads exist. Throws std::system_error if no thread can be
-// started.
+// both for closed pipes and for file size limits. Must be called before other threads exist. Throws std::system_error if no
+// thread can be started.
 inline void end_cleanly_on_signals()
 {
   for(int ignored : {SIGPIPE, SIGXFSZ})

@@ -150,7 +150,7 @@ private:
                             : actual <= expected + allowed && actual >= expected * (1 - relative) - allowed;
     if (!is_right)
       test::fail_fuzzing(std::string(what) + ' ' + std::to_string(i) + ": " + std::to_string(actual) + " instead of " +
-           std::to_string(expected) + ", off by " + std::to_string(1e12 * (actual - expected)) + "e-12");
+                         std::to_string(expected) + ", off by " + std::to_string(1e12 * (actual - expected)) + "e-12");
   }
 
   const test::Certified_case c_;

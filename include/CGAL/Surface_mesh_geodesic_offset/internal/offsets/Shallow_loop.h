@@ -42,7 +42,7 @@ public:
     const FT magnitude = level + m_edge;
     if (sum > Offset_tolerances<FT>::longest_shallow_loop(magnitude)) return false;
     const std::vector<Index> faces = faces_of(pieces);
-    const bool has_vertex = !closed || faces.size() > 2 || crosses_two_edges(pieces); // around a vertex of two faces, for one
+    const bool has_vertex = !closed || faces.size() > 2 || crosses_two_edges(pieces); // a vertex may have two faces
     const Index v = !closed ? vertex_cut_off(pieces.front(), pieces.back()) : has_vertex ? vertex_inside(faces, pieces) : no_index;
     if (has_vertex && !is_common(v, faces)) return false; // more than one vertex inside
     // A curve this short is a point up to rounding, and the sign of its area is rounding. Around a source, its level or the

@@ -105,8 +105,8 @@ private:
 
   // Arcs are divided at most 2^10 times further: then chords of arcs at the tolerance are within 2^-20 of it.
   static constexpr std::size_t most_divisions = 1 << 10;
-  // But beyond eight times only up to this number of chords in a face, which bounds the time for curves that are closer than rounding along
-  // their length: a triangulation of 2^12 points of circles takes a second, and four times as long of twice as many.
+  // But beyond eight times only up to this number of chords in a face, which bounds the time for curves that are closer than
+  // rounding along their length: a triangulation of 2^12 points of circles takes a second, one of twice as many four times that.
   static constexpr std::size_t few_divisions = 1 << 3, most_chords = 1 << 12;
 
   bool is_worth_a_try(std::size_t division, std::size_t chords) const

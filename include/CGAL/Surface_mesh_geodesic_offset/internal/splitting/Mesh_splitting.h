@@ -123,8 +123,8 @@ public:
     for (const auto& f : m_uncrossed) put_source(f.first, f.second);
   }
 
-  // Writes the band of each face: the number of levels that its points are not nearer than. Components of the surface without curves
-  // have that of the middle of the distances of their vertices, of which the largest may be a level whose curve is a point.
+  // Writes the band of each face: the number of levels that its points are not nearer than. Regions without curves have that of
+  // the middle of the distances of their vertices, of which the largest may be a level whose curve is a point.
   template <class FaceBandMap, class Distance, class Function>
   void write_bands(FaceBandMap band_map, const Distance& distance_of, const Function& band_at)
   {

@@ -105,8 +105,8 @@ public:
     return {f.linear(m_c2), f.linear(m_c1), f.value(m_c0)};
   }
 
-  // The parameter of the point of the conic that is nearest to a point beside it, found by steps along the tangent from the parameter t:
-  // on the same branch, where two of them are close.
+  // The parameter of the point of the conic that is nearest to a point beside it, found by steps along the tangent from the
+  // parameter t: on the same branch, where two of them are close.
   double parameter_near(const Point& p, double t) const
   {
     constexpr int most_steps = 8;

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -180,8 +181,8 @@ private:
                     members.end());
   }
 
-  // Joins clusters that do not fit alone, nearest first, if their arcs may end in one point: they meet at a small angle, or some of the
-  // sources nearly coincide, and rounding moves their ends along them.
+  // Joins clusters that do not fit alone, nearest first, if their arcs may end in one point: they meet at a small angle, or some
+  // of the sources nearly coincide, and rounding moves their ends along them.
   void join_loose_ends(const Voronoi_cell& cell)
   {
     struct Pair
@@ -212,67 +213,58 @@ private:
     }
   }
 
-  // Moves that end to the front at which the others may be, on the best terms: nearest to the conics of their arcs. Returns false if there
-  // is none.
+  // Moves that end to the front at which all others may be, nearest to the conics of their arcs. Returns false if there is none.
   bool put_common_end_first(std::vector<std::size_t>& members) const
   {
-    std::size_t best = members.size();
+    auto best = members.end();
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < members.size(); ++i)
+    for (auto i = members.begin(); i != members.end(); ++i)
     {
-      double farthest = 0;
-      const Point p = m_ends[members[i]].point;
-      for (const std::size_t e : members)
-      {
-        if (!may_end_at(e, p, members))
-        {
-          farthest = least;
-          break;
-        }
-        farthest = (std::max)(farthest, length(moved_to(e, p) - p));
-      }
-      if (farthest < least)
-      {
-        least = farthest;
-        best = i;
-      }
+      const double gap = largest_gap(members, m_ends[*i].point);
+      if (!(gap < least)) continue;
+      least = gap;
+      best = i;
     }
-    if (best == members.size()) return false;
-    std::swap(members.front(), members[best]);
+    if (best == members.end()) return false;
+    std::iter_swap(members.begin(), best);
     return true;
+  }
+
+  // The largest distance of the ends of a cluster from a point when they have moved towards it; infinite if one of them may not.
+  double largest_gap(const std::vector<std::size_t>& members, const Point& p) const
+  {
+    double result = 0;
+    for (const std::size_t e : members)
+    {
+      const std::optional<Point> q = moved_to(m_ends[e], p, members);
+      if (!q) return std::numeric_limits<double>::infinity();
+      result = (std::max)(result, length(*q - p));
+    }
+    return result;
   }
 
   bool has_conic(const Arc_end& end) const { return !end.is_gate && !m_arcs[end.arc].is_link; }
 
-  // The point of an end when it is moved along its arc to a point, or as near as it comes.
-  Point moved_to(std::size_t e, const Point& p) const
+  // Where an end is when it moves along its arc as near to a point as this goes. Empty unless all windows of the cluster have the
+  // same distances up to rounding on its way: along the arc, and straight from there to the point.
+  std::optional<Point> moved_to(const Arc_end& end, const Point& p, const std::vector<std::size_t>& members) const
   {
-    const Arc_end& end = m_ends[e];
-    if (!has_conic(end)) return end.point;
-    const Bisector_arc& a = m_arcs[end.arc];
-    return a.conic.at(a.conic.parameter_near(p, end.is_end ? a.to : a.from)).point();
-  }
-
-  // True if all windows of a cluster have the same distances up to rounding wherever an end moves: along its arc, and straight from there to
-  // the point.
-  bool may_end_at(std::size_t e, const Point& p, const std::vector<std::size_t>& members) const
-  {
-    const Arc_end& end = m_ends[e];
     Point q = end.point;
     if (has_conic(end))
     {
       const Bisector_arc& a = m_arcs[end.arc];
       const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from,
                    after = a.conic.parameter_near(p, before);
-      if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return false;
+      if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return std::nullopt;
       q = a.conic.at(after).point();
       const Point middle = a.conic.at(a.conic.between(before, after, 0.5)).point();
-      if (!(length(middle - q) <= length(end.point - q) + m_tolerances.joint)) return false; // around a bend
+      if (!(length(middle - q) <= length(end.point - q) + m_tolerances.joint)) return std::nullopt; // around a bend
       for (const Bisector_side* const s : {&a.left, &a.right}) // beyond its cone, the function of a window is no distance
-        if (!m_windows[s->window].contains(q, m_tolerances.joint)) return false;
-      if (!all_tie_at(middle, members) || !all_tie_at(q, members)) return false;
+        if (!m_windows[s->window].contains(q, m_tolerances.joint)) return std::nullopt;
+      if (!all_tie_at(middle, members) || !all_tie_at(q, members)) return std::nullopt;
     }
-    return all_tie_at(0.5 * (q + p), members) && all_tie_at(p, members);
+    if (!all_tie_at(0.5 * (q + p), members) || !all_tie_at(p, members)) return std::nullopt;
+    return q;
   }
 
   bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const

@@ -97,8 +97,8 @@ struct Voronoi_window
     return true;
   }
 
-  // For parallel rays of two windows that come over an edge, as in close_gap(), with a gap between them: the rays from the common end of
-  // their sources, if it is so near to this edge that rounding may have lost them. `source_value`: distance at the source.
+  // For parallel rays of two windows that come over an edge, as in close_gap(), with a gap between them: the rays from the common
+  // end of their sources, if it is so near to this edge that rounding may have lost them. `source_value`: distance at the source.
   std::optional<Voronoi_window> fan_between(const Voronoi_window& next, double source_value, double tie) const
   {
     if (!is_parallel() || !next.is_parallel() || is_strip() || next.is_strip()) return std::nullopt;
