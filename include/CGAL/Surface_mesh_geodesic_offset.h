@@ -246,11 +246,9 @@ public:
   std::vector<std::size_t> add_source_points(const LocationRange& locations,
                                              const NamedParameters& np = parameters::default_values())
   {
-    const std::vector<std::decay_t<decltype(*std::begin(locations))>> points(std::begin(locations), std::end(locations));
-    for (const auto& l : points) data().classified(l);
-    std::vector<std::size_t> ids;
-    for (const auto& l : points) ids.push_back(add_source_point(l, np));
-    return ids;
+    Source_set set;
+    for (const auto& l : locations) Geodesic_offset::internal::add_point<FT>(set, l, np);
+    return add_sources(set);
   }
 
   /// adds a polyline whose vertices lie anywhere on the surface, and each of whose segments is straight within one closed
@@ -306,9 +304,9 @@ public:
   /// \return the ids of the sources; no ids if the surface has no boundary
   std::vector<std::size_t> add_source_boundary()
   {
-    std::vector<std::size_t> ids;
-    for (const std::vector<edge_descriptor>& cycle : m_mesh.boundary_edges()) ids.push_back(add_source_edges(cycle));
-    return ids;
+    Source_set set;
+    for (const std::vector<edge_descriptor>& cycle : m_mesh.boundary_edges()) set.add_edges(cycle);
+    return add_sources(set);
   }
 
   /// adds one boundary cycle, that of a border halfedge: a set of edges. Edges without a face are left out.
@@ -334,12 +332,11 @@ public:
   std::vector<std::size_t> add_source_plane_section(const Plane_3& plane)
   {
     const Plane_section section = plane_section(plane);
-    std::vector<std::size_t> ids;
-    for (const auto& polyline : section.polylines)
-      ids.push_back(add_source_polyline(polyline.locations, polyline.is_closed));
-    if (!section.touched_edges.empty()) ids.push_back(add_source_edges(section.touched_edges));
-    for (const vertex_descriptor v : section.touched_vertices) ids.push_back(add_source_point(v));
-    return ids;
+    Source_set set;
+    for (const auto& polyline : section.polylines) set.add_polyline(polyline.locations, polyline.is_closed);
+    if (!section.touched_edges.empty()) set.add_edges(section.touched_edges);
+    for (const vertex_descriptor v : section.touched_vertices) set.add_vertex(v);
+    return add_sources(set);
   }
 
   /// removes a source.

@@ -612,6 +612,34 @@ void common_end_beside_edge()
             random, 100, true);
 }
 
+// A polyline ends some 1e-12 beside a vertex that is a source: they differ by a few ties, and a tie more or less moves the ends of the
+// curves between them far.
+void end_beside_source()
+{
+  const double s = std::sqrt(0.75);
+  Random random(8);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double h = i % 2 == 0 ? 0.69999998807907104 : 0.7;
+    Surface_mesh mesh;
+    std::vector<Vertex_index> v;
+    for (const Point_3& p :
+         {Point_3(1, 0, 2 * h), Point_3(1, 0, h), Point_3(-0.5, s, 2 * h), Point_3(-0.5, s, 3 * h), Point_3(1, 0, 3 * h)})
+      v.push_back(mesh.add_vertex(p));
+    mesh.add_face(v[0], v[1], v[2]);
+    mesh.add_face(v[3], v[0], v[2]);
+    mesh.add_face(v[4], v[0], v[3]);
+    const Face_index f(0);
+    const double y = i == 0 ? 7.1994236424081837e-13 : 1e-12 * uniform(random, 0.2, 1),
+                 z = i == 0 ? 4.7361568763684234e-13 : 1e-12 * uniform(random, 0.2, 1),
+                 x = i < 2 ? 0.74281152372491965 : uniform(random, 0.6, 0.9);
+    const std::vector<Location> polyline{Location(f, {1 - x, x, 0}), Location(f, {0, 0.5, 0.5}), Location(f, {z, 1 - y - z, y})};
+    compare("end beside a source", mesh,
+            {[&](Geodesic& g) { g.add_source_polyline(polyline); }, [&](Geodesic& g) { g.add_source_point(v[0]); }}, random, 20,
+            true);
+  }
+}
+
 // Around the point where two polylines cross, there are four cells of two sources.
 void crossing_polylines()
 {
@@ -750,6 +778,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"graded strip", test_voronoi_diagram::graded_strip},
     {"sources beside each other", test_voronoi_diagram::sources_beside_each_other},
     {"common end beside an edge", test_voronoi_diagram::common_end_beside_edge},
+    {"end beside a source", test_voronoi_diagram::end_beside_source},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

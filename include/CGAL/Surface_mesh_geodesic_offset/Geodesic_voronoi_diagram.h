@@ -18,6 +18,7 @@
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -38,7 +39,8 @@ class Geodesic_voronoi_diagram;
 inside one face, between the cells of two sources.
 
 The curve is closed, or each of its ends is a vertex of the diagram or lies on the border of the mesh. Curves share the data of their
-diagram, are valid after its destruction, and must not outlive the mesh.
+diagram, are valid after its destruction, and must not outlive the mesh. All member functions of a curve that was moved from throw
+`std::logic_error`.
 
 \tparam Surface_ an implementation detail; `Geodesic_voronoi_diagram::Curve` names the type
 */
@@ -153,11 +155,21 @@ public:
   }
 
   /// the point in space of a location.
-  Point_3 point(const Face_location& location) const { return m_context->surface->point(location); }
+  /// \throws std::invalid_argument if the face of the location is null or of another mesh
+  Point_3 point(const Face_location& location) const
+  {
+    chain(); // or an exception
+    m_context->surface->check_face(location.first);
+    return m_context->surface->point(location);
+  }
   /// @}
 
 private:
-  const Chain& chain() const { return m_diagram->chains[m_number]; }
+  const Chain& chain() const
+  {
+    if (!m_diagram) throw std::logic_error("Surface_mesh_geodesic_offset: a bisector that was moved from has no pieces");
+    return m_diagram->chains[m_number];
+  }
 
   static std::optional<std::size_t> vertex(std::size_t v)
   {
@@ -192,7 +204,8 @@ tell in which direction the curves between them run; if further sources tie ther
 1 % of the size, in about one of 100 random such cases. If the arcs of a cell do not fit together, `number_of_forced_cells()` tells.
 
 Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh. It
-does not need the field, but keeps the windows of the faces that curves cross.
+does not need the field, but keeps the windows of the faces that curves cross. All member functions of a diagram that was moved from
+throw `std::logic_error`.
 
 \tparam Surface_ an implementation detail; `Geodesic_distance_field::Voronoi_diagram` names the type
 */
@@ -235,7 +248,7 @@ public:
   /// @{
 
   /// the number of curves.
-  std::size_t number_of_curves() const { return m_diagram->chains.size(); }
+  std::size_t number_of_curves() const { return diagram().chains.size(); }
 
   /// the i-th curve. \pre `i < number_of_curves()`
   Curve curve(std::size_t i) const
@@ -259,21 +272,28 @@ public:
 
   /// the id of the source whose cell has the center of a face: the cell of all points of the face, if no curve has a piece in it.
   /// `Geodesic_distance_field::no_source()` if no path reaches the face.
+  /// \throws std::invalid_argument if the face is null or of another mesh
   std::size_t source_at_face(face_descriptor f) const
   {
-    const auto label = m_diagram->label_of_face[m_context->surface->index_of(f)];
+    const Diagram& d = diagram();
+    m_context->surface->check_face(f);
+    const auto label = d.label_of_face[m_context->surface->index_of(f)];
     return label == Geodesic_offset::internal::no_index ? Geodesic_offset::internal::no_source_label : std::size_t(label);
   }
 
   /// the id of the source in whose cell a point lies: the nearest one; of those that tie, any. `Geodesic_distance_field::no_source()` if
   /// no path reaches the point. The time is linear in the number of windows in the face.
+  /// \throws std::invalid_argument if the location is not valid
   std::size_t source_at(const Face_location& location) const
   {
-    return sources_at(location.first,
-                      {CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
-                       CGAL::to_double(location.second[2])},
-                      0)
-      .front();
+    diagram(); // or an exception
+    m_context->surface->check_location(location);
+    std::array<double, 3> weights;
+    std::transform(location.second.begin(), location.second.end(), weights.begin(),
+                   [](const FT& w) { return CGAL::to_double(w); });
+    const double sum = weights[0] + weights[1] + weights[2];
+    for (double& w : weights) w /= sum;
+    return sources_at(location.first, weights, 0).front();
   }
 
 #ifndef DOXYGEN_RUNNING
@@ -281,8 +301,8 @@ public:
   // nearest first.
   std::vector<std::size_t> sources_at(face_descriptor f, const std::array<double, 3>& weights, double within) const
   {
-    const auto cells = m_diagram->cells.find(Geodesic_offset::internal::Index(m_context->surface->index_of(f)));
-    if (cells == m_diagram->cells.end()) return {source_at_face(f)};
+    const auto cells = diagram().cells.find(Geodesic_offset::internal::Index(m_context->surface->index_of(f)));
+    if (cells == diagram().cells.end()) return {source_at_face(f)};
     const auto labels = cells->second.labels(weights, within);
     return std::vector<std::size_t>(labels.begin(), labels.end());
   }
@@ -295,26 +315,30 @@ public:
   /// @{
 
   /// the number of vertices.
-  std::size_t number_of_vertices() const { return m_diagram->vertices.size(); }
+  std::size_t number_of_vertices() const { return diagram().vertices.size(); }
 
   /// the location of a vertex. \pre `i < number_of_vertices()`
   Face_location vertex(std::size_t i) const
   {
     CGAL_precondition(i < number_of_vertices());
     typedef typename Surface_::Number Number;
-    const auto& v = m_diagram->vertices[i];
+    const auto& v = diagram().vertices[i];
     return m_context->surface->location_inside(v.face, {Number(v.point.x), Number(v.point.y)}, v.edge);
   }
 
   /// the point in space of a vertex. \pre `i < number_of_vertices()`
-  Point_3 vertex_point(std::size_t i) const { return m_context->surface->point(vertex(i)); }
+  Point_3 vertex_point(std::size_t i) const
+  {
+    const Face_location l = vertex(i);
+    return m_context->surface->point(l);
+  }
 
   /// the indices of the curves that end at a vertex; that of a curve with both ends there occurs twice.
   /// \pre `i < number_of_vertices()`
   const std::vector<std::size_t>& curves_at_vertex(std::size_t i) const
   {
     CGAL_precondition(i < number_of_vertices());
-    return m_diagram->vertices[i].curves;
+    return diagram().vertices[i].curves;
   }
   /// @}
 
@@ -323,15 +347,21 @@ public:
 
   /// the number of cells of faces in which rounding left curves that do not fit together. They are crossed straight, and may be
   /// wrong there. 0 in general.
-  std::size_t number_of_forced_cells() const { return m_diagram->forced_cells; }
+  std::size_t number_of_forced_cells() const { return diagram().forced_cells; }
   /// @}
 
 #ifndef DOXYGEN_RUNNING
   // For tests and benchmarks: divisions of cells that rounding did not let be connected at once
-  std::size_t number_of_divisions() const { return m_diagram->divisions; }
+  std::size_t number_of_divisions() const { return diagram().divisions; }
 #endif
 
 private:
+  const Diagram& diagram() const
+  {
+    if (!m_diagram) throw std::logic_error("Surface_mesh_geodesic_offset: a Voronoi diagram that was moved from");
+    return *m_diagram;
+  }
+
   std::shared_ptr<const Context> m_context;
   std::shared_ptr<const Diagram> m_diagram;
 };

@@ -192,7 +192,12 @@ public:
   }
 
   /// the point in space of a location.
-  Point_3 point(const Face_location& location) const { return context().surface->point(location); }
+  /// \throws std::invalid_argument if the face of the location is null or of another mesh
+  Point_3 point(const Face_location& location) const
+  {
+    context().surface->check_face(location.first);
+    return m_context->surface->point(location);
+  }
   /// @}
 
 private:

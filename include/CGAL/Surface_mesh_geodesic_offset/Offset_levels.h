@@ -44,12 +44,13 @@ public:
   }
 
   /// the distances `spacing`, `2 * spacing`, ..., `count * spacing`.
-  /// \throws std::invalid_argument if `spacing` is not a positive finite number.
+  /// \throws std::invalid_argument if `spacing`, or `count * spacing` with a limited count, is not a positive finite number.
   static Offset_levels equally_spaced(const FT& spacing, std::size_t count = unlimited)
   {
     Offset_levels levels;
     levels.m_spacing = checked(spacing, "the spacing of offsets");
     levels.m_count = count;
+    if (count != 0 && count != unlimited) checked(levels[count - 1], "the largest offset distance");
     return levels;
   }
 

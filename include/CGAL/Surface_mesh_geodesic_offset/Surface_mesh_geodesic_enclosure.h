@@ -133,10 +133,9 @@ public:
   std::vector<std::size_t> add_source_points(const LocationRange& locations,
                                              const NamedParameters& np = parameters::default_values())
   {
-    for (const auto& l : locations) data().classified(l);
-    std::vector<std::size_t> ids;
-    for (const auto& l : locations) ids.push_back(add_source_point(l, np));
-    return ids;
+    Source_set set;
+    for (const auto& l : locations) Geodesic_offset::internal::add_point<double>(set, l, np);
+    return add_sources(set);
   }
 
   /// adds a polyline.
@@ -189,7 +188,7 @@ public:
   /// \throws std::runtime_error if thousands of windows reach one edge of a small mesh: in needle faces thinner than some
   ///         1e-4, no window may be certainly nearer than another one, so that the number of windows doubles in each face;
   ///         or if a path may cross 2^16 faces without a bend, or a distance is uncertain by more than a quarter of the mean
-  ///         edge: the error analysis does not cover these cases
+  ///         edge: the error analysis does not cover these cases; or if a start value divided by the longest edge is not finite
   /// \throws std::invalid_argument if the longest edge is not between 1e-60 and 1e60, or an edge is shorter than 1e-60 times the
   ///         longest one
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -213,7 +212,7 @@ public:
   bool is_built() const { return m_built != nullptr; }
 
   /// the number of windows that were propagated.
-  std::size_t number_of_windows() const { return built().field.windows_propagated; }
+  std::size_t number_of_windows() const { return built()->field.windows_propagated; }
   /// @}
 
   /// \name Queries
@@ -230,7 +229,8 @@ public:
   {
     Geodesic_offset::internal::check_rounding_mode();
     const Surface_point p = data().classified(location);
-    const Build& b = built();
+    const std::shared_ptr<const Build> build = built();
+    const Build& b = *build;
     if (p.kind != Surface_point::VERTEX && !b.field.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: this query needs build(parameters::keep_windows(true))");
     const std::pair<double, double> d = Geodesic_offset::internal::Certified_query(*m_certified_mesh, b.sources, b.field)(p);
@@ -270,7 +270,8 @@ public:
   Geodesic_offset_certificate<Face_location> certify_offset(double distance, const CurveRange& curves) const
   {
     Geodesic_offset::internal::check_rounding_mode();
-    const Build& b = built();
+    const std::shared_ptr<const Build> build = built(); // a share: the range of curves may build anew
+    const Build& b = *build;
     if (!b.field.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: certify_offset() needs build(parameters::keep_windows(true))");
     if (!(distance >= 0) || !Geodesic_offset::internal::Number_policy<double>::is_finite(distance))
@@ -334,10 +335,10 @@ private:
     return c;
   }
 
-  const Build& built() const
+  std::shared_ptr<const Build> built() const
   {
     if (!m_built) throw std::logic_error("Surface_mesh_geodesic_enclosure: build() has not been called");
-    return *m_built;
+    return m_built;
   }
 
   Certified_mesh::Coordinates coordinates(Geodesic_offset::internal::Index v) const

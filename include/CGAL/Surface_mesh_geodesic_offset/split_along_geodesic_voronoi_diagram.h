@@ -50,7 +50,7 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
   \cgalParamNBegin{chord_tolerance}
     \cgalParamDescription{the largest distance of a chord from its curve}
     \cgalParamType{a number}
-    \cgalParamDefault{1e-4 of the diagonal of the bounding box}
+    \cgalParamDefault{1e-4 of the diagonal of the bounding box of the faces}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{receives `true` for each edge on a curve; other values are not written}

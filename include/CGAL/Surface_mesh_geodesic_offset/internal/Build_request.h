@@ -65,6 +65,13 @@ struct Build_request
     return r;
   }
 
+  // Drops what only the propagation needs, so that a field does not keep the visitor of its build alive.
+  void release_inputs()
+  {
+    goes_on = nullptr;
+    targets = {};
+  }
+
 private:
   static void require(bool condition, const char* what)
   {

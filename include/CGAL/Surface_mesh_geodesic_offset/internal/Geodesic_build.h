@@ -87,6 +87,7 @@ public:
     statistics.kept_bytes = field.kept.bytes();
     statistics.propagation_seconds = seconds_since(start);
     if (!is_cancelled && m_request.goes_on) m_request.goes_on(1.);
+    m_request.release_inputs();
   }
 
   const Build_request<FT>& request() const { return m_request; }
@@ -206,7 +207,7 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
-  const Build_request<FT> m_request;
+  Build_request<FT> m_request;
   const Index m_first_new = 0; // primitive
 };
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -72,6 +73,8 @@ public:
     {
       const auto& place = initial.places[i];
       const double s = m_mesh.to_unit(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
+      if (!Number_policy<double>::is_finite(s))
+        throw std::runtime_error("Surface_mesh_geodesic_enclosure: a start value divided by the longest edge is not finite");
       add_point(place.first, s);
       if (!initial.primitives[i].is_segment) continue;
       add_point(place.second, s);

@@ -26,7 +26,7 @@ struct Certified_field
 {
   Distance_bounds bounds;
   std::vector<Certified_window> windows; // kept windows by face, in the order of finalization
-  std::vector<std::size_t> begin; // four per face, as in Kept_windows
+  std::vector<std::size_t> begin; // four per face, as in Kept_windows, and one more: not empty for a mesh without faces
   std::size_t windows_created = 0, windows_propagated = 0;
 
   bool has_windows() const { return !begin.empty(); }
@@ -51,7 +51,7 @@ public:
       m_arrivals(unfolded.number_of_vertices()), m_face_state(unfolded.number_of_faces(), 0)
   {
     field.bounds = Distance_bounds(unfolded.number_of_vertices());
-    if (keeps_windows) field.begin.assign(4 * unfolded.number_of_faces(), 0);
+    if (keeps_windows) field.begin.assign(4 * unfolded.number_of_faces() + 1, 0);
   }
 
   void set_number_of_primitives(std::size_t n)

@@ -95,6 +95,21 @@ struct Geodesic_surface
   Index index_of(face_descriptor f) const { return numbers.of(f); }
   Index index_of_halfedge(halfedge_descriptor h) const { return numbers.of_halfedge(h); } // not of a border halfedge
 
+  // \throws std::invalid_argument if the face is null or of another mesh
+  void check_face(face_descriptor f) const
+  {
+    const Index i = f == Graph_traits::null_face() ? no_index : index_of(f);
+    if (!(i < face_of.size()) || face_of[i] != f)
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a face that is not of this mesh");
+  }
+
+  // \throws std::invalid_argument if the location is not valid
+  void check_location(const Face_location& l) const
+  {
+    check_face(l.first);
+    classify<Number>(unfolded, index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
+  }
+
   // Index of the halfedge, or of its opposite if it is a border halfedge.
   // \throws std::invalid_argument if the halfedge is null or of another mesh, or if the edge has no face
   Index index_beside_edge(halfedge_descriptor h) const

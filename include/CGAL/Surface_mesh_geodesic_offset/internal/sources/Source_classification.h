@@ -65,12 +65,29 @@ void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
 
 // Adds the sources of `added` to a set, in the order of their ids; none if check_source() throws. Returns the new ids. `added`
 // is a copy, since it may be the set itself.
+// Adds a vertex or a location to a set of sources. Coordinates of another number type are converted.
+template <class FT, class User_set, class Point, class NamedParameters>
+void add_point(User_set& set, const Point& point, const NamedParameters& np)
+{
+  if constexpr (std::is_convertible<const Point&, typename User_set::vertex_descriptor>::value) set.add_vertex(point, np);
+  else set.add_location(converted_location<FT>(point), np);
+}
+
 template <class Surface, class User_set>
 std::vector<std::size_t> add_checked(const Geodesic_mesh_data<Surface>& mesh, User_set& set, User_set added)
 {
   for (const auto& s : added.sources()) check_source(mesh, s.second);
   std::vector<std::size_t> ids;
-  for (const auto& s : added.sources()) ids.push_back(set.add(s.second));
+  ids.reserve(added.size());
+  try
+  {
+    for (const auto& s : added.sources()) ids.push_back(set.add(s.second));
+  }
+  catch (...) // no memory
+  {
+    for (const std::size_t id : ids) set.remove(id);
+    throw;
+  }
   return ids;
 }
 

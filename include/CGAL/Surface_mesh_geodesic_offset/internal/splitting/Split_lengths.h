@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -32,9 +32,11 @@ struct Split_lengths
   template <class FT, class TriangleMesh, class VertexPointMap, class Curves, class NamedParameters>
   static Split_lengths of(const TriangleMesh& tm, const VertexPointMap& vpm, const Curves& curves, const NamedParameters& np)
   {
-    const Bbox_3 box = Polygon_mesh_processing::bbox(tm, parameters::vertex_point_map(vpm));
-    const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-    const FT default_tolerance(default_chord_tolerance * diagonal);
+    Bbox_3 box; // of the surface: isolated vertices may be anywhere
+    for (const auto v : vertices(tm))
+      if (halfedge(v, tm) != boost::graph_traits<TriangleMesh>::null_halfedge()) box += get(vpm, v).bbox();
+    const double diagonal = box.xmin() <= box.xmax() ? std::hypot(box.x_span(), box.y_span(), box.z_span()) : 0;
+    const FT default_tolerance(diagonal > 0 ? default_chord_tolerance * diagonal : 1); // a mesh without a size has no chords
     const double tolerance = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));
     check_all_numbers_of_chords(curves, tolerance);

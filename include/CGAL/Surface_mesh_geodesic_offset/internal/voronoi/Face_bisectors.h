@@ -79,7 +79,7 @@ public:
   {
     std::vector<Voronoi_window> windows;
     for (const unsigned i : m_all) windows.push_back(m_windows[i]);
-    return Face_cells(m_cell.corner, m_tolerances.least_tie, std::move(windows));
+    return Face_cells(m_cell.corner, m_tolerances.usual_tie, std::move(windows));
   }
 
   // Calls out(change) for the changes of the label along halfedge k.

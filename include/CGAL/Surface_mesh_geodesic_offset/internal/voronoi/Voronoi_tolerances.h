@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace CGAL {
@@ -19,11 +20,13 @@ namespace internal {
 struct Voronoi_tolerances
 {
   // Distances that differ by less are equal: 2^6 u times the magnitude, two errors of a distance (see Offset_tolerances::error). If
-  // the arcs of a cell do not fit together, they are found again with the next of `number_of_ties`, each eight times larger.
+  // the arcs of a cell do not fit together, they are found again with the next of `number_of_ties`: eight and 64 times larger, as errors
+  // of windows that come over many edges, and eight and 64 times smaller, as the difference of sources a few ties apart, whose
+  // bisectors a tie moves far.
   double tie;
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
   double slack;
-  double least_tie;
+  double usual_tie;
   // Intervals of an edge up to this length are nowhere certainly nearest to their source: 2^8 u, two slacks.
   double shortest_interval;
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
@@ -39,15 +42,15 @@ struct Voronoi_tolerances
   // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
   double smallest_cell;
 
-  static constexpr int number_of_ties = 3;
+  static constexpr int number_of_ties = 5;
   void use_tie(int i)
   {
-    tie = double(1 << 3 * i) * least_tie;
-    slack = 2 * tie;
+    tie = i < 3 ? double(1 << 3 * i) * usual_tie : usual_tie / double(1 << 3 * (i - 2));
+    slack = 2 * (std::max)(tie, usual_tie);
   }
 
   explicit Voronoi_tolerances(double magnitude = 0)
-    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), least_tie(tie), shortest_interval(unit(8) * magnitude),
+    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), shortest_interval(unit(8) * magnitude),
       joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)), loose_tie(unit(9) * magnitude),
       smallest_loop(unit(29) * magnitude), smallest_cell(unit(15) * magnitude)
   {

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,7 +42,8 @@ public:
     if (m_left < n)
     {
       const std::size_t page = (std::max)(n, std::size_t(page_size));
-      m_pages.emplace_back(new Window[page]);
+      std::unique_ptr<Window[]> fresh(new Window[page]);
+      m_pages.push_back(std::move(fresh));
       m_top = m_pages.back().get();
       m_left = page;
     }
