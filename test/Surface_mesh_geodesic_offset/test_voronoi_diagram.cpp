@@ -640,6 +640,34 @@ void end_beside_source()
   }
 }
 
+// Strips of needles of height 1e-9: rays of sources far along them differ by angles of 1e-8, less than the gaps between cones that are
+// closed, and bounding rays graze the edges where they start.
+void needle_strips()
+{
+  Random random(12);
+  for (int i = 0; i < 60; ++i)
+  {
+    Surface_mesh mesh;
+    std::vector<Vertex_index> v;
+    double x = 0;
+    for (int k = 0; k < 10; ++k)
+      for (const double y : {0., 1.})
+      {
+        v.push_back(mesh.add_vertex(Point_3(x + 1e-9 * uniform(random, 0, 0.9), y, 0)));
+        if (y > 0) x += 1e-9 * uniform(random, 1, 3);
+      }
+    for (std::size_t k = 0; k + 2 < v.size(); ++k)
+      if (k % 2 == 0) mesh.add_face(v[k], v[k + 2], v[k + 1]);
+      else mesh.add_face(v[k], v[k + 1], v[k + 2]);
+    const Face_index first(0), last(unsigned(mesh.number_of_faces() - 1));
+    const double s = uniform(random, 0.1, 0.4), t = uniform(random, 0.6, 0.9);
+    compare("needle strip", mesh,
+            {[&](Geodesic& g) { g.add_source_point(Location(first, {s, 1 - s, 0})); },
+             [&](Geodesic& g) { g.add_source_point(Location(last, {0, t, 1 - t})); }},
+            random, 20, true);
+  }
+}
+
 // Around the point where two polylines cross, there are four cells of two sources.
 void crossing_polylines()
 {
@@ -779,6 +807,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"sources beside each other", test_voronoi_diagram::sources_beside_each_other},
     {"common end beside an edge", test_voronoi_diagram::common_end_beside_edge},
     {"end beside a source", test_voronoi_diagram::end_beside_source},
+    {"needle strips", test_voronoi_diagram::needle_strips},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

@@ -151,11 +151,19 @@ private:
   // Unit vector along the left (0) or right (1) bounding ray.
   Point along_bound(int k) const { return (k == 0 ? -1. : 1.) * quarter_turn(bound[std::size_t(k)].n); }
 
-  // Turns a bounding ray to the normal n, outwards, but the cone at most to a half-plane: it is an intersection of half-planes.
+  // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord: beyond it, the bound
+  // would cut the chord. And the cone at most to the half-plane of the other ray: it is an intersection of half-planes.
   void turn_bound(int k, Point n, const Point& start_point)
   {
     const bool is_wide = dot(along_bound(0), along_bound(1)) < 0;
-    if (is_wide && dot(n, along_bound(1 - k)) > 0) n = bound[std::size_t(1 - k)].n;
+    if (is_wide && dot(n, along_bound(1 - k)) > 0)
+    {
+      bound[std::size_t(k)] = bound[std::size_t(1 - k)];
+      return;
+    }
+    const Point to_start = k == 0 ? rays.left - rays.right : rays.right - rays.left;
+    const double size = length(to_start);
+    if (!starts_at_image() && dot(n, to_start) < 0) n = (k == 0 ? 1 / size : -1 / size) * quarter_turn(to_start);
     bound[std::size_t(k)] = {n, dot(n, start_point)};
   }
 
