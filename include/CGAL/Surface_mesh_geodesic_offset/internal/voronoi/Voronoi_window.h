@@ -92,8 +92,8 @@ struct Voronoi_window
     const double rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
     if (!(std::abs(turn) <= Voronoi_tolerances::widest_gap + rounding + rounding_of_next && dot(u, v) > 0)) return false;
     if (turn >= 0) return true;
-    if (rounding < rounding_of_next) next.turn_bound(0, -1. * bound[1].n, start_of_bound(1));
-    else turn_bound(1, -1. * next.bound[0].n, next.start_of_bound(0));
+    if (rounding < rounding_of_next) next.turn_bound(0, -1. * bound[1].n, start_of_bound(1), tie);
+    else turn_bound(1, -1. * next.bound[0].n, next.start_of_bound(0), tie);
     return true;
   }
 
@@ -124,7 +124,7 @@ struct Voronoi_window
   void widen(int k, double tie)
   {
     const double angle = (std::min)(Voronoi_tolerances::widest_turn, rounding_of_bound(k, tie));
-    turn_bound(k, std::cos(angle) * bound[std::size_t(k)].n + -std::sin(angle) * along_bound(k), start_of_bound(k));
+    turn_bound(k, std::cos(angle) * bound[std::size_t(k)].n + -std::sin(angle) * along_bound(k), start_of_bound(k), tie);
   }
 
   // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
@@ -151,9 +151,10 @@ private:
   // Unit vector along the left (0) or right (1) bounding ray.
   Point along_bound(int k) const { return (k == 0 ? -1. : 1.) * quarter_turn(bound[std::size_t(k)].n); }
 
-  // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord: beyond it, the bound
-  // would cut the chord. And the cone at most to the half-plane of the other ray: it is an intersection of half-planes.
-  void turn_bound(int k, Point n, const Point& start_point)
+  // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord, if the bound would
+  // cut more than a tie from the chord otherwise; and the cone at most to the half-plane of the other ray: it is an intersection of
+  // half-planes.
+  void turn_bound(int k, Point n, const Point& start_point, double tie)
   {
     const bool is_wide = dot(along_bound(0), along_bound(1)) < 0;
     if (is_wide && dot(n, along_bound(1 - k)) > 0)
@@ -162,8 +163,11 @@ private:
       return;
     }
     const Point to_start = k == 0 ? rays.left - rays.right : rays.right - rays.left;
-    const double size = length(to_start);
-    if (!starts_at_image() && dot(n, to_start) < 0) n = (k == 0 ? 1 / size : -1 / size) * quarter_turn(to_start);
+    if (!starts_at_image() && dot(n, to_start) < -tie)
+    {
+      if (dot(bound[std::size_t(k)].n, to_start) <= 0) return;
+      n = ((k == 0 ? 1 : -1) / length(to_start)) * quarter_turn(to_start);
+    }
     bound[std::size_t(k)] = {n, dot(n, start_point)};
   }
 
