@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls that documented exceptions answer, and that leave objects as they were: null faces, locations that are not valid, moved-from
-// diagrams, ranges that throw midway, builds inside a check, start values and spacings beyond the range of numbers, meshes without
-// faces, isolated vertices.
+// Calls that documented exceptions answer, and that leave objects as they were: null faces, locations that are not valid,
+// moved-from diagrams, ranges that throw midway, builds inside a check, start values and spacings beyond the range of numbers,
+// meshes without faces, isolated vertices.
 
 #include "generated_meshes.h"
 #include "geodesic_types.h"
@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_geodesic_voronoi_diagram.h>
 #include <CGAL/Surface_mesh_geodesic_offset/split_along_offset_curves.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/range/iterator_range.hpp>

@@ -612,8 +612,8 @@ void common_end_beside_edge()
             random, 100, true);
 }
 
-// A polyline ends some 1e-12 beside a vertex that is a source: they differ by a few ties, and a tie more or less moves the ends of the
-// curves between them far.
+// A polyline ends some 1e-12 beside a vertex that is a source: they differ by a few ties, and a tie more or less moves the ends
+// of the curves between them far.
 void end_beside_source()
 {
   const double s = std::sqrt(0.75);
@@ -640,8 +640,8 @@ void end_beside_source()
   }
 }
 
-// Strips of needles of height 1e-9: rays of sources far along them differ by angles of 1e-8, less than the gaps between cones that are
-// closed, and bounding rays graze the edges where they start.
+// Strips of needles of height 1e-9: rays of sources far along them differ by angles of 1e-8, less than the gaps between cones
+// that are closed, and bounding rays graze the edges where they start.
 void needle_strips()
 {
   Random random(12);

@@ -63,8 +63,6 @@ void check_source(const Geodesic_mesh_data<Surface>& mesh, const Source& source)
   Source_set<typename Surface::Number>::check(mesh.unfolded(), classified_source(mesh, source));
 }
 
-// Adds the sources of `added` to a set, in the order of their ids; none if check_source() throws. Returns the new ids. `added`
-// is a copy, since it may be the set itself.
 // Adds a vertex or a location to a set of sources. Coordinates of another number type are converted.
 template <class FT, class User_set, class Point, class NamedParameters>
 void add_point(User_set& set, const Point& point, const NamedParameters& np)
@@ -73,6 +71,8 @@ void add_point(User_set& set, const Point& point, const NamedParameters& np)
   else set.add_location(converted_location<FT>(point), np);
 }
 
+// Adds the sources of `added` to a set, in the order of their ids; none if check_source() throws, or without memory. Returns the
+// new ids. `added` is a copy, since it may be the set itself.
 template <class Surface, class User_set>
 std::vector<std::size_t> add_checked(const Geodesic_mesh_data<Surface>& mesh, User_set& set, User_set added)
 {
@@ -83,7 +83,7 @@ std::vector<std::size_t> add_checked(const Geodesic_mesh_data<Surface>& mesh, Us
   {
     for (const auto& s : added.sources()) ids.push_back(set.add(s.second));
   }
-  catch (...) // no memory
+  catch (...)
   {
     for (const std::size_t id : ids) set.remove(id);
     throw;

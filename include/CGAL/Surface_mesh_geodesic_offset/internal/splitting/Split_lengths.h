@@ -12,8 +12,9 @@
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
 

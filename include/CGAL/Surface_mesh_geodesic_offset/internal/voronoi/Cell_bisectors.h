@@ -52,9 +52,9 @@ public:
   {
     // With rounding, a bisector along a side lies on both sides of it or on none; the gates may need either. Windows that come over
     // many edges may differ by more than a tie.
-    for (int i = 0; i < Voronoi_tolerances::number_of_ties; ++i)
+    for (const double factor : Voronoi_tolerances::tie_factors)
     {
-      m_tolerances.use_tie(i);
+      m_tolerances.use_tie(factor);
       if (connect(cell, candidates, m_tolerances.slack, new_node, out) ||
           connect(cell, candidates, -m_tolerances.slack, new_node, out))
         return true;

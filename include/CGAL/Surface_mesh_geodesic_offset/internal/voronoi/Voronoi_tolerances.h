@@ -20,9 +20,8 @@ namespace internal {
 struct Voronoi_tolerances
 {
   // Distances that differ by less are equal: 2^6 u times the magnitude, two errors of a distance (see Offset_tolerances::error). If
-  // the arcs of a cell do not fit together, they are found again with the next of `number_of_ties`: eight and 64 times larger, as errors
-  // of windows that come over many edges, and eight and 64 times smaller, as the difference of sources a few ties apart, whose
-  // bisectors a tie moves far.
+  // the arcs of a cell do not fit together, they are found again with the next of `tie_factors`: larger ones, as
+  // errors of windows that come over many edges; and smaller ones, for sources a few ties apart, whose bisectors a tie moves far.
   double tie;
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
   double slack;
@@ -42,10 +41,10 @@ struct Voronoi_tolerances
   // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
   double smallest_cell;
 
-  static constexpr int number_of_ties = 5;
-  void use_tie(int i)
+  static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
+  void use_tie(double factor)
   {
-    tie = i < 3 ? double(1 << 3 * i) * usual_tie : usual_tie / double(1 << 3 * (i - 2));
+    tie = factor * usual_tie;
     slack = 2 * (std::max)(tie, usual_tie);
   }
 

@@ -151,9 +151,9 @@ private:
   // Unit vector along the left (0) or right (1) bounding ray.
   Point along_bound(int k) const { return (k == 0 ? -1. : 1.) * quarter_turn(bound[std::size_t(k)].n); }
 
-  // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord, if the bound would
-  // cut more than a tie from the chord otherwise; and the cone at most to the half-plane of the other ray: it is an intersection of
-  // half-planes.
+  // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord, if the
+  // bound would cut more than a tie from the chord otherwise; and the cone at most to the half-plane of the other ray: it is an
+  // intersection of half-planes.
   void turn_bound(int k, Point n, const Point& start_point, double tie)
   {
     const bool is_wide = dot(along_bound(0), along_bound(1)) < 0;
