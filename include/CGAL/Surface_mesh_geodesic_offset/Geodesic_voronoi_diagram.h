@@ -287,7 +287,7 @@ public:
   std::size_t source_at(const Face_location& location) const
   {
     diagram(); // or an exception
-    m_context->surface->check_location(location);
+    m_context->surface->classified(location); // or an exception
     std::array<double, 3> weights;
     std::transform(location.second.begin(), location.second.end(), weights.begin(),
                    [](const FT& w) { return CGAL::to_double(w); });

@@ -229,8 +229,7 @@ public:
   {
     Geodesic_offset::internal::check_rounding_mode();
     const Surface_point p = data().classified(location);
-    const std::shared_ptr<const Build> build = built();
-    const Build& b = *build;
+    const Build& b = *built();
     if (p.kind != Surface_point::VERTEX && !b.field.has_windows())
       throw std::logic_error("Surface_mesh_geodesic_enclosure: this query needs build(parameters::keep_windows(true))");
     const std::pair<double, double> d = Geodesic_offset::internal::Certified_query(*m_certified_mesh, b.sources, b.field)(p);
@@ -335,7 +334,7 @@ private:
     return c;
   }
 
-  std::shared_ptr<const Build> built() const
+  const std::shared_ptr<const Build>& built() const
   {
     if (!m_built) throw std::logic_error("Surface_mesh_geodesic_enclosure: build() has not been called");
     return m_built;

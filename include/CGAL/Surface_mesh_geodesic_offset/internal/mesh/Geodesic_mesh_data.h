@@ -102,11 +102,7 @@ struct Geodesic_mesh_data
   template <class Coordinate>
   Located_point classified(const std::pair<face_descriptor, std::array<Coordinate, 3>>& l) const
   {
-    if (l.first == Graph_traits::null_face())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in the null face");
-    const auto name = [&] { return surface().numbers.index_in_mesh(l.first); };
-    return classify<Number>(unfolded(), surface().index_of(l.first), name,
-                            Surface::imported(converted_location<typename Surface::FT>(l).second));
+    return surface().classified(converted_location<typename Surface::FT>(l));
   }
 
   Computing_traits traits;

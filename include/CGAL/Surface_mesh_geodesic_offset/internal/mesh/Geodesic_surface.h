@@ -104,10 +104,11 @@ struct Geodesic_surface
   }
 
   // \throws std::invalid_argument if the location is not valid
-  void check_location(const Face_location& l) const
+  Located_point<Number> classified(const Face_location& l) const
   {
-    check_face(l.first);
-    classify<Number>(unfolded, index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
+    if (l.first == Graph_traits::null_face())
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in the null face");
+    return classify<Number>(unfolded, index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
   }
 
   // Index of the halfedge, or of its opposite if it is a border halfedge.

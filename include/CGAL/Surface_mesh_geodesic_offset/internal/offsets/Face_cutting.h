@@ -86,7 +86,7 @@ struct Face_cut
   Per_corner<std::vector<Crossing<FT>>> crossings; // with the edges that this face examines first
   std::vector<Gate> gates;
   std::vector<Chain> chains; // by level
-  std::vector<Piece> pieces; // of all chains
+  const std::vector<Piece>* pieces = nullptr; // with those of all chains
 };
 
 template <class FT>
@@ -117,7 +117,6 @@ public:
     Level_range& l = cut.levels;
     cut.gates.clear();
     cut.chains.clear();
-    cut.pieces.clear();
     cut.field.set_face(face);
     const FT slack = Offset_tolerances<FT>::bound_slack(far_end_of(face));
     l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack)));
@@ -134,10 +133,11 @@ public:
     }
   }
 
-  // Step 2: the chains between all gates of the face, and the loops inside.
+  // Step 2: the chains between all gates of the face, and the loops inside. Their pieces are stored in this object.
   void find_chains(Face_cut<FT>& cut)
   {
     if (cut.levels.is_empty()) return;
+    cut.pieces = &m_pieces;
     const bool loops = cut.field.has_local_sources() || may_have_interior_maximum(cut.field);
     std::stable_sort(cut.gates.begin(), cut.gates.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
     auto next = cut.gates.begin();
@@ -157,13 +157,16 @@ public:
       const FT level = cut_level(i);
       for (Index k = 0; k < 3; ++k) m_cell.is_near[k] = m_sources.is_near(m_mesh.source(3 * cut.field.face() + k), level);
       m_tracer(level, m_cell, loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
-        const std::size_t first = cut.pieces.size();
-        cut.pieces.insert(cut.pieces.end(), pieces.begin(), pieces.end());
-        cut.chains.push_back({i, start, end, first, cut.pieces.size()});
+        const std::size_t first = m_pieces.size();
+        m_pieces.insert(m_pieces.end(), pieces.begin(), pieces.end());
+        cut.chains.push_back({i, start, end, first, m_pieces.size()});
       });
     }
     CGAL_assertion(next == cut.gates.end());
   }
+
+  // The pieces of all faces are no longer needed.
+  void clear_pieces() { m_pieces.clear(); }
 
   std::size_t number_of_forced_joints() const { return m_tracer.number_of_forced_joints(); }
   std::size_t number_of_crossed_cells() const { return m_tracer.number_of_crossed_cells(); }
@@ -215,6 +218,7 @@ private:
   Edge_crossings<FT> m_crossings;
   Level_tracer<FT> m_tracer;
   Level_cell<FT> m_cell; // the face with the gates of one level
+  std::vector<Level_piece<FT>> m_pieces;
 };
 
 } // namespace internal

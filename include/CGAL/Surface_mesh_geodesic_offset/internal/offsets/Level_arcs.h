@@ -91,7 +91,7 @@ public:
   bool is_fan_of_strip(std::size_t i) const { return is_fan(i) && m_arcs[i].window().edge == fan_of_strip; }
 
   // Selects tie tolerance i of Offset_tolerances.
-  void use_tie(int i) { m_tolerances.use_tie(i); }
+  void use_tie(int factor) { m_tolerances.use_tie(factor); }
 
   // The smallest difference between the level and the start value of a source whose window has an arc.
   FT narrowest_offset() const

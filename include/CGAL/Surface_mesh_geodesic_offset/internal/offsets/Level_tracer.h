@@ -195,10 +195,10 @@ private:
   bool walk_with_some_tie(const Cell& cell, bool search_loops)
   {
     const std::size_t chains = m_chains.chains.size(), pieces = m_chains.pieces.size();
-    for (int i = 0; i < Offset_tolerances<FT>::number_of_ties; ++i)
+    for (const int factor : Offset_tolerances<FT>::tie_factors)
     {
-      m_arcs.use_tie(i);
-      if (i > 0 && m_arcs.tolerances().tie > Offset_tolerances<FT>::largest_tie(m_arcs.narrowest_offset())) break;
+      m_arcs.use_tie(factor);
+      if (factor > 1 && m_arcs.tolerances().tie > Offset_tolerances<FT>::largest_tie(m_arcs.narrowest_offset())) break;
       if (m_walk(cell, search_loops)) return true;
       m_chains.resize(chains, pieces);
       if (CGAL::is_zero(m_arcs.tolerances().tie)) break; // exact numbers

@@ -22,7 +22,6 @@
 #include <memory>
 #include <type_traits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -130,11 +129,15 @@ private:
         c.face, [this](Index h) { return this->is_first_at(h); }, *this->m_cuts[i]);
     });
     for (Index i = 0; i < number; ++i) number_gates(*m_cuts[i]);
+    for (const auto& c : m_cuttings) c->clear_pieces();
     team.for_each(number, weight, work >= worthwhile,
                   [this](unsigned worker, Index i) { this->m_cuttings[worker]->find_chains(*this->m_cuts[i]); });
     for (Index i = 0; i < number; ++i)
       for (const auto& c : m_cuts[i]->chains)
-        m_curves[c.level].add_chain(c.start, c.end, m_cuts[i]->pieces.data() + c.first, m_cuts[i]->pieces.data() + c.last);
+      {
+        const Level_piece<FT>* const pieces = m_cuts[i]->pieces->data();
+        m_curves[c.level].add_chain(c.start, c.end, pieces + c.first, pieces + c.last);
+      }
     m_crossed.clear();
   }
 
@@ -157,30 +160,15 @@ private:
         if (cut.crossings[k].empty()) continue;
         for (Crossing<FT>& c : cut.crossings[k]) c.gate = m_curves[c.level].new_gate(g == no_index);
         cut.add_gates(k, cut.crossings[k], g < h);
-        if (g != no_index) keep_waiting(h, cut.crossings[k]);
+        if (g != no_index) m_waiting.emplace(h, cut.crossings[k]);
       }
       else if (const auto stored = m_waiting.find(g); stored != m_waiting.end())
       {
         cut.add_gates(k, stored->second, g < h);
         for (const Crossing<FT>& c : stored->second) m_curves[c.level].gate_found();
-        m_spare.push_back(m_waiting.extract(stored));
+        m_waiting.erase(stored);
       }
     }
-  }
-
-  // Stores the crossings, and returns reusable memory for others.
-  void keep_waiting(Index h, std::vector<Crossing<FT>>& crossings)
-  {
-    if (m_spare.empty())
-    {
-      m_waiting.emplace(h, std::move(crossings));
-      return;
-    }
-    auto node = std::move(m_spare.back());
-    m_spare.pop_back();
-    node.key() = h;
-    node.mapped().swap(crossings);
-    m_waiting.insert(std::move(node));
   }
 
   template <class Function>
@@ -205,7 +193,6 @@ private:
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
-  std::vector<typename Waiting_crossings::node_type> m_spare;
   Curves_of_levels m_curves;          // of unfinished levels
   std::size_t m_number_of_pieces = 0; // passed on
 };

@@ -87,9 +87,8 @@ struct Offset_tolerances
   // A window covers the arc of another one where it is nearer by more than this: two errors, as two distances are compared.
   FT cover;
   // Two windows tie, and a point lies on an arc, up to this: two covers, so that an arc passes the point where it begins to
-  // cover another arc. If a walk does not fit together, it is repeated with the next of `number_of_ties`, each eight times
-  // larger: windows of needles jump by more than the error across their common bounding ray, while fronts that touch are within
-  // the level shift.
+  // cover another arc. If a walk does not fit together, it is repeated with the next of `tie_factors`: windows of
+  // needles jump by more than the error across their common bounding ray, while fronts that touch are within the level shift.
   FT tie;
   // Pieces up to this length, the size of the smallest cells, are merged into a neighbour that passes through both ends.
   FT shortest_piece;
@@ -109,8 +108,8 @@ struct Offset_tolerances
   // test_degenerate_levels.
   static FT largest_tie(const FT& offset) { return offset / FT(8); }
 
-  static constexpr int number_of_ties = 3;
-  void use_tie(int i) { tie = FT(double(2 << 3 * i)) * cover; }
+  static constexpr int tie_factors[] = {1, 8, 64};
+  void use_tie(int factor) { tie = FT(2 * factor) * cover; }
 
   Offset_tolerances() = default;
   explicit Offset_tolerances(const FT& magnitude)
