@@ -124,14 +124,15 @@ public:
     Cell_bisectors bisectors(m_windows, m_tolerances, m_cell.center(), m_cell.radius());
     int divisions = 0, divisions_for_windows = 0;
     m_pending.clear();
-    m_pending.push_back({m_cell, m_all});
+    add_pending(m_cell, m_all);
     while (!m_pending.empty())
     {
+      std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
       prune(part.cell, part.windows);
       if (part.cell.gates.empty() && has_one_label_at(part.cell, part.windows)) continue;
-      const bool is_divisible = part.cell.diameter() > m_tolerances.smallest_cell;
+      const bool is_divisible = part.diameter > m_tolerances.smallest_cell;
       const bool has_many_windows = part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
                                     divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows;
       if (has_many_windows) ++divisions_for_windows;
@@ -151,8 +152,8 @@ public:
         m_changes(o, u, size, first, last, m_windows, part.windows, m_tolerances, add);
         },
         new_node);
-      m_pending.push_back({std::move(halves.first), part.windows});
-      m_pending.push_back({std::move(halves.second), std::move(part.windows)});
+      add_pending(std::move(halves.first), part.windows);
+      add_pending(std::move(halves.second), std::move(part.windows));
     }
     m_number_of_divisions += std::size_t(divisions);
   }
@@ -166,7 +167,17 @@ private:
   {
     Voronoi_cell cell;
     std::vector<unsigned> windows;
+    double diameter;
   };
+  static bool is_smaller(const Part& a, const Part& b) { return a.diameter < b.diameter; }
+
+  // The largest cells are divided first, so that those left when the divisions are used up are small.
+  void add_pending(Voronoi_cell cell, std::vector<unsigned> windows)
+  {
+    const double diameter = cell.diameter();
+    m_pending.push_back({std::move(cell), std::move(windows), diameter});
+    std::push_heap(m_pending.begin(), m_pending.end(), is_smaller);
+  }
 
   static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
 
@@ -265,7 +276,7 @@ private:
   Voronoi_tolerances m_tolerances;
   std::vector<Voronoi_window> m_windows;
   std::vector<unsigned> m_all; // windows that may be nearest
-  std::vector<Part> m_pending;
+  std::vector<Part> m_pending; // a heap
   Label_changes m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
 };
