@@ -28,6 +28,7 @@
 #include "geodesic_offset/stats_output.h"
 #include "geodesic_offset/threads.h"
 #include "geodesic_offset/version.h"
+#include "geodesic_offset/voronoi_output.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -180,6 +181,8 @@ void write(const Solution& solution, const Mesh_input& input, const Sources& sou
     const Split_mesh split(input.mesh(), geodesic, curves, chord_tolerance(options, input));
     files.add(options.split, [&](std::ostream& out) { split.write(out); }, split.number_of_bytes());
   }
+  if(!options.voronoi.empty())
+    add_voronoi_files(files, options.voronoi, input.mesh(), geodesic, chord_tolerance(options, input), progress);
   const std::vector<Surface_path> paths = queries.paths(geodesic, progress);
   for(const std::string& file : options.path_outputs)
     files.add(file, [&](std::ostream& out) { write_paths(out, file, paths); });

@@ -541,7 +541,7 @@ private:
                                "--source-sharp-edges", "--section-near", "--boundary-near", "--sharp-edges-near", "--start-value", "--project",
                                "--distance", "--spacing", "--start", "--count", "--maximum-distance",
                                "--relative-tolerance", "--merging-tolerance", "--side", "--end", "--path-from", "--path-from-vertex", "--path-output", "--farthest-point",
-                               "--tolerance", "--output", "--unit", "--field", "--field-details", "--split", "--picture",
+                               "--tolerance", "--output", "--unit", "--field", "--field-details", "--split", "--voronoi", "--picture",
                                "--view", "--up", "--stats", "--no-stitch", "--threads", "--quiet", "--version"})
       CHECK_DETAIL(contains(help.output, option), option);
     check_line(help.output, {"2  0 0 0  1 0 0.5"}); // format of polylines

@@ -1,23 +1,26 @@
 # Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The mesh split along its offsets: bands, nearest sources and colours of its faces, as VTK reads it too."""
+"""The mesh split along its offsets, or along its Voronoi diagram: bands, sources and colours of its faces, as VTK reads it too;
+the curves of the diagram."""
 
 import collections
 import math
 
 from program_bench import (HORIZONTAL, TILTED, check, check_close, from_center, from_segment, polyline_text, read_ply, run_test,
                            skip)
+from test_program_paths import read_polylines
+from test_program_vtk import read_vtk
 
 FAR = (10.2, 2.1)  # a point source away from the segment
 
 
-def read_split(path):
+def read_split(path, properties=("band", "source")):
     """The corners and the other properties of the faces."""
     elements = read_ply(path)
     names, vertices = elements["vertex"]
     check(names == ["x", "y", "z"], "properties of vertices %s" % names)
     names, faces = elements["face"]
-    check(names == ["vertex_indices", "band", "source", "red", "green", "blue"], "properties of faces %s" % names)
+    check(names == ["vertex_indices", *properties, "red", "green", "blue"], "properties of faces %s" % names)
     points = [(v["x"], v["y"], v["z"]) for v in vertices]
     check({i for f in faces for i in f["vertex_indices"]} == set(range(len(points))), "each vertex is used")
     sides = collections.Counter((f["vertex_indices"][k - 1], f["vertex_indices"][k]) for f in faces for k in range(3))
@@ -121,5 +124,78 @@ def test_vtk(bench):
     check(edges.GetOutput().GetNumberOfCells() == 0, "VTK finds border edges or edges with several faces")
 
 
+def test_voronoi(bench):
+    """Two points and a segment in a plane: distances on curves from both sources, as VTK reads the file; cells of faces; their
+    areas by integration along the curves."""
+    try:
+        from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+        from vtkmodules.vtkIOPLY import vtkPLYReader
+    except ImportError:
+        skip("python3-vtk9")
+    plane, second = TILTED, (9.6, 10.1)
+    points = [word for p in (FAR, second) for word in ("--source-point", ",".join("%.17g" % x for x in plane.space(p)))]
+    text, vtk, split = bench.path("cells.polylines.txt"), bench.path("cells.vtk"), bench.path("cells.ply")
+    bench.run(bench.grid(plane), *points, *bench.segment(plane), "--tolerance", 1e-6, "--voronoi", text, "--voronoi", vtk,
+              "--voronoi", split)
+
+    def distances(p):
+        return math.dist(p, FAR), math.dist(p, second), from_segment(p)[0]
+
+    lines, cells, _, _ = read_vtk(vtkPolyDataReader(), vtk)
+    check(cells == {"left", "right"}, "cell arrays %s" % cells)
+    polylines = read_polylines(text)
+    check(len(lines) == len(polylines) == 3, "%d and %d curves, between three cells" % (len(lines), len(polylines)))
+    integral = collections.Counter()
+    for line, polyline in zip(lines, polylines):
+        check([tuple(p) for p in line["points"]] == polyline, "both files have the same points")
+        left, right = int(line["cell"]["left"]), int(line["cell"]["right"])
+        check(left != right, "two sources")
+        chain = [plane.plane(p) for p in line["points"]]
+        for p in chain:
+            d = distances(p)
+            check(abs(d[left] - d[right]) < 1e-9 and min(d) > d[left] - 1e-9, "distances %s on a curve" % (d,))
+        for a, b in zip(chain, chain[1:]):
+            d = [distances(((a[0] + b[0] - s * (b[1] - a[1])) / 2, (a[1] + b[1] + s * (b[0] - a[0])) / 2)) for s in (1, -1)]
+            if math.dist(a, b) > 1e-3:
+                check(d[0][left] < d[0][right] and d[1][right] < d[1][left], "the side of source %d" % left)
+
+    points, faces, border = read_split(split, ("source",))
+    areas, colors = collections.Counter(), {}
+    for f in faces:
+        corners = [plane.plane(p) for p in f["corners"]]
+        d = distances(tuple(sum(c[k] for c in corners) / 3 for k in range(2)))
+        check(d[f["source"]] <= min(d) + 2e-6, "source %d at distances %s" % (f["source"], d))
+        check(area(corners) > 0, "orientation of a face")
+        areas[f["source"]] += area(corners)
+        colors.setdefault(f["source"], set()).add((f["red"], f["green"], f["blue"]))
+    check(set(areas) == {0, 1, 2} and all(len(c) == 1 for c in colors.values()) and len(set.union(*colors.values())) == 3,
+          "a colour for each cell: %s" % colors)
+    check_close(sum(areas.values()), 144, 1e-9, "area of all cells")
+    n = 400  # midpoints of squares: those that a boundary crosses count for the nearest source of their middle
+    for i in range(n):
+        for j in range(n):
+            d = distances((12 * (i + 0.5) / n, 12 * (j + 0.5) / n))
+            integral[d.index(min(d))] += (12 / n) ** 2
+    for source in areas:
+        check(abs(areas[source] - integral[source]) < 0.02, "area %g of cell %d" % (areas[source], source))
+    reader = vtkPLYReader()
+    reader.SetFileName(split)
+    reader.Update()
+    data = reader.GetOutput()
+    check(data.GetNumberOfPoints() == len(points) and data.GetNumberOfPolys() == len(faces), "PLY in VTK")
+
+    # a closed curve on a closed surface, which has its first point once; a single source has no curves
+    mesh = octahedron(bench)[0]
+    bench.run(mesh, "--source-vertex", 4, "--source-vertex", 5, "--voronoi", vtk, "--voronoi", split)
+    lines = read_vtk(vtkPolyDataReader(), vtk)[0]
+    check(len(lines) == 1 and lines[0]["is_closed"], "a closed curve")
+    check(all(abs(p[2]) < 1e-12 for line in lines for p in line["points"]), "the equator")
+    points, faces, border = read_split(split, ("source",))
+    check(border == 0 and all(f["source"] == (0 if sum(c[2] for c in f["corners"]) > 0 else 1) for f in faces), "two cells")
+    bench.run(mesh, "--source-vertex", 4, "--voronoi", vtk, "--voronoi", split)
+    check(len(read_vtk(vtkPolyDataReader(), vtk)[0]) == 0, "no curves")
+    check(all(f["source"] == 0 for f in read_split(split, ("source",))[1]), "one cell")
+
+
 if __name__ == "__main__":
-    run_test(bands=test_bands, vtk=test_vtk)
+    run_test(bands=test_bands, vtk=test_vtk, voronoi=test_voronoi)

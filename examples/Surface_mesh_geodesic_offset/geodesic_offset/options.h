@@ -44,7 +44,7 @@ struct Options : Source_options, Level_options, Query_options, Output_options
   bool needs_field() const { return shows_field() || has_paths() || farthest_point; }
 
   // Whether answers are needed for points inside faces.
-  bool needs_windows() const { return !split.empty() || !path_points.empty(); }
+  bool needs_windows() const { return !split.empty() || !voronoi.empty() || !path_points.empty(); }
 };
 
 namespace internal {
@@ -73,6 +73,7 @@ inline void check_tolerances(const po::variables_map& map, const Options& option
                                                 {"path-from", map.count("path-from") != 0},
                                                 {"path-from-vertex", map.count("path-from-vertex") != 0},
                                                 {"farthest-point", options.farthest_point},
+                                                {"voronoi", !options.voronoi.empty()},
                                                 {"field-details", options.field_details}};
   for(const char* tolerance : {"relative-tolerance", "merging-tolerance"})
     for(const auto& [option, is_given] : exact)

@@ -24,6 +24,7 @@ struct Output_options
   std::string                          field;
   bool                                 field_details = false; // sources, sides and gradients in the field
   std::string                          split; // the mesh split along the offsets
+  std::vector<std::string>             voronoi; // curves between cells, or the mesh split along them
   std::string                          picture;
   std::string                          stats;
   std::optional<double>                tolerance;
@@ -34,6 +35,7 @@ struct Output_options
   std::vector<std::string> files_written() const
   {
     std::vector<std::string> result = outputs;
+    result.insert(result.end(), voronoi.begin(), voronoi.end());
     for(const std::string& file : {field, split, picture, stats})
       if(!file.empty())
         result.push_back(file);
@@ -41,7 +43,7 @@ struct Output_options
   }
 
   // Whether an output contains the distances of the whole surface.
-  bool shows_field() const { return !field.empty() || !split.empty() || !picture.empty(); }
+  bool shows_field() const { return !field.empty() || !split.empty() || !voronoi.empty() || !picture.empty(); }
 };
 
 namespace internal {
@@ -61,6 +63,8 @@ inline po::options_description output_options_description()
     ("field-details", po::bool_switch(), "with --field: nearest source, its side, and gradient, too")
     ("split", word("FILE.ply"), "the mesh split along the offsets, its faces with their band between the distances, the source "
                               "nearest to their centroid, and the colour of the band")
+    ("voronoi", words("FILE"), "the curves between the cells of the sources as .polylines.txt or .vtk; or, as .ply, the mesh "
+                               "split along them, its faces with their source and its colour (repeatable)")
     ("picture", word("FILE.png"), "the mesh coloured by distance, with sources and offsets drawn on it")
     ("view", word("X,Y,Z"), "direction from the mesh to the viewer of the picture")
     ("up", word("X,Y,Z"), "direction that points up in the picture (default: 0,1,0)")
@@ -106,6 +110,11 @@ inline void check_outputs(const po::variables_map& map, const Output_options& op
   if(options.field_details && options.field.empty())
     throw Usage_error("--field-details needs --field");
   check_extension("split", options.split, ".ply");
+  for(const std::string& file : options.voronoi)
+    if(!has_extension(file, ".polylines.txt") && !has_extension(file, ".vtk") && !has_extension(file, ".ply"))
+      throw Usage_error("--voronoi " + quoted(file) + " must end in .polylines.txt, .vtk or .ply");
+  if(!options.voronoi.empty() && map.count("maximum-distance"))
+    throw Usage_error("--voronoi needs all distances, without --maximum-distance");
   check_extension("picture", options.picture, ".png");
   check_extension("stats", options.stats, ".json");
 
@@ -131,6 +140,7 @@ inline void read_output_options(const po::variables_map& map, Output_options& op
   options.field   = option_word(map, "field");
   options.field_details = map["field-details"].as<bool>();
   options.split   = option_word(map, "split");
+  options.voronoi = option_words(map, "voronoi");
   options.picture = option_word(map, "picture");
   options.stats   = option_word(map, "stats");
   options.tolerance = optional_positive_number(map, "tolerance");

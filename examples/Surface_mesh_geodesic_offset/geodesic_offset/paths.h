@@ -10,6 +10,7 @@
 #include "mesh_input.h"
 #include "numbers.h"
 #include "options.h"
+#include "polyline_output.h"
 #include "progress.h"
 #include "sources.h"
 
@@ -96,55 +97,18 @@ public:
 
 namespace internal {
 
-inline void write_path_polylines(std::ostream& out, const std::vector<Surface_path>& paths)
-{
-  for(const Surface_path& path : paths)
-  {
-    out << path.points.size();
-    for(const Point& p : path.points)
-      out << ' ' << p;
-    out << '\n';
-  }
-}
-
-// A path of one point, which lies on a source, is a line of no length: VTK has no lines of one point.
 inline void write_path_vtk(std::ostream& out, const std::vector<Surface_path>& paths)
 {
-  std::size_t points = 0, indices = 0;
-  for(const Surface_path& path : paths)
-  {
-    points += path.points.size();
-    indices += std::max(path.points.size(), std::size_t(2));
-  }
-  out << "# vtk DataFile Version 3.0\ngeodesic paths\nASCII\nDATASET POLYDATA\nPOINTS " << points << " double\n";
-  for(const Surface_path& path : paths)
-    for(const Point& p : path.points)
-      out << p << '\n';
+  write_vtk_lines(out, "geodesic paths", paths);
   if(paths.empty())
     return;
-  out << "LINES " << paths.size() << ' ' << paths.size() + indices << '\n';
-  std::size_t first = 0;
-  for(const Surface_path& path : paths)
-  {
-    const std::size_t n = path.points.size();
-    out << std::max(n, std::size_t(2));
-    for(std::size_t i = 0; i < n; ++i)
-      out << ' ' << first + i;
-    out << (n == 1 ? " " + std::to_string(first) : "") << '\n';
-    first += n;
-  }
   out << "CELL_DATA " << paths.size() << "\nSCALARS distance double 1\nLOOKUP_TABLE default\n";
   for(const Surface_path& path : paths)
     out << path.distance << '\n';
   out << "FIELD paths 3\n";
-  const auto write = [&](const char* name, const auto& value) {
-    out << name << " 1 " << paths.size() << " int\n";
-    for(const Surface_path& path : paths)
-      out << value(path) << '\n';
-  };
-  write("query", [](const Surface_path& path) { return path.query; });
-  write("source", [](const Surface_path& path) { return path.source; });
-  write("side", [](const Surface_path& path) { return path.side; });
+  write_vtk_integers(out, "query", paths, [](const Surface_path& path) { return path.query; });
+  write_vtk_integers(out, "source", paths, [](const Surface_path& path) { return path.source; });
+  write_vtk_integers(out, "side", paths, [](const Surface_path& path) { return path.side; });
 }
 
 } // namespace internal
@@ -156,7 +120,7 @@ inline void write_paths(std::ostream& out, const std::string& file, const std::v
   if(has_extension(file, ".vtk"))
     internal::write_path_vtk(out, paths);
   else
-    internal::write_path_polylines(out, paths);
+    write_polylines(out, paths);
 }
 
 } // namespace geodesic_offset

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Output of the mesh split along its offsets.
+// Output of the mesh split along its offsets, or along the curves of its Voronoi diagram.
 
 #ifndef GEODESIC_OFFSET_SPLIT_OUTPUT_H
 #define GEODESIC_OFFSET_SPLIT_OUTPUT_H
 
+#include "color_map.h"
 #include "common.h"
 
 #include <cstddef>
@@ -15,18 +16,31 @@
 
 namespace geodesic_offset {
 
-// A mesh whose edges include the offsets.
+// A mesh whose edges include the offsets, or the curves between the cells of the sources.
 class Split_mesh
 {
-  Mesh m_mesh;
-  Mesh::Property_map<Face, std::size_t> m_band; // number of distances with offsets that the face is not nearer than
-  Mesh::Property_map<Face, std::size_t> m_source; // nearest to the centroid; Geodesic::no_source() if none reaches it
+  struct Property
+  {
+    const char*                           name;
+    Mesh::Property_map<Face, std::size_t> map; // Geodesic::no_source(): none
+  };
+
+  Mesh                  m_mesh;
+  std::vector<Property> m_properties;
+  std::vector<Color>    m_colors; // per value of the first property
+
+  Property& add_property(const char* name);
 
 public:
-  // Precondition: the last build has kept windows, and the curves are all offsets of their distances.
+  // Faces have their band, the number of distances with offsets that they are not nearer than, and the source nearest to their
+  // centroid. Precondition: the last build has kept windows, and the curves are all offsets of their distances.
   Split_mesh(const Mesh& mesh, const Geodesic& geodesic, const std::vector<Offset_curve>& curves, double chord_tolerance);
 
-  // As binary PLY: faces with properties `band`, `source` (-1: none) and the colour of their band.
+  // Faces have the source in whose cell they lie.
+  Split_mesh(const Mesh& mesh, const Geodesic::Field::Voronoi_diagram& diagram, std::size_t number_of_sources,
+             double chord_tolerance);
+
+  // As binary PLY: faces with their properties (-1: none) and the colour of the first one.
   void write(std::ostream& out) const;
 
   // Size without the header.
