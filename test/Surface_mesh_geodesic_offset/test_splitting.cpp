@@ -534,6 +534,46 @@ void levels_without_width()
   }
 }
 
+// A circle that touches an edge of two equilateral triangles in the plane, up to rounding: no chord is farther from it than the
+// tolerance, also not beside the points that are left out as they are on the edge.
+void touching_level()
+{
+  const double height = std::sqrt(0.75);
+  for (const double error : {-1e-8, -1e-10, -1e-12, 0., 1e-13, 1e-11, 1e-9})
+    for (const double tolerance : {2e-2, 1e-3, 3e-4, 1e-5})
+    {
+      Surface_mesh mesh;
+      std::vector<Vertex_index> v;
+      for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, height, 0), Point_3(1.5, height, 0)})
+        v.push_back(mesh.add_vertex(p));
+      mesh.add_face(v[0], v[1], v[2]);
+      mesh.add_face(v[1], v[3], v[2]);
+      const double level = height * (1 + error);
+      std::vector<Geodesic::Offset_curve> curves;
+      CGAL::geodesic_offset_curves(mesh, std::vector<Vertex_index>{v[0]}, level, std::back_inserter(curves));
+      auto distance = mesh.add_property_map<Vertex_index, double>("distance").first;
+      CGAL::geodesic_distances(mesh, std::vector<Vertex_index>{v[0]}, distance);
+      auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
+      CGAL::split_along_offset_curves(
+        mesh, curves, CGAL::parameters::chord_tolerance(tolerance).face_band_map(band).vertex_distance_map(distance));
+      for (const Face_index f : mesh.faces())
+      {
+        std::vector<Point_3> p;
+        for (const Vertex_index u : mesh.vertices_around_face(mesh.halfedge(f))) p.push_back(mesh.point(u));
+        double least = 10, most = 0;
+        for (int i = 0; i <= 20; ++i)
+          for (int j = 0; i + j <= 20; ++j)
+          {
+            const double d = std::sqrt((CGAL::barycenter(p[0], i, p[1], j, p[2], 20 - i - j) - CGAL::ORIGIN).squared_length());
+            least = (std::min)(least, d);
+            most = (std::max)(most, d);
+          }
+        CHECK_DETAIL(band[f] == 0 ? most <= level + 1e-9 : least >= level - 1.0001 * tolerance,
+                     std::to_string((level - least) / tolerance));
+      }
+    }
+}
+
 // The same split of a Polyhedron_3; components without curves; bad parameters leave the mesh as it was.
 void other_meshes()
 {
@@ -580,6 +620,7 @@ GEODESIC_OFFSET_TEST(test_splitting)
     {"sources and visitor", sources_and_visitor},
     {"close levels", close_levels},
     {"levels without width", levels_without_width},
+    {"touching level", touching_level},
     {"other meshes", other_meshes},
     {data_case, data_meshes}};
   const int result = run_tests("test_splitting", tests);

@@ -612,6 +612,42 @@ void common_end_beside_edge()
             random, 100, true);
 }
 
+// A polyline begins 1e-11 behind an edge, which it crosses aslant. On one side, points of the edge are nearest to the crossing,
+// from which no window comes over the edge; the next one is that of another polyline.
+void end_behind_edge()
+{
+  Random random(11);
+  for (int i = 0; i < 40; ++i)
+  {
+    Surface_mesh mesh;
+    std::vector<Vertex_index> v;
+    for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.8, 0)})
+      v.push_back(mesh.add_vertex(p));
+    const Face_index upper = mesh.add_face(v[0], v[1], v[2]), lower = mesh.add_face(v[1], v[0], v[3]);
+    const auto at = [&](Face_index f, double x, double height) {
+      Location result(f, {0, 0, 0});
+      auto h = mesh.halfedge(f);
+      for (double& w : result.second)
+      {
+        const Vertex_index u = mesh.source(h);
+        w = u == v[0] ? 1 - x - height / 1.6 : u == v[1] ? x - height / 1.6 : height / 0.8;
+        h = mesh.next(h);
+      }
+      return result;
+    };
+    const double x = uniform(random, 0.4, 0.6), y = 1e-11 * uniform(random, 0.5, 4), depth = uniform(random, 0.2, 0.3),
+                 slope = (i % 2 == 0 ? 1 : -1) * uniform(random, 0.4, 0.9), near = x + slope * uniform(random, 0.1, 0.2),
+                 far = x - slope * uniform(random, 0, 0.1);
+    compare("end behind an edge", mesh,
+            {[&](Geodesic& g) { g.add_source_polyline(std::vector<Location>{at(lower, near, depth), at(lower, far, depth)}); },
+             [&](Geodesic& g) {
+      g.add_source_polyline(
+        std::vector<Location>{at(upper, x + slope * y, y), at(lower, x, 0), at(lower, x - slope * 0.15, 0.15)});
+             }},
+            random, 20, true);
+  }
+}
+
 // A polyline ends some 1e-12 beside a vertex that is a source: they differ by a few ties, and a tie more or less moves the ends
 // of the curves between them far.
 void end_beside_source()
@@ -806,6 +842,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"graded strip", test_voronoi_diagram::graded_strip},
     {"sources beside each other", test_voronoi_diagram::sources_beside_each_other},
     {"common end beside an edge", test_voronoi_diagram::common_end_beside_edge},
+    {"end behind an edge", test_voronoi_diagram::end_behind_edge},
     {"end beside a source", test_voronoi_diagram::end_beside_source},
     {"needle strips", test_voronoi_diagram::needle_strips},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},

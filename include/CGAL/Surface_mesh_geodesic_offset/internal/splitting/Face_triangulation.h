@@ -128,20 +128,12 @@ private:
     {
       Vertex_handle last = vertex(p.from);
       if (p.arc)
-      {
-        typedef typename Piece::FT FT;
-        const std::size_t n = p.arc->number_of_chords(FT(m_tolerance)) * division;
-        for (std::size_t j = 1; j < n; ++j)
-        {
-          const auto location = p.arc->location(FT(double(j) / double(n)));
-          Flat_face::Weights w;
-          for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(location.second[k]);
-          if (!m_points.is_inside(m_flat, w)) continue;
+        for_each_inner_point(*p.arc, p.arc->number_of_chords(typename Piece::FT(m_tolerance)) * division,
+                             [&](const Flat_face::Weights& w) {
           const Vertex_handle v = m_cdt.insert(inside(w), last->face()); // beside the last one
           if (!v->info().is_set()) m_inner.push_back({v, w});
           last = constrain(last, v, p.level);
-        }
-      }
+        });
       constrain(last, vertex(p.to), p.level);
     }
     const std::size_t expected = m_cdt.number_of_vertices();
@@ -151,6 +143,43 @@ private:
       if (m_cdt.number_of_vertices() != expected && !may_cross) return false;
     }
     return m_cdt.number_of_vertices() == expected;
+  }
+
+  // Calls f(weights) for the points between n chords of an arc, but not within the snap distance of the edges: where the arc comes
+  // there, for the last point before and the first one behind, so that the chord between them is near to the edge, too.
+  template <class Function>
+  void for_each_inner_point(const Piece& arc, std::size_t n, const Function& f) const
+  {
+    if (n == 1) return;
+    const auto weights = [&](double t) {
+      const auto location = arc.location(typename Piece::FT(t));
+      Flat_face::Weights w;
+      for (std::size_t k = 0; k < 3; ++k) w[k] = CGAL::to_double(location.second[k]);
+      return w;
+    };
+    const auto is_inside = [&](double t) { return m_points.is_inside(m_flat, weights(t)); };
+    bool was_inside = is_inside(0);
+    for (std::size_t j = 1; j <= n; ++j)
+    {
+      const double before = double(j - 1) / double(n), t = double(j) / double(n);
+      const Flat_face::Weights w = weights(t);
+      const bool is_in = m_points.is_inside(m_flat, w), is_left_out = is_in ? j > 1 : j < n; // an inner point, not an end
+      if (is_in != was_inside && is_left_out) f(weights(last_inside(is_inside, is_in ? t : before, is_in ? before : t)));
+      if (is_in && j < n) f(w);
+      was_inside = is_in;
+    }
+  }
+
+  // The parameter between `in` and `out`, of a point inside and one that is not, at which the arc is inside last.
+  template <class Condition>
+  static double last_inside(const Condition& is_inside, double in, double out)
+  {
+    for (int i = 0; i < std::numeric_limits<double>::digits; ++i)
+    {
+      const double middle = 0.5 * (in + out);
+      (is_inside(middle) ? in : out) = middle;
+    }
+    return in;
   }
 
   template <class Handle>

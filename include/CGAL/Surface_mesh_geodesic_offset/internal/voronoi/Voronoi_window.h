@@ -105,6 +105,7 @@ struct Voronoi_window
     const Point p = rays.right, u = along_bound(1), v = next.along_bound(0);
     const double r = (std::max)(0., distance_at(p) - source_value), turn = cross(u, v);
     if (!(turn < 0 && dot(u, v) > 0 && -turn * r <= tie)) return std::nullopt;
+    if (!(std::abs(distance_at(p) - next.distance_at(p)) <= tie)) return std::nullopt; // a third window is nearer at p
     Voronoi_window fan(*this);
     fan.rays.bits = Window<double>::make_bits(false, no_index);
     fan.rays.origin = STARTS_IN_FACE;
