@@ -591,6 +591,50 @@ void sources_beside_each_other()
   }
 }
 
+// Points within 1e-13 of each other have one cell, that of the smallest id; so do segments whose ends are so near to each other.
+void coinciding_sources()
+{
+  Random random(29);
+  const Surface_mesh mesh = Generated_mesh<Surface_mesh>(icosphere(0)).mesh;
+  const auto beside = [&](const Location& l) {
+    Location result = l;
+    const double x = 2e-14 * uniform(random), y = 2e-14 * uniform(random);
+    result.second = {l.second[0] - x - y, l.second[1] + x, l.second[2] + y};
+    return result;
+  };
+  const auto sources_of = [](const std::vector<std::vector<Location>>& places) {
+    std::vector<Add_source> result;
+    for (const auto& place : places)
+      result.push_back([place](Geodesic& g) {
+        if (place.size() == 1) g.add_source_point(place.front());
+        else g.add_source_polyline(place);
+      });
+    return result;
+  };
+  const auto has_cell = [](const Diagram& diagram, std::size_t source) {
+    bool result = false;
+    for (const auto& c : diagram.curves()) result = result || c.source_on_left() == source || c.source_on_right() == source;
+    return result;
+  };
+  for (int i = 0; i < 60; ++i)
+  {
+    const Location first = random_location(mesh, random);
+    std::vector<std::vector<Location>> places = {{random_location(mesh, random)}, {random_location(mesh, random)}};
+    if (i % 2 == 0)
+      for (int k = 0; k < 3; ++k) places.push_back({k == 0 ? first : beside(first)});
+    else
+    {
+      Location end(first.first, {0.1, 0.2, 0.7});
+      for (int k = 0; k < 3; ++k) places.push_back({beside(first), beside(end)});
+    }
+    const std::vector<Add_source> sources = sources_of(places);
+    compare("coinciding sources", mesh, sources, random, 50);
+    const Diagram diagram = diagram_of(mesh, sources);
+    CHECK(has_cell(diagram, 2) && !has_cell(diagram, 3) && !has_cell(diagram, 4));
+    CHECK(diagram.source_at(beside(first)) == 2);
+  }
+}
+
 // Two polylines begin at a point 1.4e-12 beside an edge: behind the edge, the rays from this point between those of their segments
 // pass it within less than a unit in the last place.
 void common_end_beside_edge()
@@ -841,6 +885,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"graded grids", test_voronoi_diagram::graded_grids},
     {"graded strip", test_voronoi_diagram::graded_strip},
     {"sources beside each other", test_voronoi_diagram::sources_beside_each_other},
+    {"coinciding sources", test_voronoi_diagram::coinciding_sources},
     {"common end beside an edge", test_voronoi_diagram::common_end_beside_edge},
     {"end behind an edge", test_voronoi_diagram::end_behind_edge},
     {"end beside a source", test_voronoi_diagram::end_beside_source},

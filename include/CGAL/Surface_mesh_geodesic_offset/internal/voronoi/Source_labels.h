@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The labels of cells: ids of sources, of which those that coincide, or have a point or a segment in common, count as that with
-// the smallest id there.
+// The labels of cells: ids of sources, of which those that coincide up to rounding, or have a point or a segment in common, count as
+// that with the smallest id there.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_SOURCE_LABELS_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_SOURCE_LABELS_H
@@ -11,11 +11,15 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Coinciding_places.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,19 +34,28 @@ public:
   Source_labels(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_field(field)
   {
-    std::map<std::tuple<Place, Place, FT>, Index> smallest;
-    std::vector<decltype(smallest.begin())> at;
+    const double tolerance = Voronoi_tolerances::same_source(size());
+    Coinciding_places<FT> places(mesh, tolerance);
+    struct Entry
+    {
+      double start_value;
+      Index smallest; // id
+    };
+    std::map<std::pair<Index, Index>, std::vector<Entry>> entries; // by the numbers of the ends
+    std::vector<std::pair<std::vector<Entry>*, std::size_t>> entry_of;
     for (std::size_t i = 0; i < initial.primitives.size(); ++i)
     {
-      Place first = place(initial.places[i].first), second = place(initial.places[i].second);
-      if (!initial.primitives[i].is_segment) second = first;
-      if (second < first) std::swap(first, second);
-      const FT start = initial.start_values.of(Source_ref(Index(i), Source_side::NONE));
-      const auto entry = smallest.emplace(std::make_tuple(first, second, start), initial.source_of[i]).first;
-      entry->second = (std::min)(entry->second, initial.source_of[i]);
-      at.push_back(entry);
+      const Index first = places.number_of(initial.places[i].first),
+                  second = initial.primitives[i].is_segment ? places.number_of(initial.places[i].second) : first;
+      std::vector<Entry>& known = entries[std::minmax(first, second)];
+      const double start = CGAL::to_double(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
+      auto entry = std::find_if(known.begin(), known.end(),
+                                [&](const Entry& e) { return std::abs(e.start_value - start) <= tolerance; });
+      if (entry == known.end()) entry = known.insert(entry, {start, initial.source_of[i]});
+      entry->smallest = (std::min)(entry->smallest, initial.source_of[i]);
+      entry_of.emplace_back(&known, std::size_t(entry - known.begin()));
     }
-    for (const auto& entry : at) m_label.push_back(entry->second);
+    for (const auto& [known, i] : entry_of) m_label.push_back((*known)[i].smallest);
   }
 
   // no_index for a vertex without a distance.
@@ -59,15 +72,13 @@ public:
   }
 
 private:
-  typedef std::tuple<int, Index, FT, FT> Place;
-
-  Place place(const Surface_point<FT>& p) const
+  // The longest edge and the largest distance of a vertex.
+  double size() const
   {
-    if (p.kind == Surface_point<FT>::VERTEX) return Place(p.kind, p.element, FT(0), FT(0));
-    if (p.kind == Surface_point<FT>::FACE) return Place(p.kind, p.element, p.x, p.y);
-    const Index twin = m_mesh.twin(p.element);
-    if (twin == no_index || p.element < twin) return Place(p.kind, p.element, p.x, FT(0));
-    return Place(p.kind, twin, FT(m_mesh[twin].length - p.x), FT(0));
+    double largest = 0;
+    for (const FT& d : m_field.distance)
+      if (Number_policy<FT>::is_finite(d)) largest = (std::max)(largest, CGAL::to_double(d));
+    return CGAL::to_double(m_mesh.longest_edge()) + largest;
   }
 
   const Unfolded_mesh<FT>& m_mesh;

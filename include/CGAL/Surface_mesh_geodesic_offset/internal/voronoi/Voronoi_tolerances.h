@@ -48,6 +48,10 @@ struct Voronoi_tolerances
     slack = 2 * (std::max)(tie, usual_tie);
   }
 
+  // Sources this near to each other are one: 2^9 u times the longest edge plus the largest distance of a vertex, eight ties. The
+  // curves between them would have no certain direction. Binding test: test_voronoi_diagram, sources beside each other.
+  static double same_source(double magnitude) { return unit(9) * magnitude; }
+
   explicit Voronoi_tolerances(double magnitude = 0)
     : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), shortest_interval(unit(8) * magnitude),
       joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)), loose_tie(unit(9) * magnitude),
