@@ -720,6 +720,24 @@ void end_beside_source()
   }
 }
 
+// A strip of 18 needles of length 1 and about the given width, in the plane. Vertices of even indices have y = 0, the others y = 1.
+Surface_mesh needle_strip(Random& random, double width)
+{
+  Surface_mesh mesh;
+  std::vector<Vertex_index> v;
+  double x = 0;
+  for (int k = 0; k < 10; ++k)
+    for (const double y : {0., 1.})
+    {
+      v.push_back(mesh.add_vertex(Point_3(x + width * uniform(random, 0, 0.9), y, 0)));
+      if (y > 0) x += width * uniform(random, 1, 3);
+    }
+  for (std::size_t k = 0; k + 2 < v.size(); ++k)
+    if (k % 2 == 0) mesh.add_face(v[k], v[k + 2], v[k + 1]);
+    else mesh.add_face(v[k], v[k + 1], v[k + 2]);
+  return mesh;
+}
+
 // Strips of needles of height 1e-9: rays of sources far along them differ by angles of 1e-8, less than the gaps between cones
 // that are closed, and bounding rays graze the edges where they start.
 void needle_strips()
@@ -727,24 +745,49 @@ void needle_strips()
   Random random(12);
   for (int i = 0; i < 60; ++i)
   {
-    Surface_mesh mesh;
-    std::vector<Vertex_index> v;
-    double x = 0;
-    for (int k = 0; k < 10; ++k)
-      for (const double y : {0., 1.})
-      {
-        v.push_back(mesh.add_vertex(Point_3(x + 1e-9 * uniform(random, 0, 0.9), y, 0)));
-        if (y > 0) x += 1e-9 * uniform(random, 1, 3);
-      }
-    for (std::size_t k = 0; k + 2 < v.size(); ++k)
-      if (k % 2 == 0) mesh.add_face(v[k], v[k + 2], v[k + 1]);
-      else mesh.add_face(v[k], v[k + 1], v[k + 2]);
+    const Surface_mesh mesh = needle_strip(random, 1e-9);
     const Face_index first(0), last(unsigned(mesh.number_of_faces() - 1));
     const double s = uniform(random, 0.1, 0.4), t = uniform(random, 0.6, 0.9);
     compare("needle strip", mesh,
             {[&](Geodesic& g) { g.add_source_point(Location(first, {s, 1 - s, 0})); },
              [&](Geodesic& g) { g.add_source_point(Location(last, {0, t, 1 - t})); }},
             random, 20, true);
+  }
+}
+
+// The cells of three vertices of a strip meet in the middle of a long edge up to rounding, where the curve between two of them leaves
+// its face at a small angle.
+void cells_that_meet_on_an_edge()
+{
+  Random random(31);
+  for (int i = 0; i < 60; ++i)
+  {
+    const Surface_mesh mesh = needle_strip(random, 1e-6);
+    std::vector<Add_source> sources;
+    for (const unsigned v : {1u, 16u, 14u}) sources.push_back([v](Geodesic& g) { g.add_source_point(Vertex_index(v)); });
+    compare("cells that meet on an edge", mesh, sources, random, 20, true);
+  }
+}
+
+// Two points 2e-10 apart, with start values that differ by 2e-11: windows that tie on a long edge of a needle have no certain order
+// on 1e-10 of it, and their cones leave gaps behind it.
+void windows_without_order()
+{
+  Random random(37);
+  for (int i = 0; i < 60; ++i)
+  {
+    const Surface_mesh mesh = needle_strip(random, 1e-3);
+    std::vector<Add_source> sources;
+    const double x = uniform(random, 0.3, 0.5), y = 1e-9 * uniform(random), z = 1e-5 * uniform(random);
+    const auto add = [&](double start_value, const std::array<double, 3>& weights) {
+      sources.push_back([=](Geodesic& g) {
+        g.add_source_point(Location(Face_index(8), weights), CGAL::parameters::start_value(start_value));
+      });
+    };
+    add(1.9e-9, {x - 0.2, 1.2 - x - z, z});
+    add(0, {x, 1 - x - y, y});
+    add(2e-11 * uniform(random), {x + 2e-10 * uniform(random), 1 - x - y - 2e-10, y + 2e-10 * uniform(random)});
+    compare("windows without order", mesh, sources, random, 20, true);
   }
 }
 
@@ -890,6 +933,8 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"end behind an edge", test_voronoi_diagram::end_behind_edge},
     {"end beside a source", test_voronoi_diagram::end_beside_source},
     {"needle strips", test_voronoi_diagram::needle_strips},
+    {"cells that meet on an edge", test_voronoi_diagram::cells_that_meet_on_an_edge},
+    {"windows without order", test_voronoi_diagram::windows_without_order},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"bad input", test_voronoi_diagram::bad_input},

@@ -37,10 +37,12 @@ set of points up to rounding, and a closed mesh stays closed. Vertices, edges th
 curves keep their descriptors.
 
 Points of curves closer to each other, to a vertex or to an edge than 2^-33 of the diagonal of the bounding box, about 1e-10, are
-one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there.
+one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there. Where curves are closer
+to each other than 2^-33, as those of nearly equal distances, or than a millionth of the chord tolerance, their chords may cross.
+The crossings become vertices, which are off their curves by up to the chord tolerance, and may coincide with other vertices.
 
-The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. If an
-exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
+The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face; where
+chords cross at first, arcs are divided up to 1024 times further. If an exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`
 \tparam OffsetCurves a model of `ConstRange` with `Geodesic_offset_curve` as value type
@@ -67,7 +69,8 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
     \cgalParamDefault{none}
     \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. If no curve is on the
                     border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
-                    narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given.}
+                    narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given. Beside other curves that
+                    are as near to each other, values are certain only with this map.}
   \cgalParamNEnd
   \cgalParamNBegin{face_source_map}
     \cgalParamDescription{receives for each face the id of the source that is nearest to the centroid of the face; other points
@@ -159,11 +162,11 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
       typedef typename boost::property_traits<std::decay_t<decltype(distance_map)>>::value_type FT;
       splitting.write_bands(
         band_map, [&](const auto v) -> FT { return get(distance_map, v); },
-        [&](const FT& d) { // the number of distances that are not greater
+        [&](const FT& d, std::size_t) { // the number of distances that are not greater
           return std::size_t(std::upper_bound(distances.begin(), distances.end(), d) - distances.begin());
         });
     }
-    else splitting.write_bands(band_map, [](const auto) { return 0.; }, [](double) { return std::size_t(0); });
+    else splitting.write_bands(band_map, [](const auto) { return 0.; }, [](double, std::size_t by_curves) { return by_curves; });
   }
 }
 

@@ -124,7 +124,8 @@ public:
   }
 
   // Writes the band of each face: the number of levels that its points are not nearer than. Regions without curves have that of
-  // the middle of the distances of their vertices, of which the largest may be a level whose curve is a point.
+  // the middle of the distances of their vertices, of which the largest may be a level whose curve is a point; so have regions whose
+  // curves contradict each other, as where a strip is a polyline in parts. band_at(distance, band by the curves, or 0).
   template <class FaceBandMap, class Distance, class Function>
   void write_bands(FaceBandMap band_map, const Distance& distance_of, const Function& band_at)
   {
@@ -160,11 +161,14 @@ public:
     }
     std::vector<std::size_t> bands;
     for (std::size_t r = 0; r < first.size(); ++r) bands.push_back(upper[r] != none ? upper[r] : lower[r]);
-    if (std::count(bands.begin(), bands.end(), none) > 0)
+    const auto is_uncertain = [&](std::size_t r) { return bands[r] == none || (lower[r] != none && lower[r] != bands[r]); };
+    std::vector<std::size_t> uncertain;
+    for (std::size_t r = 0; r < first.size(); ++r)
+      if (is_uncertain(r)) uncertain.push_back(r);
+    if (!uncertain.empty())
     {
       const auto middle = middle_distances(regions, first.size(), distance_of);
-      for (std::size_t r = 0; r < first.size(); ++r)
-        if (bands[r] == none) bands[r] = band_at(middle[r]);
+      for (const std::size_t r : uncertain) bands[r] = band_at(middle[r], bands[r] == none ? 0 : bands[r]);
     }
     for (const face_descriptor f : faces(m_mesh)) put(band_map, f, bands[regions.of(f)]);
   }

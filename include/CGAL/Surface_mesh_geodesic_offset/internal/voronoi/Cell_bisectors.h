@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -123,6 +124,8 @@ private:
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, const New_node& new_node,
                const OutputFunction& out)
   {
+    m_cell = &cell;
+    m_candidates = &candidates;
     m_arcs.clear();
     m_find_arcs(cell, candidates, margin, m_arcs);
     if (m_arcs.empty() && cell.gates.empty()) return true;
@@ -245,42 +248,86 @@ private:
 
   bool has_conic(const Arc_end& end) const { return !end.is_gate && !m_arcs[end.arc].is_link; }
 
-  // Where an end is when it moves along its arc as near to a point as this goes. Empty unless all windows of the cluster have the
-  // same distances up to rounding on its way: along the arc, and straight from there to the point.
+  // Where an end is when it moves along its arc as near to a point as this goes in the cell. Empty unless it stays between its two
+  // sources up to rounding on its way, along the arc and straight from there to the point, where all sources of the cluster tie.
   std::optional<Point> moved_to(const Arc_end& end, const Point& p, const std::vector<std::size_t>& members) const
   {
+    if (!all_tie_at(p, members)) return std::nullopt;
     Point q = end.point;
     if (has_conic(end))
     {
       const Bisector_arc& a = m_arcs[end.arc];
       const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from,
-                   after = a.conic.parameter_near(p, before);
+                   after = parameter_towards(end, p);
       if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return std::nullopt;
       q = a.conic.at(after).point();
       const Point middle = a.conic.at(a.conic.between(before, after, 0.5)).point();
       if (!(length(middle - q) <= length(end.point - q) + m_tolerances.joint)) return std::nullopt; // around a bend
       for (const Bisector_side* const s : {&a.left, &a.right}) // beyond its cone, the function of a window is no distance
         if (!m_windows[s->window].contains(q, m_tolerances.joint)) return std::nullopt;
-      if (!all_tie_at(middle, members) || !all_tie_at(q, members)) return std::nullopt;
+      if (!is_between_sources(middle, end) || !is_between_sources(q, end)) return std::nullopt;
     }
-    if (!all_tie_at(0.5 * (q + p), members) || !all_tie_at(p, members)) return std::nullopt;
+    if (!is_between_sources(0.5 * (q + p), end)) return std::nullopt;
     return q;
   }
 
+  // The parameter of the point of an arc, in the cell, to which its end moves towards another point.
+  double parameter_towards(const Arc_end& end, const Point& p) const
+  {
+    const Bisector_arc& a = m_arcs[end.arc];
+    const double before = end.is_end ? a.to : a.from, after = a.conic.parameter_near(p, before);
+    const Point q = a.conic.at(after).point();
+    for (int k = 0; k < 3; ++k)
+      if (m_cell->outside(k).value(q) > m_tolerances.joint) return before;
+    return after;
+  }
+
+  // The distances of a point through the windows on both sides of an end; without an arc, through those of its sources, if these
+  // windows explain the end, else infinite.
+  std::array<double, 2> distances_beside(const Arc_end& end, const Point& p) const
+  {
+    if (has_conic(end))
+    {
+      const Bisector_arc& a = m_arcs[end.arc];
+      return {m_windows[a.left.window].distance_at(p), m_windows[a.right.window].distance_at(p)};
+    }
+    const double off = distance_from(end.left, end.point) - distance_from(end.right, end.point);
+    if (!(std::abs(off) <= m_tolerances.loose_tie))
+      return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    return {distance_from(end.left, p), distance_from(end.right, p)};
+  }
+
+  // Infinite if no window of the cell has the source.
+  double distance_from(Index label, const Point& p) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (const unsigned i : *m_candidates)
+      if (m_windows[i].label == label) result = (std::min)(result, m_windows[i].rays.path_length(p));
+    return result;
+  }
+
+  // Sources without windows in the cell are left out, here and below.
   bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const
   {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const std::size_t e : members)
-    {
-      if (!has_conic(m_ends[e])) continue;
-      for (const Bisector_side* const s : {&m_arcs[m_ends[e].arc].left, &m_arcs[m_ends[e].arc].right})
+      for (const double d : distances_beside(m_ends[e], p))
       {
-        const double d = m_windows[s->window].distance_at(p);
         least = (std::min)(least, d);
-        most = (std::max)(most, d);
+        if (std::isfinite(d)) most = (std::max)(most, d);
       }
-    }
-    return most - least <= m_tolerances.loose_tie;
+    return !(most - least > m_tolerances.loose_tie);
+  }
+
+  // True if the sources of an end tie at a point, and no other source is nearer.
+  bool is_between_sources(const Point& p, const Arc_end& end) const
+  {
+    const std::array<double, 2> own = distances_beside(end, p);
+    if (std::isfinite(own[0]) && std::isfinite(own[1]) && !(std::abs(own[0] - own[1]) <= m_tolerances.loose_tie)) return false;
+    const double least = (std::min)(own[0], own[1]) - m_tolerances.loose_tie;
+    return !std::isfinite(least) || std::all_of(m_candidates->begin(), m_candidates->end(), [&](unsigned i) {
+      return this->m_windows[i].rays.path_length(p) >= least;
+    });
   }
 
   Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
@@ -453,9 +500,9 @@ private:
     end_node = node;
     if (has_conic(end) && length(end.point - point) > m_tolerances.joint)
     {
-      double& parameter = end.is_end ? arc.to : arc.from;
-      parameter = arc.conic.parameter_near(point, parameter);
-      const Point q = arc.conic.at(parameter).point();
+      const double after = parameter_towards(end, point);
+      (end.is_end ? arc.to : arc.from) = after;
+      const Point q = arc.conic.at(after).point();
       if (length(q - point) > m_tolerances.joint)
       {
         end_node = new_node();
@@ -475,6 +522,8 @@ private:
   }
 
   const std::vector<Voronoi_window>& m_windows;
+  const Voronoi_cell* m_cell = nullptr;
+  const std::vector<unsigned>* m_candidates = nullptr; // the windows of the cell
   Voronoi_tolerances m_tolerances;
   const Cell_arcs m_find_arcs;
   std::vector<Bisector_arc> m_arcs, m_links;

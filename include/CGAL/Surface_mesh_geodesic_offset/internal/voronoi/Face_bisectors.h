@@ -226,8 +226,7 @@ private:
 
   bool add_fan(unsigned i, unsigned next)
   {
-    const double source_value = CGAL::to_double(m_results.start_values.of(m_windows[i].rays.source_ref));
-    auto fan = m_windows[i].fan_between(m_windows[next], source_value, m_tolerances.tie);
+    auto fan = m_windows[i].fan_between(m_windows[next], m_tolerances.tie);
     if (!fan) return false;
     const auto same = std::find_if(m_windows.begin(), m_windows.end(), [&](const Voronoi_window& w) {
       return w.is_same_function(*fan, fan->image(), 0, m_tolerances.tie);

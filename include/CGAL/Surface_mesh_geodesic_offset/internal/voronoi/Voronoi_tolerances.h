@@ -16,7 +16,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // All values are lengths. The magnitude of a face is its longest edge plus the largest distance at the ends of the chords of its
-// windows, which bounds the coordinates of their images. Binding tests: test_voronoi_diagram, test_voronoi_splitting.
+// windows, which bounds the coordinates of their images. Binding test: test_voronoi_diagram.
 struct Voronoi_tolerances
 {
   // Distances that differ by less are equal: 2^6 u times the magnitude, two errors of a distance (see Offset_tolerances::error). If

@@ -97,14 +97,14 @@ struct Voronoi_window
     return true;
   }
 
-  // For parallel rays of two windows that come over an edge, as in close_gap(), with a gap between them: the rays from the common
-  // end of their sources, if it is so near to this edge that rounding may have lost them. `source_value`: distance at the source.
-  std::optional<Voronoi_window> fan_between(const Voronoi_window& next, double source_value, double tie) const
+  // For two windows that come over an edge and tie where their bounding rays start, as in close_gap(), with a gap between these:
+  // the rays from this point. Rounding may have lost those of a source so near to the edge, or has put windows there that tie
+  // in the wrong order.
+  std::optional<Voronoi_window> fan_between(const Voronoi_window& next, double tie) const
   {
-    if (!is_parallel() || !next.is_parallel() || is_strip() || next.is_strip()) return std::nullopt;
+    if (starts_at_image() || next.starts_at_image() || is_strip() || next.is_strip()) return std::nullopt;
     const Point p = rays.right, u = along_bound(1), v = next.along_bound(0);
-    const double r = (std::max)(0., distance_at(p) - source_value), turn = cross(u, v);
-    if (!(turn < 0 && dot(u, v) > 0 && -turn * r <= tie)) return std::nullopt;
+    if (!(cross(u, v) < 0 && dot(u, v) > 0)) return std::nullopt;
     if (!(std::abs(distance_at(p) - next.distance_at(p)) <= tie)) return std::nullopt; // a third window is nearer at p
     Voronoi_window fan(*this);
     fan.rays.bits = Window<double>::make_bits(false, no_index);
