@@ -70,7 +70,7 @@ chords cross at first, arcs are divided up to 1024 times further. If an exceptio
     \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. If no curve is on the
                     border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
                     narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given. Beside other curves that
-                    are as near to each other, values are certain only with this map.}
+                    are as near to each other, values may be wrong.}
   \cgalParamNEnd
   \cgalParamNBegin{face_source_map}
     \cgalParamDescription{receives for each face the id of the source that is nearest to the centroid of the face; other points
