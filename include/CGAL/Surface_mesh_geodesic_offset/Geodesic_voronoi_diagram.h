@@ -195,9 +195,9 @@ rounding. Bisectors between different paths to one source are not among them.
 
 Where sources tie in a whole region, it belongs to one of them, and there are no curves in it: of sources that coincide, or
 that have an end or a corner in common, to that with the smallest id; behind a vertex of the mesh where shortest paths to several
-sources bend, to the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it. Points of a face coincide if
-they are no farther apart than 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with such ends:
-rounding does not tell in which direction the curves between them would run.
+sources bend, to the nearest source of this vertex, as `Geodesic_distance_field::source_labels()` writes it. Points of a face
+coincide if they are no farther apart than 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with
+such ends: rounding does not tell in which direction the curves between them would run.
 
 Rounding limits what the curves can tell where more than three sources have equal distances at one point, as with start values that are
 chosen so: within some 1e-6 of the size of the mesh from such a point, the distances of a curve from its sources may differ by 1e-6 of the size.

@@ -42,7 +42,8 @@ to each other than 2^-33, as those of nearly equal distances, or than a milliont
 The crossings become vertices, which are off their curves by up to the chord tolerance, and may coincide with other vertices.
 
 The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face; where
-chords cross at first, arcs are divided up to 1024 times further. If an exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
+chords cross at first, arcs are divided up to 1024 times further. If an exception is thrown before the mesh is changed, as for bad
+parameters, the mesh stays as it was.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`
 \tparam OffsetCurves a model of `ConstRange` with `Geodesic_offset_curve` as value type
