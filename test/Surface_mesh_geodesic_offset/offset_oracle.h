@@ -104,7 +104,7 @@ public:
       Level_chain chain{is_loop, is_loop ? 0 : position[c.start], is_loop ? 0 : position[c.end], {}};
       for (std::size_t i = c.first; i < c.last; ++i)
       {
-        const auto& p = cut_.pieces[i];
+        const auto& p = (*cut_.pieces)[i];
         if (p.is_straight) chain.arcs.emplace_back(p.start, p.end);
         else chain.arcs.emplace_back(p.start, p.end, p.center, p.radius);
       }
