@@ -160,11 +160,12 @@ public:
       }
     }
     std::vector<std::size_t> bands;
-    for (std::size_t r = 0; r < first.size(); ++r) bands.push_back(upper[r] != none ? upper[r] : lower[r]);
-    const auto is_uncertain = [&](std::size_t r) { return bands[r] == none || (lower[r] != none && lower[r] != bands[r]); };
-    std::vector<std::size_t> uncertain;
+    std::vector<std::size_t> uncertain; // regions
     for (std::size_t r = 0; r < first.size(); ++r)
-      if (is_uncertain(r)) uncertain.push_back(r);
+    {
+      bands.push_back(upper[r] != none ? upper[r] : lower[r]);
+      if (bands[r] == none || (lower[r] != none && lower[r] != bands[r])) uncertain.push_back(r);
+    }
     if (!uncertain.empty())
     {
       const auto middle = middle_distances(regions, first.size(), distance_of);

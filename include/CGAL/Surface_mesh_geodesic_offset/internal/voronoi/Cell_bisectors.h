@@ -8,19 +8,15 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arc_end_motion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_arcs.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,13 +31,14 @@ class Cell_bisectors
 public:
   typedef Point_in_face<double> Point;
 
-  Cell_bisectors(const Cell_bisectors&) = delete; // m_find_arcs refers to m_tolerances
+  Cell_bisectors(const Cell_bisectors&) = delete; // members refer to others
   Cell_bisectors& operator=(const Cell_bisectors&) = delete;
 
   // `center`, `radius`: a disk around the face.
   Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
                  double radius)
-    : m_windows(windows), m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius)
+    : m_windows(windows), m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius),
+      m_motion(windows, m_tolerances, m_arcs, m_ends)
   {
   }
 
@@ -97,14 +94,6 @@ public:
   }
 
 private:
-  struct Arc_end
-  {
-    Point point;
-    std::size_t arc; // or gate
-    bool is_gate, is_end;
-    Index left, right; // labels, seen from the end along the arc, or through the gate out of the cell
-  };
-
   // The straight arc from a gate to another one.
   static Bisector_arc link(const Voronoi_gate& from, const Voronoi_gate& to)
   {
@@ -124,8 +113,7 @@ private:
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, const New_node& new_node,
                const OutputFunction& out)
   {
-    m_cell = &cell;
-    m_candidates = &candidates;
+    m_motion.set_cell(cell, candidates);
     m_arcs.clear();
     m_find_arcs(cell, candidates, margin, m_arcs);
     if (m_arcs.empty() && cell.gates.empty()) return true;
@@ -210,124 +198,10 @@ private:
       if (members.empty() || others.empty() || fits(cell, members) || fits(cell, others)) continue;
       std::vector<std::size_t> joined = members;
       joined.insert(joined.end(), others.begin(), others.end());
-      if (!put_common_end_first(joined)) continue;
+      if (!m_motion.put_common_end_first(joined)) continue;
       members.swap(joined);
       others.clear();
     }
-  }
-
-  // Moves that end to the front at which all others may be, nearest to the conics of their arcs. Returns false if there is none.
-  bool put_common_end_first(std::vector<std::size_t>& members) const
-  {
-    auto best = members.end();
-    double least = std::numeric_limits<double>::infinity();
-    for (auto i = members.begin(); i != members.end(); ++i)
-    {
-      const double gap = largest_gap(members, m_ends[*i].point);
-      if (!(gap < least)) continue;
-      least = gap;
-      best = i;
-    }
-    if (best == members.end()) return false;
-    std::iter_swap(members.begin(), best);
-    return true;
-  }
-
-  // The largest distance of the ends of a cluster from a point when they have moved towards it; infinite if one of them may not.
-  double largest_gap(const std::vector<std::size_t>& members, const Point& p) const
-  {
-    double result = 0;
-    for (const std::size_t e : members)
-    {
-      const std::optional<Point> q = moved_to(m_ends[e], p, members);
-      if (!q) return std::numeric_limits<double>::infinity();
-      result = (std::max)(result, length(*q - p));
-    }
-    return result;
-  }
-
-  bool has_conic(const Arc_end& end) const { return !end.is_gate && !m_arcs[end.arc].is_link; }
-
-  // Where an end is when it moves along its arc as near to a point as this goes in the cell. Empty unless it stays between its two
-  // sources up to rounding on its way, along the arc and straight from there to the point, where all sources of the cluster tie.
-  std::optional<Point> moved_to(const Arc_end& end, const Point& p, const std::vector<std::size_t>& members) const
-  {
-    if (!all_tie_at(p, members)) return std::nullopt;
-    Point q = end.point;
-    if (has_conic(end))
-    {
-      const Bisector_arc& a = m_arcs[end.arc];
-      const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from,
-                   after = parameter_towards(end, p);
-      if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return std::nullopt;
-      q = a.conic.at(after).point();
-      const Point middle = a.conic.at(a.conic.between(before, after, 0.5)).point();
-      if (!(length(middle - q) <= length(end.point - q) + m_tolerances.joint)) return std::nullopt; // around a bend
-      for (const Bisector_side* const s : {&a.left, &a.right}) // beyond its cone, the function of a window is no distance
-        if (!m_windows[s->window].contains(q, m_tolerances.joint)) return std::nullopt;
-      if (!is_between_sources(middle, end) || !is_between_sources(q, end)) return std::nullopt;
-    }
-    if (!is_between_sources(0.5 * (q + p), end)) return std::nullopt;
-    return q;
-  }
-
-  // The parameter of the point of an arc, in the cell, to which its end moves towards another point.
-  double parameter_towards(const Arc_end& end, const Point& p) const
-  {
-    const Bisector_arc& a = m_arcs[end.arc];
-    const double before = end.is_end ? a.to : a.from, after = a.conic.parameter_near(p, before);
-    const Point q = a.conic.at(after).point();
-    for (int k = 0; k < 3; ++k)
-      if (m_cell->outside(k).value(q) > m_tolerances.joint) return before;
-    return after;
-  }
-
-  // The distances of a point through the windows on both sides of an end; without an arc, through those of its sources, if these
-  // windows explain the end, else infinite.
-  std::array<double, 2> distances_beside(const Arc_end& end, const Point& p) const
-  {
-    if (has_conic(end))
-    {
-      const Bisector_arc& a = m_arcs[end.arc];
-      return {m_windows[a.left.window].distance_at(p), m_windows[a.right.window].distance_at(p)};
-    }
-    const double off = distance_from(end.left, end.point) - distance_from(end.right, end.point);
-    if (!(std::abs(off) <= m_tolerances.loose_tie))
-      return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    return {distance_from(end.left, p), distance_from(end.right, p)};
-  }
-
-  // Infinite if no window of the cell has the source.
-  double distance_from(Index label, const Point& p) const
-  {
-    double result = std::numeric_limits<double>::infinity();
-    for (const unsigned i : *m_candidates)
-      if (m_windows[i].label == label) result = (std::min)(result, m_windows[i].rays.path_length(p));
-    return result;
-  }
-
-  // Sources without windows in the cell are left out, here and below.
-  bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const
-  {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const std::size_t e : members)
-      for (const double d : distances_beside(m_ends[e], p))
-      {
-        least = (std::min)(least, d);
-        if (std::isfinite(d)) most = (std::max)(most, d);
-      }
-    return !(most - least > m_tolerances.loose_tie);
-  }
-
-  // True if the sources of an end tie at a point, and no other source is nearer.
-  bool is_between_sources(const Point& p, const Arc_end& end) const
-  {
-    const std::array<double, 2> own = distances_beside(end, p);
-    if (std::isfinite(own[0]) && std::isfinite(own[1]) && !(std::abs(own[0] - own[1]) <= m_tolerances.loose_tie)) return false;
-    const double least = (std::min)(own[0], own[1]) - m_tolerances.loose_tie;
-    return !std::isfinite(least) || std::all_of(m_candidates->begin(), m_candidates->end(), [&](unsigned i) {
-      return this->m_windows[i].rays.path_length(p) >= least;
-    });
   }
 
   Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
@@ -498,9 +372,9 @@ private:
     Index& end_node = end.is_end ? arc.end_node : arc.start_node;
     Point& end_point = end.is_end ? arc.end : arc.start;
     end_node = node;
-    if (has_conic(end) && length(end.point - point) > m_tolerances.joint)
+    if (m_motion.has_conic(end) && length(end.point - point) > m_tolerances.joint)
     {
-      const double after = parameter_towards(end, point);
+      const double after = m_motion.parameter_towards(end, point);
       (end.is_end ? arc.to : arc.from) = after;
       const Point q = arc.conic.at(after).point();
       if (length(q - point) > m_tolerances.joint)
@@ -522,14 +396,13 @@ private:
   }
 
   const std::vector<Voronoi_window>& m_windows;
-  const Voronoi_cell* m_cell = nullptr;
-  const std::vector<unsigned>* m_candidates = nullptr; // the windows of the cell
   Voronoi_tolerances m_tolerances;
   const Cell_arcs m_find_arcs;
   std::vector<Bisector_arc> m_arcs, m_links;
   std::vector<Arc_end> m_ends;                      // two of each arc, then the gates
   std::vector<std::size_t> m_cluster;               // per end
   std::vector<std::vector<std::size_t>> m_clusters; // ends that meet
+  Arc_end_motion m_motion;
 };
 
 } // namespace internal

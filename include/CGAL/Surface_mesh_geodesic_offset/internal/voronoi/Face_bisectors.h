@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -242,9 +241,7 @@ private:
   {
     const Point center = cell.center();
     const double radius = cell.radius();
-    double upper = std::numeric_limits<double>::infinity();
-    for (const unsigned i : windows) upper = (std::min)(upper, m_windows[i].rays.path_length(center));
-    upper += radius + m_tolerances.slack;
+    const double upper = least_path_length(m_windows, windows, center) + radius + m_tolerances.slack;
     const auto is_elsewhere = [&](unsigned i) {
       const Voronoi_window& w = m_windows[i];
       if (w.lower_bound(center, radius) > upper) return true;

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -56,8 +55,9 @@ public:
       if (p.label != label)
       {
         if (q.end - p.begin <= tolerances.shortest_interval) continue;
+        // In a gap between cones that rounding has left, only the function of a corner is known.
         const double middle = (p.begin + q.end) / 2;
-        if (distance_at(middle, begin, i) > least_path(o + middle * u, windows, candidates) + tolerances.loose_tie) continue;
+        if (distance_at(middle, begin, i) > least_path_length(windows, candidates, o + middle * u) + tolerances.loose_tie) continue;
         const double t = (end + p.begin) / 2; // in a gap, if there is one
         out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, p.label});
         label = p.label;
@@ -73,15 +73,6 @@ private:
   {
     while (begin + 1 < end && m_pieces[begin].end < t) ++begin;
     return m_pieces[begin].window.distance_at(t);
-  }
-
-  // The least length of a path through the windows, also around their ends. Less than the distance in a gap between cones that
-  // rounding has left, where only the function of a corner is known.
-  static double least_path(const Point& p, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates)
-  {
-    double result = std::numeric_limits<double>::infinity();
-    for (const unsigned i : candidates) result = (std::min)(result, windows[i].rays.path_length(p));
-    return result;
   }
 
   struct Distances // traits of Window_bisector

@@ -20,8 +20,9 @@ namespace internal {
 struct Voronoi_tolerances
 {
   // Distances that differ by less are equal: 2^6 u times the magnitude, two errors of a distance (see Offset_tolerances::error). If
-  // the arcs of a cell do not fit together, they are found again with the next of `tie_factors`: larger ones, as
-  // errors of windows that come over many edges; and smaller ones, for sources a few ties apart, whose bisectors a tie moves far.
+  // the arcs of a cell do not fit together, they are found again with the next of `tie_factors`: larger ones, as errors of windows
+  // that come over many edges; and smaller ones, for sources a few ties apart, whose bisectors a tie moves far. Binding test:
+  // test_voronoi_diagram, end beside a source.
   double tie;
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
   double slack;
@@ -49,7 +50,7 @@ struct Voronoi_tolerances
   }
 
   // Sources this near to each other are one: 2^9 u times the longest edge plus the largest distance of a vertex, eight ties. The
-  // curves between them would have no certain direction. Binding test: test_voronoi_diagram, sources beside each other.
+  // curves between them would have no certain direction. Binding test: test_voronoi_diagram, coinciding sources.
   static double same_source(double magnitude) { return unit(9) * magnitude; }
 
   explicit Voronoi_tolerances(double magnitude = 0)

@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -195,6 +197,15 @@ private:
     return length(p - rays.left - t * chord);
   }
 };
+
+// The least length of a path to p through some of the windows, also around their ends: an upper bound of the distance.
+inline double least_path_length(const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
+                                const Point_in_face<double>& p)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const unsigned i : chosen) result = (std::min)(result, windows[i].rays.path_length(p));
+  return result;
+}
 
 } // namespace internal
 } // namespace Geodesic_offset

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The ends of arcs in a cell, and how far they may move: arcs that meet at a small angle, or between sources that nearly coincide, end
+// apart by rounding.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_ARC_END_MOTION_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_ARC_END_MOTION_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_window.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// An end of an arc, or a gate.
+struct Arc_end
+{
+  Point_in_face<double> point;
+  std::size_t arc; // or gate
+  bool is_gate, is_end;
+  Index left, right; // labels, seen from the end along the arc, or through the gate out of the cell
+};
+
+class Arc_end_motion
+{
+public:
+  typedef Point_in_face<double> Point;
+
+  Arc_end_motion(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances,
+                 const std::vector<Bisector_arc>& arcs, const std::vector<Arc_end>& ends)
+    : m_windows(windows), m_tolerances(tolerances), m_arcs(arcs), m_ends(ends)
+  {
+  }
+
+  // Sets the cell, and its windows.
+  void set_cell(const Voronoi_cell& cell, const std::vector<unsigned>& candidates)
+  {
+    m_cell = &cell;
+    m_candidates = &candidates;
+  }
+
+  bool has_conic(const Arc_end& end) const { return !end.is_gate && !m_arcs[end.arc].is_link; }
+
+  // Moves that end to the front at which all others may be, nearest to the conics of their arcs. Returns false if there is none.
+  bool put_common_end_first(std::vector<std::size_t>& members) const
+  {
+    auto best = members.end();
+    double least = std::numeric_limits<double>::infinity();
+    for (auto i = members.begin(); i != members.end(); ++i)
+    {
+      const double gap = largest_gap(members, m_ends[*i].point);
+      if (!(gap < least)) continue;
+      least = gap;
+      best = i;
+    }
+    if (best == members.end()) return false;
+    std::iter_swap(members.begin(), best);
+    return true;
+  }
+
+  // The parameter of the point of an arc, in the cell, to which its end moves towards another point.
+  double parameter_towards(const Arc_end& end, const Point& p) const
+  {
+    const Bisector_arc& a = m_arcs[end.arc];
+    const double before = end.is_end ? a.to : a.from, after = a.conic.parameter_near(p, before);
+    const Point q = a.conic.at(after).point();
+    for (int k = 0; k < 3; ++k)
+      if (m_cell->outside(k).value(q) > m_tolerances.joint) return before;
+    return after;
+  }
+
+private:
+  // The largest distance of the ends of a cluster from a point when they have moved towards it; infinite if not all their sources tie
+  // there, or if one of the ends may not.
+  double largest_gap(const std::vector<std::size_t>& members, const Point& p) const
+  {
+    if (!all_tie_at(p, members)) return std::numeric_limits<double>::infinity();
+    double result = 0;
+    for (const std::size_t e : members)
+    {
+      const std::optional<Point> q = moved_to(m_ends[e], p);
+      if (!q) return std::numeric_limits<double>::infinity();
+      result = (std::max)(result, length(*q - p));
+    }
+    return result;
+  }
+
+  // Where an end is when it moves along its arc as near to a point as this goes in the cell. Empty unless it stays between its two
+  // sources up to rounding on its way, along the arc and straight from there to the point.
+  std::optional<Point> moved_to(const Arc_end& end, const Point& p) const
+  {
+    Point q = end.point;
+    if (has_conic(end))
+    {
+      const Bisector_arc& a = m_arcs[end.arc];
+      const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from,
+                   after = parameter_towards(end, p);
+      if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return std::nullopt;
+      q = a.conic.at(after).point();
+      const Point middle = a.conic.at(a.conic.between(before, after, 0.5)).point();
+      if (!(length(middle - q) <= length(end.point - q) + m_tolerances.joint)) return std::nullopt; // around a bend
+      for (const Bisector_side* const s : {&a.left, &a.right}) // beyond its cone, the function of a window is no distance
+        if (!m_windows[s->window].contains(q, m_tolerances.joint)) return std::nullopt;
+      if (!is_between_sources(middle, end) || !is_between_sources(q, end)) return std::nullopt;
+    }
+    if (!is_between_sources(0.5 * (q + p), end)) return std::nullopt;
+    return q;
+  }
+
+  // The distances of a point through the windows on both sides of an end; without an arc, through those of its sources, if these
+  // windows explain the end, else infinite.
+  std::array<double, 2> distances_beside(const Arc_end& end, const Point& p) const
+  {
+    if (has_conic(end))
+    {
+      const Bisector_arc& a = m_arcs[end.arc];
+      return {m_windows[a.left.window].distance_at(p), m_windows[a.right.window].distance_at(p)};
+    }
+    const double off = distance_from(end.left, end.point) - distance_from(end.right, end.point);
+    if (!(std::abs(off) <= m_tolerances.loose_tie))
+      return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    return {distance_from(end.left, p), distance_from(end.right, p)};
+  }
+
+  // Infinite if no window of the cell has the source.
+  double distance_from(Index label, const Point& p) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (const unsigned i : *m_candidates)
+      if (m_windows[i].label == label) result = (std::min)(result, m_windows[i].rays.path_length(p));
+    return result;
+  }
+
+  // Sources without windows in the cell are left out, here and below.
+  bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const
+  {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const std::size_t e : members)
+      for (const double d : distances_beside(m_ends[e], p))
+      {
+        least = (std::min)(least, d);
+        if (std::isfinite(d)) most = (std::max)(most, d);
+      }
+    return !(most - least > m_tolerances.loose_tie);
+  }
+
+  // True if the sources of an end tie at a point, and no other source is nearer.
+  bool is_between_sources(const Point& p, const Arc_end& end) const
+  {
+    const std::array<double, 2> own = distances_beside(end, p);
+    if (std::isfinite(own[0]) && std::isfinite(own[1]) && !(std::abs(own[0] - own[1]) <= m_tolerances.loose_tie)) return false;
+    const double least = (std::min)(own[0], own[1]) - m_tolerances.loose_tie;
+    return !std::isfinite(least) || least_path_length(m_windows, *m_candidates, p) >= least;
+  }
+
+  const std::vector<Voronoi_window>& m_windows;
+  const Voronoi_tolerances& m_tolerances;
+  const std::vector<Bisector_arc>& m_arcs;
+  const std::vector<Arc_end>& m_ends;
+  const Voronoi_cell* m_cell = nullptr;
+  const std::vector<unsigned>* m_candidates = nullptr;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
