@@ -396,6 +396,59 @@ void streaming()
   CHECK(none.empty() && geodesic.distance_to_sources(right) == distance);
 }
 
+// A strip of 1 x 1 squares, 4 high, and a fan of faces as long as the strip from its upper side to a point far above.
+Soup strip_with_long_faces(std::size_t columns)
+{
+  Soup soup = planar_grid(columns, 4, Diagonals::alternating);
+  const std::size_t upper = 4 * (columns + 1), tip = soup.points.size();
+  soup.points.push_back({double(columns) / 2, 4 + double(columns), 0});
+  for (std::size_t i = 0; i < columns; ++i) soup.add_triangle({upper + i, upper + i + 1, tip});
+  return soup;
+}
+
+// Levels do not wait until faces that are long against their spacing are finalized: these faces are cut before.
+void long_faces()
+{
+  Report::instance().set_context("long faces");
+  const Generated_mesh<test::Surface_mesh> fan(strip_with_long_faces(400));
+  typedef CGAL::Surface_mesh_geodesic_offset<Counting_traits> Counted;
+  Counted geodesic(fan.mesh);
+  geodesic.add_source_point(fan.vertices[0]);
+  std::size_t& count = Counting_traits::count();
+  count = 0;
+  geodesic.build();
+  const std::size_t all = count;
+  const double spacing = 0.2;
+  std::vector<std::pair<double, std::size_t>> calls; // distance, count
+  count = 0;
+  geodesic.build_with_offset_curves_by_distance(
+    Levels::equally_spaced(spacing, 1900),
+    [&](double d, std::vector<Counted::Offset_curve>&& curves)
+    {
+      CHECK(!curves.empty());
+      calls.push_back({d, count});
+    });
+  CHECK(count == all && calls.size() == 1900);
+  // A fourth as many pieces as the mesh has faces may wait, and each level has six pieces or more.
+  const double longest_wait = spacing * double(num_faces(fan.mesh)) / 4 / 6;
+  double worst = 0;
+  for (const auto& [distance, counted] : calls)
+  { // the number of windows grows evenly with the distance
+    const double waited = 400 * double(counted) / double(all) - distance;
+    worst = (std::max)(worst, waited);
+  }
+  CHECK_DETAIL(worst < longest_wait + 20, values(worst, longest_wait));
+  std::cout << "long faces: the front is at most " << worst << " ahead of the curves in a strip of length 400" << std::endl;
+
+  const Generated_mesh<test::Surface_mesh> short_fan(strip_with_long_faces(120));
+  std::vector<double> multiples;
+  for (int i = 1; i <= 200; ++i) multiples.push_back(0.55 * i);
+  for (const std::size_t source : {std::size_t(0), std::size_t(60), short_fan.vertices.size() - 1})
+    compare(
+      short_fan.mesh, [&](Geodesic& g) { g.add_source_point(short_fan.vertices[source]); },
+      Levels::equally_spaced(0.55, multiples.size()), multiples, multiples.size());
+}
+
 // All const members from several threads at once.
 void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
              bool keep)
@@ -512,6 +565,7 @@ GEODESIC_OFFSET_TEST(test_offset_families)
     {"one propagation from a vertex", [&] { one_propagation(data.mesh, vertex); }},
     {"one propagation from a section", [&] { one_propagation(data.mesh, section); }},
     {"streaming", streaming},
+    {"long faces", long_faces},
     {"threads", [&] { threads(data.mesh, section, false); }},
     {"threads, with kept windows", [&] { threads(data.mesh, section, true); }},
     {"limits save windows", limits_save_windows}};

@@ -45,9 +45,8 @@ public:
   // distance.
   Geodesic_build(const Geodesic_build& before, const Source_set<FT>& source_set, const Build_request<FT>& request)
     : sources(source_set), initial(sources.initial_windows(before.m_mesh)), maximum(request.maximum),
-      kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()),
-      legs_in_space(before.m_mesh.number_of_vertices()), m_mesh(before.m_mesh), m_request(request),
-      m_first_new(Index(before.initial.primitives.size()))
+      kept(request.keeps_windows), legs(before.m_mesh.number_of_vertices()), legs_in_space(before.m_mesh.number_of_vertices()),
+      m_mesh(before.m_mesh), m_request(request), m_first_new(Index(before.initial.primitives.size()))
   {
     field.start_from(before.field, initial.start_values);
   }
@@ -61,8 +60,7 @@ public:
     run<Concurrency_tag, may_search>(traits, nothing);
   }
 
-  // Propagates and hands finished faces to a consumer: consumer.take(faces, team), and then consumer.settle(distance), where
-  // the distances up to `distance` are final. The lists of the faces are there if Consumer::reads_lists.
+  // Propagates and hands faces to a consumer, see Wavefront::run().
   template <class Concurrency_tag, bool may_search = false, class Consumer>
   void run(const Traits& traits, Consumer& consumer)
   {
@@ -168,6 +166,12 @@ private:
       consumer.take(faces, team);
     }
     void settle(const FT& distance) { consumer.settle(distance); }
+    bool needs_pending_faces() { return consumer.needs_pending_faces(); }
+    template <class Team>
+    void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
+    {
+      consumer.take_pending(faces, settled, team);
+    }
   };
 
   // Replaces directions at vertices by those of the traced paths, also where rounding hides the straight ones.
@@ -192,8 +196,7 @@ private:
     statistics.error_bound = counts.error_bound;
     statistics.relative_error_bound = counts.relative_error_bound;
     field.error.resize(field.back.size());
-    for (std::size_t v = 0; v < field.error.size(); ++v)
-      field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
+    for (std::size_t v = 0; v < field.error.size(); ++v) field.error[v] = merging.error_of_origin(field.back[v].pseudo_source);
     for (Backtrace<FT>& back : field.back)
       if (Merge_error_code::is_merged(back.pseudo_source)) back.pseudo_source = no_index;
   }

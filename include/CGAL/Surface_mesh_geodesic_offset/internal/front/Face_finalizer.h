@@ -67,12 +67,24 @@ public:
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     const Unfolded_mesh<FT>& mesh = m_state.mesh;
     const std::vector<FT>& distance = m_state.field.distance;
-    const auto *const edge = &mesh[3 * f];
+    const auto* const edge = &mesh[3 * f];
     const FT &d0 = distance[edge[0].origin], &d1 = distance[edge[1].origin], &d2 = distance[edge[2].origin];
     if (!(CGAL::abs(FT(d1 - d0)) > edge[0].length) && !(CGAL::abs(FT(d2 - d1)) > edge[1].length) &&
         !(CGAL::abs(FT(d0 - d2)) > edge[2].length))
       return false;
     return finds_hidden_beyond_tolerance(f, hidden);
+  }
+
+  // True if a face has a hidden vertex whose distance may be less than `settled`.
+  bool hides_vertex(Index f, const FT& settled) const
+  {
+    if constexpr (!Number_policy<FT>::is_inexact) return false;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const FT along_edge = m_state.along_edge(h, Source_ref()).distance;
+      if (along_edge <= settled && m_state.is_shorter(along_edge, m_state.field.distance[m_state.mesh.source(h)])) return true;
+    }
+    return false;
   }
 
   bool is_finished(Index f) const { return m_state.is_finished[f]; }

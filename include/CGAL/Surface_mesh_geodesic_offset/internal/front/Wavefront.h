@@ -65,7 +65,9 @@ public:
   //
   // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
   // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
-  // all faces with points nearer than `distance` have been taken.
+  // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces() returns true,
+  // consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that are not finalized,
+  // and settle(distance) follows; the distances and windows nearer than `distance` are final then.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.
@@ -100,6 +102,8 @@ public:
         }
       m_front.pass_faces(m_passing, m_passed);
       hand_over(consumer);
+      if constexpr (Consumer::reads_lists)
+        if (!m_is_update && consumer.needs_pending_faces()) hand_over_pending(consumer);
       reveal_vertices();
       m_front.process_bucket(m_spreading);
     }
@@ -126,7 +130,7 @@ private:
   void for_each_unfinished_face(const Function& function)
   {
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f))) function(f);
+      if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f, m_state.maximum))) function(f);
   }
 
   // Buckets ahead of the current one, at least, in which sources are started. The front moves by less until the next call.
@@ -172,12 +176,13 @@ private:
     return true;
   }
 
-  bool is_reached(Index f) const
+  // True if the front has reached a face, up to a distance at its corners.
+  bool is_reached(Index f, const FT& distance) const
   {
     if (m_mesh.source(3 * f) == no_index) return false;
     if (m_state.face_state[f]) return true;
     for (Index k = 0; k < 3; ++k)
-      if (m_state.field.distance[m_mesh.source(3 * f + k)] <= m_state.maximum) return true;
+      if (m_state.field.distance[m_mesh.source(3 * f + k)] <= distance) return true;
     return false;
   }
 
@@ -188,11 +193,29 @@ private:
     if (faces.empty()) return;
     auto&& team = m_front.team();
     consumer.take(faces, team);
-    if (m_keep)
-      m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
+    if (m_keep) m_state.field.kept.keep(faces, m_state.field.lists, m_state.field.distance, m_mesh.number_of_faces(), team);
     m_front.release(faces);
     m_number_of_passed += faces.size();
     m_passed.faces.clear();
+  }
+
+  // Passes the pending faces to the consumer up to the distance at which faces of this bucket are finalized
+  // (Face_finalizer::is_postponed()), minus one bucket against rounding; not if a hidden vertex is found.
+  template <class Consumer>
+  void hand_over_pending(Consumer& consumer)
+  {
+    if (m_state.current() < 3) return;
+    const FT settled = (std::min)(m_state.maximum, FT(double(m_state.current() - 2) * m_state.bucket_width()));
+    std::vector<Index> faces;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      if (m_passing.is_finished(f) || !is_reached(f, settled)) continue;
+      if (m_passing.hides_vertex(f, settled)) return;
+      faces.push_back(f);
+    }
+    auto&& team = m_front.team();
+    consumer.take_pending(faces, settled, team);
+    consumer.settle(settled);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -68,12 +68,13 @@ struct Face_cut
   {
   }
 
-  // Adds the crossings with halfedge k, given along it or, `reversed`, along its twin. Gates come counterclockwise.
-  void add_gates(int k, const std::vector<Crossing<FT>>& edge, bool reversed)
+  // Adds crossings with halfedge k, given along it or, `reversed`, along its twin. Gates come counterclockwise.
+  template <class Iterator>
+  void add_gates(int k, Iterator begin, Iterator end, bool reversed)
   {
-    for (std::size_t i = 0; i < edge.size(); ++i)
+    for (auto n = end - begin, i = n - n; i < n; ++i)
     {
-      const Crossing<FT>& c = edge[reversed ? edge.size() - 1 - i : i];
+      const Crossing<FT>& c = begin[reversed ? n - 1 - i : i];
       const FT t = reversed ? FT(field.frame().edge_length(k) - c.position) : c.position;
       gates.push_back({c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.falling == reversed, c.gate}});
       levels.first = (std::min)(levels.first, c.level);
@@ -85,7 +86,7 @@ struct Face_cut
   Face_field<FT> field;
   Per_corner<std::vector<Crossing<FT>>> crossings; // with the edges that this face examines first
   std::vector<Gate> gates;
-  std::vector<Chain> chains; // by level
+  std::vector<Chain> chains;                  // by level
   const std::vector<Piece>* pieces = nullptr; // with those of all chains
 };
 
@@ -101,35 +102,35 @@ public:
   {
   }
 
-  // The levels that may cross a face, by the distances of its corners.
-  Level_range levels_of(Index face) const
+  // The levels that may cross a face, by the distances of its corners; of a face that is not finalized, those nearer than
+  // `settled`.
+  Level_range levels_of(Index face, const FT& settled) const
   {
     FT near, far;
-    range_of(face, near, far);
+    range_of(face, (std::min)(m_field.maximum, settled), near, far);
     return {m_levels.first_above(near), (std::min)(m_end, m_levels.first_above(far))};
   }
 
-  // Step 1: the crossings with the edges of the face for which looks_at(halfedge) is true. Precondition: cut.levels is
-  // levels_of(face).
-  template <class Condition>
-  void find_crossings(Index face, const Condition& looks_at, Face_cut<FT>& cut)
+  // Step 1: the crossings with the edges of the face; with edge k, of the levels from first[k]. Precondition: cut.levels is a
+  // part of levels_of(face, settled).
+  void find_crossings(Index face, const FT& settled, const std::array<Index, 3>& first, Face_cut<FT>& cut)
   {
     Level_range& l = cut.levels;
     cut.gates.clear();
     cut.chains.clear();
     cut.field.set_face(face);
-    const FT slack = Offset_tolerances<FT>::bound_slack(far_end_of(face));
+    const FT slack = Offset_tolerances<FT>::bound_slack(far_end_of(face, (std::min)(m_field.maximum, settled)));
     l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack)));
     for (Index k = 0; k < 3; ++k)
     {
       std::vector<Crossing<FT>>& found = cut.crossings[k];
       found.clear();
       const Index h = 3 * face + k;
-      if (l.is_empty() || !looks_at(h)) continue;
       const Index smaller = (std::min)(h, m_mesh.twin(h));
-      for (std::size_t i = l.first; i < l.last; ++i)
-        m_crossings(smaller, cut.field, cut_level(i),
-                    [&](const FT& t, bool falling) { found.push_back({i, t, falling, no_index}); });
+      for (std::size_t i = (std::max)(l.first, std::size_t(first[k])); i < l.last; ++i)
+        m_crossings(smaller, cut.field, cut_level(i), [&](const FT& t, bool falling) {
+          found.push_back({i, t, falling, no_index});
+        });
     }
   }
 
@@ -176,9 +177,10 @@ private:
   // vertices and along edges, frequent on CAD meshes, then need no special case.
   FT cut_level(std::size_t i) const { return m_levels[i] - Offset_tolerances<FT>::level_shift(m_levels[i]); }
 
-  FT far_end_of(Index face) const
+  // Upper bound of the distances in a face up to `maximum`.
+  FT far_end_of(Index face, const FT& maximum) const
   {
-    FT far = m_field.maximum;
+    FT far = maximum;
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     {
       const FT& d = m_field.distance[m_mesh.source(h)];
@@ -188,20 +190,20 @@ private:
     return far;
   }
 
-  void range_of(Index face, FT& near, FT& far) const
+  // Bounds of the distances in a face up to `maximum`; distances of vertices up to `maximum` are final.
+  void range_of(Index face, const FT& maximum, FT& near, FT& far) const
   {
     FT longest(0);
-    far = far_end_of(face);
+    far = far_end_of(face, maximum);
     near = FT(0);
     for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
     longest += Offset_tolerances<FT>::edge_rounding(longest);
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     { // a vertex without a distance is beyond the maximum
-      const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], m_field.maximum);
+      const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], maximum);
       if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(lowest - longest));
     }
-    if (!Number_policy<FT>::is_finite(far))
-      far = FT(0);
+    if (!Number_policy<FT>::is_finite(far)) far = FT(0);
     else
     {
       near -= Offset_tolerances<FT>::bound_slack(far);

@@ -46,8 +46,9 @@ Offset_levels<typename Surface::Number> offset_levels(const Levels& levels)
 template <class Surface, class T>
 Offset_levels<typename Surface::Number> offset_levels(const Offset_levels<T>& levels)
 {
-  return levels.template converted<typename Surface::Number>(
-    [](const T& d) { return Surface::imported(typename Surface::FT(d)); });
+  return levels.template converted<typename Surface::Number>([](const T& d) {
+    return Surface::imported(typename Surface::FT(d));
+  });
 }
 
 // Callback that writes the curves of all levels to an output iterator, which must outlive the callback.
@@ -72,7 +73,7 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                                          std::move(inside), f);
 }
 
-// Consumer of finalized faces that cuts the levels in them. Calls out(level index, Level_curves) for each finished level with
+// Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls out(level index, Level_curves) for each finished level with
 // curves.
 template <class FT, class Function>
 class Level_cutter
@@ -89,11 +90,15 @@ public:
   template <class Team>
   void take(const std::vector<Index>& faces, Team& team)
   {
-    const Clock::time_point start = Clock::now();
-    m_extraction.cut(faces, team);
-    const double time = seconds_since(start);
-    m_seconds += time;
-    m_seconds_within_propagation += time;
+    add_time_of([&] { this->m_extraction.cut(faces, team); });
+  }
+
+  bool needs_pending_faces() { return m_extraction.needs_pending_faces(); }
+
+  template <class Team>
+  void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
+  {
+    add_time_of([&] { this->m_extraction.cut_pending(faces, settled, team); });
   }
 
   void settle(const FT& distance)
@@ -117,6 +122,16 @@ private:
   typedef std::chrono::steady_clock Clock;
 
   static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  template <class Cutting>
+  void add_time_of(const Cutting& cutting)
+  {
+    const Clock::time_point start = Clock::now();
+    cutting();
+    const double time = seconds_since(start);
+    m_seconds += time;
+    m_seconds_within_propagation += time;
+  }
 
   Offset_extraction<FT> m_extraction;
   const Function& m_out;

@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Step 5 of the pipeline: offset curves from finalized faces. Each face yields chains of pieces between gates, the crossings of
-// a level with its edges. A level is passed on and released when all its faces are finalized.
+// Step 5 of the pipeline: offset curves from faces. Each face yields chains of pieces between gates, the crossings of a level
+// with its edges. A level is passed on and released when it is cut in all its faces.
+//
+// A face is cut at all levels when it is finalized. A face that is large against the spacing of levels is finalized late; so
+// that many levels do not wait for it, it is also cut at those levels at which its distances are final already.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_EXTRACTION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_OFFSETS_OFFSET_EXTRACTION_H
@@ -16,6 +19,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -38,25 +42,35 @@ public:
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels, const FT& maximum)
     : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(mesh), m_sources(initial, field, m_reach), m_levels(levels),
-      m_maximum(maximum), m_turn(mesh.number_of_faces(), no_turn)
+      m_maximum(maximum), m_next_level(mesh.number_of_faces(), 0)
   {
   }
 
-  // Cuts finalized faces, each once, at all levels that cross them. Curves do not depend on the threads.
+  // Cuts finalized faces, each once, at all levels that cross them, except those at which they were cut before. Curves do not
+  // depend on the threads.
   template <class Team>
   void cut(const std::vector<Index>& faces, Team& team)
   {
-    make_cuttings(team.size());
-    const std::size_t at_once = items_at_once(team.size());
-    for (const Index f : faces)
-    {
-      CGAL_precondition(m_turn[f] == no_turn);
-      m_turn[f] = m_next_turn++;
-      const Level_range levels = m_cuttings.front()->levels_of(f);
-      if (!levels.is_empty()) m_crossed.push_back({f, levels});
-      if (m_crossed.size() == at_once) cut_crossed(team);
-    }
-    cut_crossed(team);
+    cut_below(faces, Number_policy<FT>::infinity(), all_levels, team);
+  }
+
+  // True if so many pieces wait for the cutting of other faces that cut_pending() is worth its time: it takes at most constant
+  // time per piece that was found since the last call that returned true.
+  bool needs_pending_faces()
+  {
+    const std::size_t many = m_next_level.size() / faces_per_waiting_piece + 1;
+    if (m_waiting_pieces < many || m_new_pieces < many) return false;
+    m_new_pieces = 0;
+    return true;
+  }
+
+  // Cuts faces that are not finalized, at all levels nearer than `settled`. Their distances nearer than `settled` are final, and
+  // all faces with such distances are finalized or among these faces.
+  template <class Team>
+  void cut_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
+  {
+    const std::size_t end = m_levels.first_above(settled);
+    if (end < std::size_t(all_levels)) cut_below(faces, settled, Index(end), team);
   }
 
   // Passes on the levels that are finished when all faces with points nearer than `settled` are cut: calls out(level index,
@@ -98,20 +112,62 @@ private:
   typedef std::map<std::size_t, Level_curves<FT>> Curves_of_levels;
   typedef std::unordered_map<Index, std::vector<Crossing<FT>>> Waiting_crossings; // by halfedge of the first face
 
-  static constexpr Index no_turn = no_index;
+  static constexpr Index all_levels = no_index;
   static constexpr std::size_t worthwhile = 16; // levels in faces; the wake-up of other threads costs more than fewer
+  // With more levels than this in the faces of a batch, the batch has fewer faces: their crossings are in memory.
+  static constexpr std::size_t levels_per_face = 8;
+  // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150.
+  static constexpr std::size_t faces_per_waiting_piece = 4;
 
   struct Crossed_face
   {
     Index face;
     Level_range levels;
+    FT settled;                       // the distances are final up to here
+    Index next_level;                 // of the face when it is cut: crossings with levels before are due
+    std::array<Index, 3> next_beside; // of the neighbours: their crossings with levels before are found
   };
+
+  // Cuts faces at the levels before the level with index `end`.
+  template <class Team>
+  void cut_below(const std::vector<Index>& faces, const FT& settled, Index end, Team& team)
+  {
+    make_cuttings(team.size());
+    const std::size_t faces_at_once = items_at_once(team.size()), levels_at_once = levels_per_face * faces_at_once;
+    std::size_t work = 0;
+    for (const Index f : faces)
+    {
+      CGAL_precondition(m_next_level[f] != all_levels);
+      if (end <= m_next_level[f]) continue;
+      Level_range levels = m_cuttings.front()->levels_of(f, settled);
+      levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
+      if (end != all_levels) levels.last = (std::min)(levels.last, std::size_t(end));
+      if (!levels.is_empty()) m_crossed.push_back({f, levels, settled, end, next_levels_beside(f)});
+      m_next_level[f] = end;
+      work += levels.size();
+      if (m_crossed.size() < faces_at_once && work < levels_at_once) continue;
+      cut_crossed(team);
+      work = 0;
+    }
+    cut_crossed(team);
+  }
+
+  std::array<Index, 3> next_levels_beside(Index f) const
+  {
+    std::array<Index, 3> next;
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index g = m_mesh.twin(3 * f + k);
+      next[k] = g == no_index ? 0 : m_next_level[m_mesh.face(g)];
+    }
+    return next;
+  }
 
   void make_cuttings(unsigned number)
   {
     while (m_cuttings.size() < number)
-      m_cuttings.push_back(
-        std::make_unique<Face_cutting<FT>>(m_mesh, m_initial, m_field, m_reach, m_sources, m_levels, m_maximum));
+      m_cuttings.push_back(std::make_unique<Face_cutting<FT>>(m_mesh, m_initial, m_field, m_reach, m_sources, m_levels,
+                                                              m_maximum));
   }
 
   template <class Team>
@@ -125,10 +181,9 @@ private:
     team.for_each(number, weight, work >= worthwhile, [this](unsigned worker, Index i) {
       const Crossed_face& c = this->m_crossed[i];
       this->m_cuts[i]->levels = c.levels;
-      this->m_cuttings[worker]->find_crossings(
-        c.face, [this](Index h) { return this->is_first_at(h); }, *this->m_cuts[i]);
+      this->m_cuttings[worker]->find_crossings(c.face, c.settled, c.next_beside, *this->m_cuts[i]);
     });
-    for (Index i = 0; i < number; ++i) number_gates(*m_cuts[i]);
+    for (Index i = 0; i < number; ++i) number_gates(m_crossed[i], *m_cuts[i]);
     for (const auto& c : m_cuttings) c->clear_pieces();
     team.for_each(number, weight, work >= worthwhile,
                   [this](unsigned worker, Index i) { this->m_cuttings[worker]->find_chains(*this->m_cuts[i]); });
@@ -136,39 +191,47 @@ private:
       for (const auto& c : m_cuts[i]->chains)
       {
         const Level_piece<FT>* const pieces = m_cuts[i]->pieces->data();
-        m_curves[c.level].add_chain(c.start, c.end, pieces + c.first, pieces + c.last);
+        Level_curves<FT>& curves = m_curves[c.level];
+        const std::size_t before = curves.number_of_pieces();
+        curves.add_chain(c.start, c.end, pieces + c.first, pieces + c.last);
+        m_waiting_pieces += curves.number_of_pieces() - before;
+        m_new_pieces += curves.number_of_pieces() - before;
       }
     m_crossed.clear();
   }
 
-  // True if the face of a halfedge is cut before the face on the other side.
-  bool is_first_at(Index h) const
+  // Numbers the gates of a face. Of the two faces of an edge, the first one that is cut at a level finds the crossings with this
+  // level; the other one receives them.
+  void number_gates(const Crossed_face& face, Face_cut<FT>& cut)
   {
-    const Index g = m_mesh.twin(h);
-    return g == no_index || m_turn[m_mesh.face(h)] < m_turn[m_mesh.face(g)];
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * face.face + k, g = m_mesh.twin(h);
+      if (face.next_beside[k] > 0) receive_gates(face, k, cut);
+      std::vector<Crossing<FT>>& found = cut.crossings[k];
+      if (found.empty()) continue;
+      for (Crossing<FT>& c : found) c.gate = m_curves[c.level].new_gate(g == no_index);
+      cut.add_gates(int(k), found.begin(), found.end(), g < h);
+      if (g == no_index) continue;
+      std::vector<Crossing<FT>>& waiting = m_waiting[h];
+      waiting.insert(waiting.end(), found.begin(), found.end());
+    }
   }
 
-  // Numbers the gates of a face, from crossings of this face or of the neighbour that was cut before. Only the first face of an
-  // edge finds crossings. Faces come in their order of turns.
-  void number_gates(Face_cut<FT>& cut)
+  // Adds the gates on edge k of a face that the neighbour has found.
+  void receive_gates(const Crossed_face& face, Index k, Face_cut<FT>& cut)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index h = 3 * cut.field.face() + Index(k), g = m_mesh.twin(h);
-      if (is_first_at(h))
-      {
-        if (cut.crossings[k].empty()) continue;
-        for (Crossing<FT>& c : cut.crossings[k]) c.gate = m_curves[c.level].new_gate(g == no_index);
-        cut.add_gates(k, cut.crossings[k], g < h);
-        if (g != no_index) m_waiting.emplace(h, cut.crossings[k]);
-      }
-      else if (const auto stored = m_waiting.find(g); stored != m_waiting.end())
-      {
-        cut.add_gates(k, stored->second, g < h);
-        for (const Crossing<FT>& c : stored->second) m_curves[c.level].gate_found();
-        m_waiting.erase(stored);
-      }
-    }
+    const Index h = 3 * face.face + k, g = m_mesh.twin(h);
+    const auto stored = m_waiting.find(g);
+    if (stored == m_waiting.end()) return;
+    std::vector<Crossing<FT>>& crossings = stored->second; // by level
+    const auto last = std::partition_point(crossings.begin(), crossings.end(), [&face](const Crossing<FT>& c) {
+      return face.next_level == all_levels || c.level < face.next_level;
+    });
+    cut.add_gates(int(k), crossings.begin(), last, g < h);
+    std::for_each(crossings.begin(), last, [this](const Crossing<FT>& c) { this->m_curves[c.level].gate_found(); });
+    if (last == crossings.end()) m_waiting.erase(stored);
+    else crossings.erase(crossings.begin(), last);
   }
 
   template <class Function>
@@ -176,6 +239,7 @@ private:
   {
     CGAL_precondition(level == m_curves.begin());
     m_number_of_pieces += level->second.number_of_pieces();
+    m_waiting_pieces -= level->second.number_of_pieces();
     out(level->first, level->second);
     m_curves.erase(level);
   }
@@ -187,14 +251,15 @@ private:
   const Offset_sources<FT> m_sources;
   const Offset_levels<FT>& m_levels;
   const FT m_maximum;
-  std::vector<Index> m_turn; // per face: its turn
-  Index m_next_turn = 0;
+  std::vector<Index> m_next_level;                           // per face: the first level at which it is not cut
   std::vector<Crossed_face> m_crossed;                       // to be cut next
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
   Curves_of_levels m_curves;          // of unfinished levels
   std::size_t m_number_of_pieces = 0; // passed on
+  std::size_t m_waiting_pieces = 0;   // of unfinished levels
+  std::size_t m_new_pieces = 0;       // since needs_pending_faces() returned true
 };
 
 } // namespace internal
