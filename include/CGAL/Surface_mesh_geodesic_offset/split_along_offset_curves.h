@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_curve.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Mesh_splitting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_lengths.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -17,11 +18,11 @@
 
 #include <boost/range/value_type.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,13 +38,14 @@ set of points up to rounding, and a closed mesh stays closed. Vertices, edges th
 curves keep their descriptors.
 
 Points of curves closer to each other, to a vertex or to an edge than 2^-33 of the diagonal of the bounding box, about 1e-10, are
-one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there. Where curves are closer
-to each other than 2^-33, as those of nearly equal distances, or than a millionth of the chord tolerance, their chords may cross.
-The crossings become vertices, which are off their curves by up to the chord tolerance, and may coincide with other vertices.
+one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there. Distances that differ by
+less than 2^-31 of the diagonal count as one level: the curves of the smallest of them split the mesh. The chords of curves do not
+cross, unless two curves are closer to each other than 2^-33 of the diagonal, as both sides of a narrow strip. Then the crossings
+become vertices, which are off their curves by up to the chord tolerance.
 
-The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face; where
-chords cross at first, arcs are divided up to 1024 times further. If an exception is thrown before the mesh is changed, as for bad
-parameters, the mesh stays as it was.
+The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. Curves of
+the same center that are closer to each other than the chord tolerance are divided in the same directions: the points of each
+count for the farther ones. If an exception is thrown before the mesh is changed, as for bad parameters, the mesh stays as it was.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`
 \tparam OffsetCurves a model of `ConstRange` with `Geodesic_offset_curve` as value type
@@ -70,8 +72,8 @@ parameters, the mesh stays as it was.
     \cgalParamDefault{none}
     \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. If no curve is on the
                     border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
-                    narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given. Beside other curves that
-                    are as near to each other, values may be wrong.}
+                    narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given. Where chords cross, values
+                    may be wrong.}
   \cgalParamNEnd
   \cgalParamNBegin{face_source_map}
     \cgalParamDescription{receives for each face the id of the source that is nearest to the centroid of the face; other points
@@ -122,17 +124,13 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   const Vertex_point_map vpm = parameters::choose_parameter(
     parameters::get_parameter(np, internal_np::vertex_point), get_property_map(boost::vertex_point, tm));
 
-  std::vector<typename Curve::FT> distances;
-  for (const Curve& c : curves) distances.push_back(c.distance());
-  std::sort(distances.begin(), distances.end());
-  distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
-  const auto index_of = [&](const auto& d) {
-    return std::size_t(std::lower_bound(distances.begin(), distances.end(), d) - distances.begin());
-  };
-
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, curves, np);
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
-  for (const Curve& c : curves) splitting.add(c, index_of(c.distance()));
+  std::vector<typename Curve::FT> distances;
+  for (const Curve& c : curves) distances.push_back(c.distance());
+  const internal::Split_levels<typename Curve::FT> levels(std::move(distances), lengths.diagonal);
+  for (const Curve& c : curves)
+    if (const auto level = levels.index_of(c.distance())) splitting.add(c, *level);
   splitting.triangulate();
   constexpr bool has_sources = internal::has_parameter<internal_np::geodesic_face_source_t, NamedParameters>;
   if constexpr (has_sources)
@@ -160,14 +158,12 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
     if constexpr (internal::has_parameter<internal_np::geodesic_vertex_distance_t, NamedParameters>)
     {
       const auto distance_map = parameters::get_parameter(np, internal_np::geodesic_vertex_distance);
-      typedef typename boost::property_traits<std::decay_t<decltype(distance_map)>>::value_type FT;
-      splitting.write_bands(
-        band_map, [&](const auto v) -> FT { return get(distance_map, v); },
-        [&](const FT& d, std::size_t) { // the number of distances that are not greater
-          return std::size_t(std::upper_bound(distances.begin(), distances.end(), d) - distances.begin());
-        });
+      splitting.write_bands(band_map, levels, std::make_optional([&](const auto v) {
+                              typename boost::property_traits<std::decay_t<decltype(distance_map)>>::value_type d = get(distance_map, v);
+                              return d;
+                            }));
     }
-    else splitting.write_bands(band_map, [](const auto) { return 0.; }, [](double, std::size_t by_curves) { return by_curves; });
+    else splitting.write_bands(band_map, levels, std::optional<double (*)(typename Graph_traits::vertex_descriptor)>());
   }
 }
 

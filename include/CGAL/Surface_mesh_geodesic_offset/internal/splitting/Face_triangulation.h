@@ -8,9 +8,12 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Arc_division.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_points.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/assertions.h>
@@ -18,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -27,22 +31,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A piece of a curve between two points of Split_points, with the index of its level. `arc` is null for a straight piece.
-template <class Piece>
-struct Split_piece
-{
-  std::size_t from, to, level;
-  const Piece* arc;
-};
-
-// A constrained edge in the direction of its curve: the points that are nearer than the level are on its left.
-struct Split_edge
-{
-  std::size_t from, to, level;
-};
-
 // The triangulation is that of exact points, of which those on edges are exactly there, so that the triangles of two faces have
-// the same points on their common edge. Arcs are divided further until no two chords of the face cross.
+// the same points on their common edge. Where chords cross all the same, arcs are divided further.
 template <class Points, class Piece>
 class Face_triangulation
 {
@@ -51,7 +41,10 @@ public:
   typedef typename Points::face_descriptor face_descriptor;
   typedef Split_piece<Piece> Piece_in_face;
 
-  Face_triangulation(Points& points, double chord_tolerance) : m_points(points), m_tolerance(chord_tolerance) {}
+  Face_triangulation(Points& points, double chord_tolerance)
+    : m_points(points), m_division(chord_tolerance, points.snap_distance())
+  {
+  }
 
   // Triangulates a face. The result is valid until the next call.
   void operator()(face_descriptor f, const std::vector<Piece_in_face>& pieces)
@@ -59,11 +52,12 @@ public:
     m_face = f;
     m_flat = m_points.flat(f);
     m_boundary = m_points.boundary(f);
-    // Chords cross only if arcs are closer than the tolerance, or curves closer than the snap distance, or than rounding as far as two
-    // sources tie. The latter cross however far they are divided, and become edges that end where they cross.
+    m_division.set_face(pieces);
+    // Chords cross where arcs of different centers are closer than the tolerance, or as far as two sources tie. The latter cross
+    // however far they are divided, and become edges that end where they cross.
     std::size_t chords = 0; // of arcs
     for (const Piece_in_face& p : pieces)
-      if (p.arc) chords += std::size_t(p.arc->number_of_chords(typename Piece::FT(m_tolerance)));
+      if (p.arc) chords += m_division(p).size() - 1;
     bool fits = triangulate(pieces, 1, false);
     for (std::size_t division = 2; !fits && is_worth_a_try(division, chords); division *= 2)
       fits = triangulate(pieces, division, false);
@@ -95,12 +89,16 @@ private:
   typedef CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<Vertex_id, Exact>,
                                                CGAL::Constrained_triangulation_face_base_2<Exact>>
     Data_structure;
-  typedef CGAL::Constrained_Delaunay_triangulation_2<Exact, Data_structure, CGAL::Exact_intersections_tag> Triangulation;
+  // The points where chords cross are computed from the chords: of parts of chords, their digits would grow with each crossing.
+  typedef CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<Exact, Data_structure, CGAL::Exact_intersections_tag>>
+    Triangulation;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   struct Constraint
   {
     Vertex_handle from, to;
     std::size_t level;
+    typename Triangulation::Constraint_id id = {}; // of the triangulation
   };
 
   // Arcs are divided at most 2^10 times further: then chords of arcs at the tolerance are within 2^-20 of it.
@@ -128,8 +126,7 @@ private:
     {
       Vertex_handle last = vertex(p.from);
       if (p.arc)
-        for_each_inner_point(*p.arc, p.arc->number_of_chords(typename Piece::FT(m_tolerance)) * division,
-                             [&](const Flat_face::Weights& w) {
+        for_each_inner_point(*p.arc, m_division(p), division, [&](const Flat_face::Weights& w) {
           const Vertex_handle v = m_cdt.insert(inside(w), last->face()); // beside the last one
           if (!v->info().is_set()) m_inner.push_back({v, w});
           last = constrain(last, v, p.level);
@@ -137,20 +134,26 @@ private:
       constrain(last, vertex(p.to), p.level);
     }
     const std::size_t expected = m_cdt.number_of_vertices();
-    for (const Constraint& c : m_constraints)
+    for (Constraint& c : m_constraints)
     {
-      m_cdt.insert_constraint(c.from, c.to);
+      c.id = m_cdt.insert_constraint(c.from, c.to);
       if (m_cdt.number_of_vertices() != expected && !may_cross) return false;
     }
     return m_cdt.number_of_vertices() == expected;
   }
 
-  // Calls f(weights) for the points between n chords of an arc, but not within the snap distance of the edges: where the arc comes
-  // there, for the last point before and the first one behind, so that the chord between them is near to the edge, too.
+  // Calls f(weights) for the points between the chords of an arc, of which each is divided, but not within the snap distance of
+  // the edges: where the arc comes there, for the last point before and the first one behind, so that the chord between them is
+  // near to the edge, too.
   template <class Function>
-  void for_each_inner_point(const Piece& arc, std::size_t n, const Function& f) const
+  void for_each_inner_point(const Piece& arc, const std::vector<double>& ends, std::size_t division, const Function& f) const
   {
+    const std::size_t n = (ends.size() - 1) * division;
     if (n == 1) return;
+    const auto parameter = [&](std::size_t j) {
+      const std::size_t i = j / division;
+      return j % division == 0 ? ends[i] : ends[i] + double(j % division) / double(division) * (ends[i + 1] - ends[i]);
+    };
     const auto weights = [&](double t) {
       const auto location = arc.location(typename Piece::FT(t));
       Flat_face::Weights w;
@@ -158,15 +161,22 @@ private:
       return w;
     };
     const auto is_inside = [&](double t) { return m_points.is_inside(m_flat, weights(t)); };
+    double before = 0;
     bool was_inside = is_inside(0);
+    const auto visit = [&](double t, bool is_in) {
+      const bool is_left_out = is_in ? before > 0 : t < 1; // an inner point, not an end
+      if (is_in != was_inside && is_left_out) f(weights(last_inside(is_inside, is_in ? t : before, is_in ? before : t)));
+      if (is_in && t < 1) f(weights(t));
+      before = t;
+      was_inside = is_in;
+    };
     for (std::size_t j = 1; j <= n; ++j)
     {
-      const double before = double(j - 1) / double(n), t = double(j) / double(n);
-      const Flat_face::Weights w = weights(t);
-      const bool is_in = m_points.is_inside(m_flat, w), is_left_out = is_in ? j > 1 : j < n; // an inner point, not an end
-      if (is_in != was_inside && is_left_out) f(weights(last_inside(is_inside, is_in ? t : before, is_in ? before : t)));
-      if (is_in && j < n) f(w);
-      was_inside = is_in;
+      const double t = parameter(j);
+      const bool is_in = is_inside(t);
+      const double middle = 0.5 * (before + t); // of an arc that touches an edge at both ends
+      if (!is_in && !was_inside && is_inside(middle)) visit(middle, true);
+      visit(t, is_in);
     }
   }
 
@@ -190,7 +200,7 @@ private:
 
   Vertex_handle constrain(Vertex_handle from, Vertex_handle to, std::size_t level)
   {
-    if (from != to) m_constraints.push_back({from, to, level});
+    if (from != to) m_constraints.push_back({from, to, level, {}});
     return to;
   }
 
@@ -243,35 +253,15 @@ private:
   {
     for (const Constraint& c : m_constraints)
     {
-      Vertex_handle at = c.from;
-      while (at != c.to)
-      {
-        const Vertex_handle next = next_towards(at, c.to);
-        CGAL_assertion(next != Vertex_handle());
-        if (next == Vertex_handle()) break;
-        m_edges.push_back({id(at), id(next), c.level});
-        at = next;
-      }
+      auto v = m_cdt.vertices_in_constraint_begin(c.id);
+      CGAL_assertion(*v == c.from);
+      for (auto next = std::next(v); next != m_cdt.vertices_in_constraint_end(c.id); v = next, ++next)
+        m_edges.push_back({id(*v), id(*next), c.level});
     }
   }
 
-  // The neighbour of a vertex on the segment to another one.
-  Vertex_handle next_towards(Vertex_handle at, Vertex_handle to) const
-  {
-    auto first = m_cdt.incident_vertices(at), v = first;
-    do
-      if (Vertex_handle(v) == to) return to;
-    while (++v != first);
-    do
-      if (!m_cdt.is_infinite(v) && CGAL::collinear(at->point(), v->point(), to->point()) &&
-          CGAL::collinear_are_strictly_ordered_along_line(at->point(), v->point(), to->point()))
-        return v;
-    while (++v != first);
-    return Vertex_handle();
-  }
-
   Points& m_points;
-  const double m_tolerance;
+  Arc_division<Piece> m_division;
   face_descriptor m_face;
   Flat_face m_flat;
   Triangulation m_cdt;

@@ -26,6 +26,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -75,11 +76,14 @@ public:
   // Triangulates the crossed faces. To be called once, when all curves are added.
   void triangulate()
   {
-    m_points.merge();
+    m_points.merge_on_edges();
     for (const auto& e : m_points.edges_with_points()) add_faces_beside(e.halfedge);
     Face_triangulation<Points, Piece> triangulation(m_points, m_tolerance);
     for (Face_pieces& f : m_faces)
     {
+      std::vector<Id> ends;
+      for (const auto& p : f.pieces) ends.insert(ends.end(), {p.from, p.to});
+      m_points.merge_inside(f.face, ends);
       for (auto& p : f.pieces)
       {
         p.from = m_points.merged(p.from);
@@ -125,9 +129,10 @@ public:
 
   // Writes the band of each face: the number of levels that its points are not nearer than. Regions without curves have that of
   // the middle of the distances of their vertices, of which the largest may be a level whose curve is a point; so have regions whose
-  // curves contradict each other, as where a strip is a polyline in parts. band_at(distance, band by the curves, or 0).
-  template <class FaceBandMap, class Distance, class Function>
-  void write_bands(FaceBandMap band_map, const Distance& distance_of, const Function& band_at)
+  // curves contradict each other, as where a strip is a polyline in parts. Without distances of vertices, these regions have the band
+  // by their curves, or 0.
+  template <class FaceBandMap, class Levels, class Distance>
+  void write_bands(FaceBandMap band_map, const Levels& levels, const std::optional<Distance>& distance_of)
   {
     Face_labels regions(m_mesh, m_edges); // connected without crossing a curve
     std::vector<face_descriptor> first;   // a face of each
@@ -138,8 +143,8 @@ public:
       regions.spread();
       first.push_back(f);
     }
-    // A region is nearer than all levels that it has on the left, and farther than those on the right. The chords of levels that are very
-    // close cross, so a region may have edges of both.
+    // A region is nearer than all levels that it has on the left, and farther than those on the right. If chords cross, a region may
+    // have edges of both.
     const std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> upper(first.size(), none), lower(first.size(), none);
     const auto directed = sorted_edges();
@@ -166,10 +171,12 @@ public:
       bands.push_back(upper[r] != none ? upper[r] : lower[r]);
       if (bands[r] == none || (lower[r] != none && lower[r] != bands[r])) uncertain.push_back(r);
     }
-    if (!uncertain.empty())
+    for (std::size_t& b : bands) b = b == none ? 0 : levels.band_behind(b);
+    if (distance_of && !uncertain.empty())
     {
-      const auto middle = middle_distances(regions, first.size(), distance_of);
-      for (const std::size_t r : uncertain) bands[r] = band_at(middle[r], bands[r] == none ? 0 : bands[r]);
+      const auto middle = middle_distances(regions, first.size(), *distance_of);
+      for (const std::size_t r : uncertain)
+        if (middle[r]) bands[r] = levels.band_at(*middle[r]);
     }
     for (const face_descriptor f : faces(m_mesh)) put(band_map, f, bands[regions.of(f)]);
   }
@@ -277,7 +284,7 @@ private:
     return result;
   }
 
-  // The mean of the smallest and the largest distance of the original vertices of each region.
+  // The mean of the smallest and the largest distance of the original vertices of each region; none without such vertices.
   template <class Distance>
   auto middle_distances(const Face_labels& regions, std::size_t number, const Distance& distance_of) const
   {
@@ -285,19 +292,18 @@ private:
     for (const vertex_descriptor v : vertices(m_mesh)) put(is_new, v, false);
     for (const vertex_descriptor v : m_new_vertices) put(is_new, v, true);
     typedef decltype(distance_of(vertex_descriptor())) FT;
-    std::vector<FT> least(number), largest(number);
-    std::vector<bool> is_set(number, false);
+    std::vector<std::optional<FT>> least(number), largest(number);
     for (const face_descriptor f : faces(m_mesh))
       for (const vertex_descriptor v : vertices_around_face(halfedge(f, m_mesh), m_mesh))
       {
         if (get(is_new, v)) continue;
         const std::size_t r = regions.of(f);
         const FT d = distance_of(v);
-        least[r] = is_set[r] ? (std::min)(least[r], d) : d;
-        largest[r] = is_set[r] ? (std::max)(largest[r], d) : d;
-        is_set[r] = true;
+        if (!least[r] || d < *least[r]) least[r] = d;
+        if (!largest[r] || d > *largest[r]) largest[r] = d;
       }
-    for (std::size_t r = 0; r < number; ++r) least[r] = (least[r] + largest[r]) / 2;
+    for (std::size_t r = 0; r < number; ++r)
+      if (least[r]) least[r] = (*least[r] + *largest[r]) / 2;
     return least;
   }
 

@@ -109,6 +109,8 @@ public:
     for (const auto e : edges(tm)) put(m_number_at, e, 0);
   }
 
+  double snap_distance() const { return m_snap; }
+
   Flat_face flat(face_descriptor f) const
   {
     const auto c = corners(f);
@@ -209,9 +211,32 @@ public:
     return true;
   }
 
+  // Makes one point of points inside a face that are closer than the snap distance. `ids`: of points of the face.
+  void merge_inside(face_descriptor f, std::vector<Id> ids)
+  {
+    const auto is_inner = [this](Id id) { return m_points[id].place == IN_FACE; };
+    ids.erase(std::partition(ids.begin(), ids.end(), is_inner), ids.end());
+    if (ids.size() < 2) return;
+    const Flat_face flat_face = flat(f);
+    const auto x = [&](Id id) {
+      return m_points[id].weights[1] * flat_face.length + m_points[id].weights[2] * flat_face.apex_x;
+    };
+    const auto y = [&](Id id) { return m_points[id].weights[2] * flat_face.apex_y; };
+    std::sort(ids.begin(), ids.end(), [&](Id a, Id b) { return x(a) < x(b); });
+    std::vector<Id> kept;
+    for (const Id id : ids)
+    {
+      auto near = kept.rbegin();
+      while (near != kept.rend() && x(id) - x(*near) <= m_snap && !(std::hypot(x(id) - x(*near), y(id) - y(*near)) <= m_snap))
+        ++near;
+      if (near != kept.rend() && x(id) - x(*near) <= m_snap) m_same_as[id] = *near;
+      else kept.push_back(id);
+    }
+  }
+
   // Makes one point of points on an edge that are closer than the snap distance. To be called once, when all points on edges are
   // known.
-  void merge()
+  void merge_on_edges()
   {
     for (Edge_points& e : m_edges)
     {
@@ -225,7 +250,7 @@ public:
     }
   }
 
-  // The point that stands for a point after merge().
+  // The point that stands for a point after it was merged.
   Id merged(Id id) const { return m_same_as[id]; }
 
   const Split_point& operator[](Id id) const { return m_points[id]; }

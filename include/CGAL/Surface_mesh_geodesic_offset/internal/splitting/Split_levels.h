@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The levels of a split. Where levels are so near to each other that their points count as one, the curves of the smallest level
+// stand for those of all of them.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_SPLIT_LEVELS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_SPLIT_LEVELS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+template <class FT>
+class Split_levels
+{
+public:
+  // Part of the diagonal of the bounding box by which levels differ at least. Curves whose points are moved by at most the snap
+  // distance (Split_points::snap_part, 2^-33) stay apart if it is four times as large. Binding test: test_splitting.
+  static constexpr double least_gap_part = 1. / (1ull << 31);
+
+  // `distances`: of all curves, in any order.
+  Split_levels(std::vector<FT> distances, double diagonal)
+    : m_distances(std::move(distances)), m_least_gap(least_gap_part * diagonal)
+  {
+    std::sort(m_distances.begin(), m_distances.end());
+    m_distances.erase(std::unique(m_distances.begin(), m_distances.end()), m_distances.end());
+    for (std::size_t i = 0; i < m_distances.size(); ++i)
+      if (i == 0 || m_distances[i] - m_distances[m_first.back()] > m_least_gap) m_first.push_back(i);
+    m_first.push_back(m_distances.size());
+  }
+
+  // Index of a distance among those whose curves split the mesh, by increasing distance; none for other distances.
+  std::optional<std::size_t> index_of(const FT& distance) const
+  {
+    const auto i = std::size_t(std::lower_bound(m_distances.begin(), m_distances.end(), distance) - m_distances.begin());
+    const auto first = std::lower_bound(m_first.begin(), m_first.end(), i);
+    if (*first != i) return std::nullopt;
+    return std::size_t(first - m_first.begin());
+  }
+
+  // The number of distances that points beyond `splitting` of the curves that split are not nearer than.
+  std::size_t band_behind(std::size_t splitting) const { return m_first[splitting]; }
+
+  // The number of distances that are not greater than that of a region; curves within the least gap of the sources are points.
+  template <class T>
+  std::size_t band_at(const T& d) const
+  {
+    const auto number = [&](const auto& distance) {
+      return std::size_t(std::upper_bound(m_distances.begin(), m_distances.end(), distance) - m_distances.begin());
+    };
+    return d < m_least_gap ? number(m_least_gap) : number(d);
+  }
+
+private:
+  std::vector<FT> m_distances; // by increasing distance
+  const FT m_least_gap;
+  std::vector<std::size_t> m_first; // indices of the distances whose curves split; at the end, their number
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
