@@ -632,6 +632,17 @@ void other_meshes()
   const std::size_t before = num_faces(mesh);
   CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(0.)), std::invalid_argument);
   CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(1e-300)), std::length_error);
+  const std::size_t most_chords = 20000000;
+  const auto chords = [](const auto& some, double tolerance) {
+    std::size_t n = 0;
+    for (const auto& c : some)
+      for (const auto& piece : c.pieces()) n += piece.number_of_chords(tolerance);
+    return n;
+  };
+  double fine = 1e-8;
+  while (chords(curves, fine) <= most_chords) fine /= 1.5;
+  for (const auto& c : curves) CHECK(chords(std::vector<CGAL::Geodesic_offset_curve_type<Polyhedron>>{c}, fine) < most_chords);
+  CHECK_THROWS(CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::chord_tolerance(fine)), std::length_error);
   CHECK(num_faces(mesh) == before);
   auto distance = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
   CGAL::geodesic_distances(mesh, std::vector<Polyhedron::Vertex_handle>{*vertices(mesh).first}, distance);

@@ -876,6 +876,7 @@ void bad_input()
   CHECK(diagram.number_of_curves() == 1 && diagram.curve(0).is_closed());
   std::vector<Point_3> points;
   CHECK_THROWS(diagram.curve(0).points(0., std::back_inserter(points)), std::invalid_argument);
+  CHECK(points.empty());
   CHECK(CGAL::construct_geodesic_voronoi_diagram(mesh, std::vector<Vertex_index>{at(0), at(1)}).number_of_curves() == 1);
   CHECK_THROWS(CGAL::construct_geodesic_voronoi_diagram(mesh, std::vector<Vertex_index>{at(0), at(1)},
                                                         CGAL::parameters::visitor([](double) { return false; })),

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Bisector_piece.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_extraction.h>
 
 #include <CGAL/assertions.h>
@@ -122,6 +123,7 @@ public:
   template <class Function>
   void discretize(const FT& chord_tolerance, const Function& f) const
   {
+    Geodesic_offset::internal::check_chord_tolerance(chord_tolerance); // before any output
     const std::size_t n = number_of_pieces();
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -288,7 +290,7 @@ public:
   /// \throws std::invalid_argument if the location is not valid
   std::size_t source_at(const Face_location& location) const
   {
-    diagram(); // or an exception
+    diagram();                                // or an exception
     m_context->surface->classified(location); // or an exception
     std::array<double, 3> weights;
     std::transform(location.second.begin(), location.second.end(), weights.begin(),

@@ -79,7 +79,7 @@ exception is thrown before the mesh is changed, as for bad parameters, the mesh 
 \pre All faces of `tm` are triangles. The diagram is of `tm` with these points, or of a mesh that has the same descriptors: if `tm`
 is a copy of a `Surface_mesh`, a diagram of the original remains valid.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then the mesh is unchanged
-\throws std::length_error if a curve has more than 20,000,000 chords; then the mesh is unchanged
+\throws std::length_error if the curves have more than 20,000,000 chords in all; then the mesh is unchanged
 */
 template <class TriangleMesh, class VoronoiDiagram, class NamedParameters = parameters::Default_named_parameters>
 void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram& diagram,

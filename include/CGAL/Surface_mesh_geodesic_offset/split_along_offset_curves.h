@@ -109,7 +109,7 @@ count for the farther ones. If an exception is thrown before the mesh is changed
 \pre All faces of `tm` are triangles. The curves and the field are of `tm` with these points, or of a mesh that has the same
 descriptors: if `tm` is a copy of a `Surface_mesh`, curves and field of the original remain valid.
 \throws std::invalid_argument unless `chord_tolerance > 0`; then the mesh is unchanged
-\throws std::length_error as `Geodesic_offset_curve::points()`; then the mesh is unchanged
+\throws std::length_error if the curves have more than 20,000,000 chords in all; then the mesh is unchanged
 \throws std::logic_error if `distance_field` has no kept windows, or has a tolerance; then the mesh is unchanged
 */
 template <class TriangleMesh, class OffsetCurves, class NamedParameters = parameters::Default_named_parameters>
@@ -121,8 +121,8 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   typedef typename boost::range_value<OffsetCurves>::type Curve;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::type Vertex_point_map;
-  const Vertex_point_map vpm = parameters::choose_parameter(
-    parameters::get_parameter(np, internal_np::vertex_point), get_property_map(boost::vertex_point, tm));
+  const Vertex_point_map vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                            get_property_map(boost::vertex_point, tm));
 
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, curves, np);
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
@@ -159,7 +159,8 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
     {
       const auto distance_map = parameters::get_parameter(np, internal_np::geodesic_vertex_distance);
       splitting.write_bands(band_map, levels, std::make_optional([&](const auto v) {
-                              typename boost::property_traits<std::decay_t<decltype(distance_map)>>::value_type d = get(distance_map, v);
+                              typename boost::property_traits<std::decay_t<decltype(distance_map)>>::value_type d =
+                                get(distance_map, v);
                               return d;
                             }));
     }

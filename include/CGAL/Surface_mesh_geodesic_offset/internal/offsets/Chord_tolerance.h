@@ -30,17 +30,22 @@ constexpr std::size_t most_chords_of_curve = 20000000;
 template <class FT>
 void check_chord_tolerance(const FT& tolerance)
 {
-  if (!(tolerance > FT(0)))
-    throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
+  if (!(tolerance > FT(0))) throw std::invalid_argument("Surface_mesh_geodesic_offset: a chord tolerance must be positive");
+}
+
+template <class Curve>
+std::size_t number_of_chords(const Curve& curve, const typename Curve::FT& tolerance)
+{
+  std::size_t chords = 0;
+  for (const auto& piece : curve.pieces()) chords += piece.number_of_chords(tolerance);
+  return chords;
 }
 
 template <class Curve>
 void check_number_of_chords(const Curve& curve, const typename Curve::FT& tolerance)
 {
   check_chord_tolerance(tolerance);
-  std::size_t chords = 0;
-  for (const auto& piece : curve.pieces()) chords += piece.number_of_chords(tolerance);
-  if (chords > most_chords_of_curve)
+  if (number_of_chords(curve, tolerance) > most_chords_of_curve)
     throw std::length_error("Surface_mesh_geodesic_offset: a curve has more than " + std::to_string(most_chords_of_curve) +
                             " chords within the chord tolerance");
 }
@@ -49,8 +54,7 @@ template <class Curves, class FT>
 void check_all_numbers_of_chords(const Curves& curves, const FT& tolerance)
 {
   check_chord_tolerance(tolerance);
-  for (const auto& curve : curves)
-    check_number_of_chords(curve, typename std::decay<decltype(curve)>::type::FT(tolerance));
+  for (const auto& curve : curves) check_number_of_chords(curve, typename std::decay<decltype(curve)>::type::FT(tolerance));
 }
 
 } // namespace internal

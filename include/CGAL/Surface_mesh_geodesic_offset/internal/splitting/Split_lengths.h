@@ -17,6 +17,9 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Geodesic_offset {
@@ -24,12 +27,15 @@ namespace internal {
 
 struct Split_lengths
 {
+  // Largest number of chords: their points, triangles and faces need some 500 bytes per chord, 10 GB.
+  static constexpr std::size_t most_chords = 20000000;
+
   double diagonal; // of the bounding box
   double chord_tolerance;
 
   // Reads the parameter `chord_tolerance`, a number of type FT, and checks it with the curves.
   // \throws std::invalid_argument unless the tolerance is positive
-  // \throws std::length_error if there are too many chords
+  // \throws std::length_error if the curves have more than `most_chords`
   template <class FT, class TriangleMesh, class VertexPointMap, class Curves, class NamedParameters>
   static Split_lengths of(const TriangleMesh& tm, const VertexPointMap& vpm, const Curves& curves, const NamedParameters& np)
   {
@@ -40,7 +46,12 @@ struct Split_lengths
     const FT default_tolerance(diagonal > 0 ? default_chord_tolerance * diagonal : 1); // a mesh without a size has no chords
     const double tolerance = CGAL::to_double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geodesic_chord_tolerance), default_tolerance));
-    check_all_numbers_of_chords(curves, tolerance);
+    check_chord_tolerance(tolerance);
+    std::size_t chords = 0;
+    for (const auto& c : curves) chords += number_of_chords(c, FT(tolerance));
+    if (chords > most_chords)
+      throw std::length_error("Surface_mesh_geodesic_offset: the curves of a split have more than " +
+                              std::to_string(most_chords) + " chords within the chord tolerance");
     return {diagonal, tolerance};
   }
 };
