@@ -455,59 +455,79 @@ void sources_and_visitor()
   }
 }
 
-// Circles that are much closer to each other than the chord tolerance: their chords do not cross, so that all vertices are on
-// their level and all bands are right. Levels that are as near as rounding are one level, without thin faces between them.
+// Splits a square along circles: all vertices are on their level and all bands are right, in both orders of the curves. Levels
+// nearer than 2^-31 of the diagonal are one level. Returns the number of vertices. `is_accurate`: no faces are so thin that the
+// distances on the result are not.
+std::size_t split_along_circles(const std::vector<double>& levels, double chord_tolerance, std::size_t number_of_bands, bool is_accurate)
+{
+  const double rounding = 2e-9;
+  Surface_mesh original = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh; // of size 2
+  Geodesic geodesic(original);
+  geodesic.add_source_point(Vertex_index(4));
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  const Point_3 center = original.point(Vertex_index(4));
+  std::vector<Geodesic::Offset_curve> curves;
+  geodesic.offset_curves(levels, std::back_inserter(curves));
+  std::size_t faces_before = 0, number_of_vertices = 0;
+  for (const bool is_reversed : {false, true})
+  {
+    if (is_reversed) std::reverse(curves.begin(), curves.end());
+    Surface_mesh mesh = original;
+    auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
+    CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).chord_tolerance(chord_tolerance));
+    const auto distance = [&](Vertex_index v) { return std::sqrt((mesh.point(v) - center).squared_length()); };
+    for (const Vertex_index v : mesh.vertices())
+    {
+      const double d = distance(v);
+      const auto is_level = [&](double level) { return std::abs(d - level) <= rounding; };
+      CHECK_DETAIL(original.has_valid_index(v) || std::any_of(levels.begin(), levels.end(), is_level), std::to_string(d));
+    }
+    std::set<std::size_t> bands;
+    for (const Face_index f : mesh.faces())
+    {
+      bands.insert(band[f]);
+      for (const Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      {
+        const double d = distance(v);
+        CHECK_DETAIL((band[f] == 0 || d >= levels[band[f] - 1] - rounding) &&
+                       (band[f] == levels.size() || d <= levels[band[f]] + rounding),
+                     std::to_string(band[f]) + ": " + std::to_string(d));
+      }
+    }
+    CHECK_DETAIL(bands.size() == number_of_bands, std::to_string(bands.size()));
+    if (is_reversed) CHECK(mesh.number_of_faces() == faces_before);
+    faces_before = mesh.number_of_faces();
+    number_of_vertices = mesh.number_of_vertices();
+    if (!is_accurate) continue;
+    Geodesic again(mesh);
+    again.add_source_point(Vertex_index(4));
+    again.build();
+    for (const Vertex_index v : mesh.vertices()) CHECK(std::abs(again.distance_to_sources(v) - distance(v)) <= 1e-9);
+  }
+  return number_of_vertices;
+}
+
+// Circles that are much closer to each other than the chord tolerance: their chords do not cross.
 void close_levels()
 {
-  const double radius = 0.6, least_gap = std::sqrt(8.) / 2147483648., rounding = 2e-9;
+  const double radius = 0.6, least_gap = std::sqrt(8.) / 2147483648.;
   for (const double gap : {1e-16, 1e-13, 4e-10, 3e-9, 1e-8, 1e-6, 1e-4})
     for (const double chord_tolerance : {5e-2, 5e-3, 3e-4})
     {
       Report::instance().set_context("gap " + std::to_string(gap * 1e9) + "e-9, tolerance " + std::to_string(chord_tolerance));
-      Surface_mesh original = Generated_mesh<Surface_mesh>(planar_grid(2, 2)).mesh; // of size 2
-      Geodesic geodesic(original);
-      geodesic.add_source_point(Vertex_index(4));
-      geodesic.build(CGAL::parameters::keep_windows(true));
-      const Point_3 center = original.point(Vertex_index(4));
-      const std::vector<double> levels = {radius, radius + gap, radius + 2 * gap};
-      std::vector<Geodesic::Offset_curve> curves;
-      geodesic.offset_curves(levels, std::back_inserter(curves));
-      std::size_t faces_before = 0;
-      for (const bool is_reversed : {false, true})
-      {
-        if (is_reversed) std::reverse(curves.begin(), curves.end());
-        Surface_mesh mesh = original;
-        auto band = mesh.add_property_map<Face_index, std::size_t>("band", 99).first;
-        CGAL::split_along_offset_curves(mesh, curves, CGAL::parameters::face_band_map(band).chord_tolerance(chord_tolerance));
-        const auto distance = [&](Vertex_index v) { return std::sqrt((mesh.point(v) - center).squared_length()); };
-        for (const Vertex_index v : mesh.vertices())
-        {
-          const double d = distance(v);
-          CHECK_DETAIL(original.has_valid_index(v) || std::abs(d - radius) <= rounding ||
-                         std::abs(d - levels[1]) <= rounding || std::abs(d - levels[2]) <= rounding,
-                       std::to_string((d - radius) / gap));
-        }
-        std::set<std::size_t> bands;
-        for (const Face_index f : mesh.faces())
-        {
-          bands.insert(band[f]);
-          for (const Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-          {
-            const double d = distance(v);
-            CHECK_DETAIL((band[f] == 0 || d >= levels[band[f] - 1] - rounding) && (band[f] == 3 || d <= levels[band[f]] + rounding),
-                         std::to_string(band[f]) + ": " + std::to_string(d));
-          }
-        }
-        CHECK_DETAIL(bands.size() == (gap < least_gap ? 2 : 4), std::to_string(bands.size()));
-        if (is_reversed) CHECK(mesh.number_of_faces() == faces_before);
-        faces_before = mesh.number_of_faces();
-        if (gap > least_gap && gap < 1e-6) continue; // faces of this width have no accurate distances
-        Geodesic again(mesh);
-        again.add_source_point(Vertex_index(4));
-        again.build();
-        for (const Vertex_index v : mesh.vertices()) CHECK(std::abs(again.distance_to_sources(v) - distance(v)) <= 1e-9);
-      }
+      split_along_circles({radius, radius + gap, radius + 2 * gap}, chord_tolerance, gap < least_gap ? 2 : 4,
+                          gap < least_gap || gap >= 1e-6);
     }
+  // Distances up to the least gap have no curves; the faces are beyond them.
+  Report::instance().set_context("distances near 0");
+  CHECK(split_along_circles({1e-13, 1e-9}, 1e-3, 1, true) == 9);
+  // Many levels within the tolerance: few points are needed for all of them.
+  Report::instance().set_context("many levels");
+  std::vector<double> levels;
+  for (int i = 0; i < 100; ++i) levels.push_back(0.5 + 1e-5 * i);
+  const std::size_t alone = split_along_circles({levels[0]}, 1e-2, 2, true) - 9;
+  const std::size_t all = split_along_circles(levels, 1e-2, levels.size() + 1, true) - 9;
+  CHECK_DETAIL(all <= 2 * levels.size() * alone, std::to_string(all) + " vertices, alone " + std::to_string(alone));
 }
 
 // Levels whose curves shrink to points at the farthest vertices, or to a polyline along both sides of a source, leave the bands as

@@ -39,9 +39,10 @@ curves keep their descriptors.
 
 Points of curves closer to each other, to a vertex or to an edge than 2^-33 of the diagonal of the bounding box, about 1e-10, are
 one point, so that a level that touches a vertex or runs along an edge leaves no thin triangles there. Distances that differ by
-less than 2^-31 of the diagonal count as one level: the curves of the smallest of them split the mesh. The chords of curves do not
-cross, unless two curves are closer to each other than 2^-33 of the diagonal, as both sides of a narrow strip. Then the crossings
-become vertices, which are off their curves by up to the chord tolerance.
+less than 2^-31 of the diagonal count as one level: the curves of the smallest of them split the mesh. Those of distances below
+2^-31 of the diagonal do not, as they are the sources. The chords of curves do not cross, unless two curves are closer to each
+other than 2^-33 of the diagonal, as both sides of a narrow strip. Then the crossings become vertices, which are off their curves
+by up to the chord tolerance.
 
 The time is linear in the size of the mesh, plus \f$ O(n \log n) \f$ for the \f$ n \f$ points of the curves in each face. Curves of
 the same center that are closer to each other than the chord tolerance are divided in the same directions: the points of each
@@ -72,7 +73,7 @@ count for the farther ones. If an exception is thrown before the mesh is changed
     \cgalParamDefault{none}
     \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. If no curve is on the
                     border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
-                    narrower than the 2^-33 above, its value is 0, unless `vertex_distance_map` is given. Where chords cross, values
+                    narrower than the 2^-33 above, its value is the least one, unless `vertex_distance_map` is given. Where chords cross, values
                     may be wrong.}
   \cgalParamNEnd
   \cgalParamNBegin{face_source_map}

@@ -3,15 +3,16 @@
 //
 // Divides the arcs in a face into chords within a tolerance, such that chords of different levels do not cross.
 //
-// The chord of an arc is nearer to the center. So it may cross an arc of a smaller level with the same center, if that level is
-// nearer than the height of the chord. Both arcs are divided at common directions from the center then, as far as both reach:
-// their chords are parallel.
+// The chord of an arc is nearer to the center than the arc. So it may cross an arc of a smaller level with the same center, if that
+// level is nearer than the height of the chord. Both arcs are divided at common directions from the center then, as far as both
+// reach: their chords are parallel.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_ARC_DIVISION_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SPLITTING_ARC_DIVISION_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_piece.h>
 
 #include <CGAL/number_utils.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,30 +38,36 @@ public:
   // `least_length`: of chords; centers of arcs that are nearer to each other are one.
   Arc_division(double chord_tolerance, double least_length) : m_tolerance(chord_tolerance), m_least_length(least_length) {}
 
+  // Divides the arcs of a face.
   void set_face(const std::vector<Piece_in_face>& pieces)
   {
     m_arcs.clear();
+    m_index.clear();
     if constexpr (are_circles)
     {
       for (const Piece_in_face& p : pieces)
         if (p.arc) m_arcs.push_back(arc_of(p));
       std::sort(m_arcs.begin(), m_arcs.end(), [](const Arc& a, const Arc& b) { return a.radius < b.radius; });
+      for (std::size_t i = 0; i < m_arcs.size(); ++i)
+      {
+        m_index[m_arcs[i].piece] = i;
+        if (has_concentric(i)) divide(i);
+      }
     }
   }
 
   // The parameters of the ends of the chords of an arc, from 0 to 1.
-  std::vector<double> operator()(const Piece_in_face& p) const
+  std::vector<double> operator()(const Piece& piece) const
   {
     std::vector<double> t = {0};
-    if constexpr (are_circles)
+    if (const auto found = m_index.find(&piece); found != m_index.end() && !m_arcs[found->second].chord_ends.empty())
     {
-      const Arc a = arc_of(p);
-      std::vector<const Arc*> nearer; // whose ends the chords of a may cut off
-      if (finds_concentric(a, nearer)) t = common_parameters(a, nearer);
+      const Arc& a = m_arcs[found->second];
+      for (std::size_t i = 1; i + 1 < a.chord_ends.size(); ++i) t.push_back((a.chord_ends[i] - a.start) / a.turn);
     }
-    if (t.size() == 1)
+    else
     {
-      const auto n = std::size_t(p.arc->number_of_chords(typename Piece::FT(m_tolerance)));
+      const auto n = std::size_t(piece.number_of_chords(typename Piece::FT(m_tolerance)));
       for (std::size_t i = 1; i < n; ++i) t.push_back(double(i) / double(n));
     }
     t.push_back(1);
@@ -80,66 +88,70 @@ private:
 
   struct Arc
   {
-    double x, y, radius; // center
-    double start, turn;  // angles
+    const Piece* piece;
     std::size_t level;
+    double x, y, radius;            // center
+    double start, turn;             // angles
+    std::vector<double> chord_ends; // angles, from start to start + turn, if there is a concentric arc
   };
 
   static Arc arc_of(const Piece_in_face& p)
   {
     const auto c = p.arc->center(), s = p.arc->start_2();
     const double x = CGAL::to_double(c.x()), y = CGAL::to_double(c.y());
-    return {x,
-            y,
-            CGAL::to_double(p.arc->radius()),
-            std::atan2(CGAL::to_double(s.y()) - y, CGAL::to_double(s.x()) - x),
-            CGAL::to_double(p.arc->angle()),
-            p.level};
+    const double start = std::atan2(CGAL::to_double(s.y()) - y, CGAL::to_double(s.x()) - x);
+    return {p.arc, p.level, x, y, CGAL::to_double(p.arc->radius()), start, CGAL::to_double(p.arc->angle()), {}};
   }
 
-  // Collects the arcs of smaller levels with the same center within the tolerance. Returns true if there are such arcs, or arcs
-  // of larger levels.
-  bool finds_concentric(const Arc& a, std::vector<const Arc*>& nearer) const
+  bool are_concentric(const Arc& a, const Arc& b) const
   {
-    bool result = false;
-    auto b = std::lower_bound(m_arcs.begin(), m_arcs.end(), a.radius - m_tolerance, [](const Arc& arc, double radius) {
-      return arc.radius < radius;
-    });
-    for (; b != m_arcs.end() && b->radius <= a.radius + m_tolerance; ++b)
-    {
-      if (b->level == a.level || !(std::hypot(b->x - a.x, b->y - a.y) <= m_least_length)) continue;
-      result = true;
-      if (b->level < a.level) nearer.push_back(&*b);
-    }
-    return result;
+    return a.level != b.level && std::abs(a.radius - b.radius) <= m_tolerance &&
+           std::hypot(b.x - a.x, b.y - a.y) <= m_least_length;
   }
 
-  // Multiples of a part of the full turn, 2^-i of it for chords within the tolerance, and the ends of the nearer arcs. The chords
-  // of a larger arc are never longer parts of the full turn.
-  std::vector<double> common_parameters(const Arc& a, const std::vector<const Arc*>& nearer) const
+  // True if an arc of another level has the same center within the tolerance.
+  bool has_concentric(std::size_t i) const
   {
-    const double half_angle = std::acos((std::max)(0., 1 - m_tolerance / a.radius));
+    const auto is_near = [&](std::size_t j) { return std::abs(m_arcs[i].radius - m_arcs[j].radius) <= m_tolerance; };
+    for (std::size_t j = i; j > 0 && is_near(j - 1); --j)
+      if (are_concentric(m_arcs[i], m_arcs[j - 1])) return true;
+    for (std::size_t j = i + 1; j < m_arcs.size() && is_near(j); ++j)
+      if (are_concentric(m_arcs[i], m_arcs[j])) return true;
+    return false;
+  }
+
+  // Divides an arc at multiples of a part of the full turn, 2^-n of it for chords within the tolerance; chords of a larger arc are
+  // never longer parts of the full turn. Then, from the largest to the smallest of the smaller arcs, at the ends of chords that a
+  // chord of this arc may cut off.
+  void divide(std::size_t i)
+  {
+    Arc& a = m_arcs[i];
+    const double half_angle = (std::max)(0.5 * least_chord_angle, std::acos((std::max)(0., 1 - m_tolerance / a.radius)));
     const double step = full_turn * std::exp2(-std::ceil(std::log2(full_turn / (2 * half_angle))));
-    std::vector<double> t = {0};
-    const auto add = [&](double angle) {
-      const double part = angle / a.turn;
-      if (part < 1) t.push_back(part);
-    };
-    for (double angle = std::ceil(a.start / step) * step - a.start; angle < a.turn; angle += step) add(angle);
-    for (const Arc* const b : nearer)
-      for (const double end : {b->start, b->start + b->turn})
-        add(end - a.start - full_turn * std::floor((end - a.start) / full_turn));
-    std::sort(t.begin(), t.end());
-    const double least = m_least_length / (a.radius * a.turn); // difference of parameters
-    std::size_t n = 1;
-    for (const double part : t)
-      if (part - t[n - 1] > least && 1 - part > least) t[n++] = part;
-    t.resize(n);
-    return t;
+    a.chord_ends = {a.start, a.start + a.turn};
+    for (double angle = std::ceil(a.start / step) * step; angle < a.start + a.turn; angle += step) add(a, angle, 0);
+    for (std::size_t j = i; j > 0 && a.radius - m_arcs[j - 1].radius <= m_tolerance; --j)
+    {
+      const Arc& b = m_arcs[j - 1];
+      if (!are_concentric(a, b) || b.level > a.level) continue;
+      for (const double angle : b.chord_ends) add(a, angle, (a.radius - b.radius) / 2);
+    }
+  }
+
+  // Divides the chord at an angle if its height is more than `height` and both parts are long enough.
+  void add(Arc& a, double angle, double height) const
+  {
+    angle -= full_turn * std::floor((angle - a.start) / full_turn);
+    const auto next = std::upper_bound(a.chord_ends.begin(), a.chord_ends.end(), angle);
+    if (next == a.chord_ends.begin() || next == a.chord_ends.end()) return;
+    const double last = *(next - 1), least = m_least_length / a.radius;
+    const double sine = std::sin((*next - last) / 4); // height: r (1 - cos(angle / 2))
+    if (2 * a.radius * sine * sine > height && angle - last > least && *next - angle > least) a.chord_ends.insert(next, angle);
   }
 
   const double m_tolerance, m_least_length;
   std::vector<Arc> m_arcs; // of the face, by radius
+  std::unordered_map<const Piece*, std::size_t> m_index;
 };
 
 } // namespace internal

@@ -57,7 +57,7 @@ public:
     // however far they are divided, and become edges that end where they cross.
     std::size_t chords = 0; // of arcs
     for (const Piece_in_face& p : pieces)
-      if (p.arc) chords += m_division(p).size() - 1;
+      if (p.arc) chords += m_division(*p.arc).size() - 1;
     bool fits = triangulate(pieces, 1, false);
     for (std::size_t division = 2; !fits && is_worth_a_try(division, chords); division *= 2)
       fits = triangulate(pieces, division, false);
@@ -126,7 +126,7 @@ private:
     {
       Vertex_handle last = vertex(p.from);
       if (p.arc)
-        for_each_inner_point(*p.arc, m_division(p), division, [&](const Flat_face::Weights& w) {
+        for_each_inner_point(*p.arc, m_division(*p.arc), division, [&](const Flat_face::Weights& w) {
           const Vertex_handle v = m_cdt.insert(inside(w), last->face()); // beside the last one
           if (!v->info().is_set()) m_inner.push_back({v, w});
           last = constrain(last, v, p.level);

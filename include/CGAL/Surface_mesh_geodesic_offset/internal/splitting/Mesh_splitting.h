@@ -130,7 +130,7 @@ public:
   // Writes the band of each face: the number of levels that its points are not nearer than. Regions without curves have that of
   // the middle of the distances of their vertices, of which the largest may be a level whose curve is a point; so have regions whose
   // curves contradict each other, as where a strip is a polyline in parts. Without distances of vertices, these regions have the band
-  // by their curves, or 0.
+  // by their curves, or the least one.
   template <class FaceBandMap, class Levels, class Distance>
   void write_bands(FaceBandMap band_map, const Levels& levels, const std::optional<Distance>& distance_of)
   {
@@ -171,7 +171,7 @@ public:
       bands.push_back(upper[r] != none ? upper[r] : lower[r]);
       if (bands[r] == none || (lower[r] != none && lower[r] != bands[r])) uncertain.push_back(r);
     }
-    for (std::size_t& b : bands) b = b == none ? 0 : levels.band_behind(b);
+    for (std::size_t& b : bands) b = levels.band_behind(b == none ? 0 : b);
     if (distance_of && !uncertain.empty())
     {
       const auto middle = middle_distances(regions, first.size(), *distance_of);

@@ -33,8 +33,13 @@ public:
   {
     std::sort(m_distances.begin(), m_distances.end());
     m_distances.erase(std::unique(m_distances.begin(), m_distances.end()), m_distances.end());
+    FT last(0); // the sources
     for (std::size_t i = 0; i < m_distances.size(); ++i)
-      if (i == 0 || m_distances[i] - m_distances[m_first.back()] > m_least_gap) m_first.push_back(i);
+    {
+      if (!(m_distances[i] - last > m_least_gap)) continue;
+      last = m_distances[i];
+      m_first.push_back(i);
+    }
     m_first.push_back(m_distances.size());
   }
 
