@@ -83,14 +83,15 @@ public:
     const CGAL::Offset_levels<double> levels(std::vector<double>{level});
     CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, reach_, sources_, levels,
                                                                   field_.maximum);
-    cut_.levels = cutting.levels_of(face);
-    cutting.find_crossings(face, [](Index) { return true; }, cut_);
+    cut_.levels = cutting.levels_of(face, field_.maximum);
+    cutting.find_crossings(face, field_.maximum, {0, 0, 0}, cut_); // on all three edges
     Index number = 0;
     for (int k = 0; k < 3; ++k)
     {
       const Index h = 3 * face + Index(k);
-      for (auto& c : cut_.crossings[std::size_t(k)]) c.gate = number++;
-      cut_.add_gates(k, cut_.crossings[std::size_t(k)], mesh_.twin(h) < h);
+      auto& crossings = cut_.crossings[std::size_t(k)];
+      for (auto& c : crossings) c.gate = number++;
+      cut_.add_gates(k, crossings.begin(), crossings.end(), mesh_.twin(h) < h);
     }
     cutting.find_chains(cut_);
     forced_joints_ += cutting.number_of_forced_joints();
