@@ -80,10 +80,7 @@ public:
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const FT along_edge = m_state.along_edge(h, Source_ref()).distance;
-      if (along_edge <= settled && m_state.is_shorter(along_edge, m_state.field.distance[m_state.mesh.source(h)])) return true;
-    }
+      if (is_hidden(h, settled)) return true;
     return false;
   }
 
@@ -115,16 +112,19 @@ private:
   // long edge is postponed several times.
   static constexpr std::size_t most_buckets_ahead = 1 << 12;
 
+  // True if the source of h has a longer distance than a path along an edge of the face of h, of at most `maximum`.
+  bool is_hidden(Index h, const FT& maximum) const
+  {
+    const FT along_edge = m_state.along_edge(h, Source_ref()).distance;
+    const FT allowed = along_edge + (m_tolerance.relative * along_edge + m_tolerance.absolute);
+    return along_edge <= maximum && m_state.is_shorter(allowed, m_state.field.distance[m_state.mesh.source(h)]);
+  }
+
   BOOST_NOINLINE bool finds_hidden_beyond_tolerance(Index f, std::vector<Index>& hidden) const
   {
     const std::size_t before = hidden.size();
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const FT along_edge = m_state.along_edge(h, Source_ref()).distance;
-      const FT allowed = along_edge + (m_tolerance.relative * along_edge + m_tolerance.absolute);
-      if (along_edge <= m_state.maximum && m_state.is_shorter(allowed, m_state.field.distance[m_state.mesh.source(h)]))
-        hidden.push_back(h);
-    }
+      if (is_hidden(h, m_state.maximum)) hidden.push_back(h);
     return hidden.size() > before;
   }
 

@@ -72,7 +72,8 @@ struct Face_cut
   template <class Iterator>
   void add_gates(int k, Iterator begin, Iterator end, bool reversed)
   {
-    for (auto n = end - begin, i = n - n; i < n; ++i)
+    const auto n = end - begin;
+    for (std::ptrdiff_t i = 0; i < n; ++i)
     {
       const Crossing<FT>& c = begin[reversed ? n - 1 - i : i];
       const FT t = reversed ? FT(field.frame().edge_length(k) - c.position) : c.position;

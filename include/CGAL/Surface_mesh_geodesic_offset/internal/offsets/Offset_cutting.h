@@ -73,8 +73,8 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                                          std::move(inside), f);
 }
 
-// Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls out(level index, Level_curves) for each finished level with
-// curves.
+// Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls out(level index, Level_curves) for each finished
+// level with curves.
 template <class FT, class Function>
 class Level_cutter
 {

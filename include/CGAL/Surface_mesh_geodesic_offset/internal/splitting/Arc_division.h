@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,40 +37,30 @@ public:
   // `least_length`: of chords; centers of arcs that are nearer to each other are one.
   Arc_division(double chord_tolerance, double least_length) : m_tolerance(chord_tolerance), m_least_length(least_length) {}
 
-  // Divides the arcs of a face.
-  void set_face(const std::vector<Piece_in_face>& pieces)
+  // The parameters of the ends of the chords of each arc of a face, from 0 to 1; none for straight pieces.
+  std::vector<std::vector<double>> operator()(const std::vector<Piece_in_face>& pieces)
   {
-    m_arcs.clear();
-    m_index.clear();
+    std::vector<std::vector<double>> result(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (pieces[i].arc) result[i] = uniform(*pieces[i].arc);
     if constexpr (are_circles)
     {
-      for (const Piece_in_face& p : pieces)
-        if (p.arc) m_arcs.push_back(arc_of(p));
+      m_arcs.clear();
+      for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (pieces[i].arc) m_arcs.push_back(arc_of(pieces[i], i));
       std::sort(m_arcs.begin(), m_arcs.end(), [](const Arc& a, const Arc& b) { return a.radius < b.radius; });
       for (std::size_t i = 0; i < m_arcs.size(); ++i)
       {
-        m_index[m_arcs[i].piece] = i;
-        if (has_concentric(i)) divide(i);
+        if (!has_concentric(i)) continue;
+        divide(i);
+        const Arc& a = m_arcs[i];
+        std::vector<double>& t = result[a.index];
+        t = {0};
+        for (std::size_t j = 1; j + 1 < a.chord_ends.size(); ++j) t.push_back((a.chord_ends[j] - a.start) / a.turn);
+        t.push_back(1);
       }
     }
-  }
-
-  // The parameters of the ends of the chords of an arc, from 0 to 1.
-  std::vector<double> operator()(const Piece& piece) const
-  {
-    std::vector<double> t = {0};
-    if (const auto found = m_index.find(&piece); found != m_index.end() && !m_arcs[found->second].chord_ends.empty())
-    {
-      const Arc& a = m_arcs[found->second];
-      for (std::size_t i = 1; i + 1 < a.chord_ends.size(); ++i) t.push_back((a.chord_ends[i] - a.start) / a.turn);
-    }
-    else
-    {
-      const auto n = std::size_t(piece.number_of_chords(typename Piece::FT(m_tolerance)));
-      for (std::size_t i = 1; i < n; ++i) t.push_back(double(i) / double(n));
-    }
-    t.push_back(1);
-    return t;
+    return result;
   }
 
 private:
@@ -86,21 +75,28 @@ private:
   static constexpr bool are_circles = Is_circle<Piece>::value;
   static constexpr double full_turn = 6.283185307179586;
 
+  std::vector<double> uniform(const Piece& piece) const
+  {
+    const auto n = std::size_t(piece.number_of_chords(typename Piece::FT(m_tolerance)));
+    std::vector<double> t;
+    for (std::size_t i = 0; i <= n; ++i) t.push_back(double(i) / double(n));
+    return t;
+  }
+
   struct Arc
   {
-    const Piece* piece;
-    std::size_t level;
+    std::size_t index, level;       // of the piece
     double x, y, radius;            // center
     double start, turn;             // angles
     std::vector<double> chord_ends; // angles, from start to start + turn, if there is a concentric arc
   };
 
-  static Arc arc_of(const Piece_in_face& p)
+  static Arc arc_of(const Piece_in_face& p, std::size_t index)
   {
     const auto c = p.arc->center(), s = p.arc->start_2();
     const double x = CGAL::to_double(c.x()), y = CGAL::to_double(c.y());
     const double start = std::atan2(CGAL::to_double(s.y()) - y, CGAL::to_double(s.x()) - x);
-    return {p.arc, p.level, x, y, CGAL::to_double(p.arc->radius()), start, CGAL::to_double(p.arc->angle()), {}};
+    return {index, p.level, x, y, CGAL::to_double(p.arc->radius()), start, CGAL::to_double(p.arc->angle()), {}};
   }
 
   bool are_concentric(const Arc& a, const Arc& b) const
@@ -151,7 +147,6 @@ private:
 
   const double m_tolerance, m_least_length;
   std::vector<Arc> m_arcs; // of the face, by radius
-  std::unordered_map<const Piece*, std::size_t> m_index;
 };
 
 } // namespace internal

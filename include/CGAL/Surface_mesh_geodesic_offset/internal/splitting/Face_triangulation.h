@@ -52,12 +52,11 @@ public:
     m_face = f;
     m_flat = m_points.flat(f);
     m_boundary = m_points.boundary(f);
-    m_division.set_face(pieces);
+    m_chord_ends = m_division(pieces);
     // Chords cross where arcs of different centers are closer than the tolerance, or as far as two sources tie. The latter cross
     // however far they are divided, and become edges that end where they cross.
     std::size_t chords = 0; // of arcs
-    for (const Piece_in_face& p : pieces)
-      if (p.arc) chords += m_division(*p.arc).size() - 1;
+    for (const std::vector<double>& t : m_chord_ends) chords += t.empty() ? 0 : t.size() - 1;
     bool fits = triangulate(pieces, 1, false);
     for (std::size_t division = 2; !fits && is_worth_a_try(division, chords); division *= 2)
       fits = triangulate(pieces, division, false);
@@ -122,11 +121,12 @@ private:
     m_constraints.clear();
     m_inner.clear();
     for (const Id id : m_boundary) vertex(id);
-    for (const Piece_in_face& p : pieces)
+    for (std::size_t i = 0; i < pieces.size(); ++i)
     {
+      const Piece_in_face& p = pieces[i];
       Vertex_handle last = vertex(p.from);
       if (p.arc)
-        for_each_inner_point(*p.arc, m_division(*p.arc), division, [&](const Flat_face::Weights& w) {
+        for_each_inner_point(*p.arc, m_chord_ends[i], division, [&](const Flat_face::Weights& w) {
           const Vertex_handle v = m_cdt.insert(inside(w), last->face()); // beside the last one
           if (!v->info().is_set()) m_inner.push_back({v, w});
           last = constrain(last, v, p.level);
@@ -262,6 +262,7 @@ private:
 
   Points& m_points;
   Arc_division<Piece> m_division;
+  std::vector<std::vector<double>> m_chord_ends; // per piece of the face
   face_descriptor m_face;
   Flat_face m_flat;
   Triangulation m_cdt;

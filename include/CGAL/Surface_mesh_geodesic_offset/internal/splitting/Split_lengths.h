@@ -27,7 +27,15 @@ namespace internal {
 
 struct Split_lengths
 {
+  // Points closer than this part of the diagonal of the bounding box are one: 2^-33, about 1e-10. That is far above the rounding
+  // and the level shift (2^-42), so that no thin triangles are left beside vertices and edges on a level, and a tenth of the
+  // 1e-9 by which a vertex may be off its level. Binding test: test_splitting.
+  static constexpr double snap_part = 1. / (1ull << 33);
+  // Part of the diagonal by which levels differ at least. Points of curves move by at most the snap distance, so four times as
+  // much keeps two curves apart. Binding test: test_splitting, close_levels.
+  static constexpr double least_gap_part = 4 * snap_part;
   // Largest number of chords: their points, triangles and faces need some 500 bytes per chord, 10 GB.
+  // Binding test: test_splitting.
   static constexpr std::size_t most_chords = 20000000;
 
   double diagonal; // of the bounding box

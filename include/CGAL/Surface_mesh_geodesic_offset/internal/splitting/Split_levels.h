@@ -9,6 +9,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_lengths.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -23,13 +25,9 @@ template <class FT>
 class Split_levels
 {
 public:
-  // Part of the diagonal of the bounding box by which levels differ at least. Curves whose points are moved by at most the snap
-  // distance (Split_points::snap_part, 2^-33) stay apart if it is four times as large. Binding test: test_splitting.
-  static constexpr double least_gap_part = 1. / (1ull << 31);
-
   // `distances`: of all curves, in any order.
   Split_levels(std::vector<FT> distances, double diagonal)
-    : m_distances(std::move(distances)), m_least_gap(least_gap_part * diagonal)
+    : m_distances(std::move(distances)), m_least_gap(Split_lengths::least_gap_part * diagonal)
   {
     std::sort(m_distances.begin(), m_distances.end());
     m_distances.erase(std::unique(m_distances.begin(), m_distances.end()), m_distances.end());

@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/splitting/Split_lengths.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -96,14 +98,10 @@ public:
     std::vector<Id> ids;
   };
 
-  // Points closer than this part of the diagonal of the bounding box are one: 2^-33, about 1e-10. That is far above the rounding
-  // and the level shift (2^-42), so that no thin triangles are left beside vertices and edges on a level, and a tenth of the
-  // 1e-9 by which a vertex may be off its level. Binding test: test_splitting.
-  static constexpr double snap_part = 1. / (1ull << 33);
-
   // `diagonal`: of the bounding box.
   Split_points(TriangleMesh& tm, const VertexPointMap& vpm, double diagonal)
-    : m_mesh(tm), m_vpm(vpm), m_snap(snap_part * diagonal), m_id_at(get(Vertex_tag(), tm)), m_number_at(get(Edge_tag(), tm))
+    : m_mesh(tm), m_vpm(vpm), m_snap(Split_lengths::snap_part * diagonal), m_id_at(get(Vertex_tag(), tm)),
+      m_number_at(get(Edge_tag(), tm))
   {
     for (const vertex_descriptor v : vertices(tm)) put(m_id_at, v, 0);
     for (const auto e : edges(tm)) put(m_number_at, e, 0);
@@ -226,10 +224,10 @@ public:
     std::vector<Id> kept;
     for (const Id id : ids)
     {
+      const auto may_be_near = [&](Id other) { return x(id) - x(other) <= m_snap; };
       auto near = kept.rbegin();
-      while (near != kept.rend() && x(id) - x(*near) <= m_snap && !(std::hypot(x(id) - x(*near), y(id) - y(*near)) <= m_snap))
-        ++near;
-      if (near != kept.rend() && x(id) - x(*near) <= m_snap) m_same_as[id] = *near;
+      while (near != kept.rend() && may_be_near(*near) && !(std::hypot(x(id) - x(*near), y(id) - y(*near)) <= m_snap)) ++near;
+      if (near != kept.rend() && may_be_near(*near)) m_same_as[id] = *near;
       else kept.push_back(id);
     }
   }
