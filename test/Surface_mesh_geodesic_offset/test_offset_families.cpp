@@ -449,6 +449,26 @@ void long_faces()
       Levels::equally_spaced(0.55, multiples.size()), multiples, multiples.size());
 }
 
+// Levels that are close against the faces: few pieces are in memory at one time.
+void close_levels()
+{
+  Report::instance().set_context("close levels");
+  const Generated_mesh<test::Surface_mesh> fan(strip_with_long_faces(100));
+  for (const double spacing : {0.01, 0.002})
+  {
+    Geodesic geodesic(fan.mesh);
+    geodesic.add_source_point(fan.vertices[0]);
+    std::size_t calls = 0;
+    geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(spacing, std::size_t(90 / spacing)),
+                                                  [&](double, Offset_curves&&) { ++calls; });
+    const CGAL::Geodesic_offset_statistics& s = geodesic.statistics();
+    // less than those of the levels between two buckets of the front, 5 % of all
+    CHECK_DETAIL(s.pieces_peak > 0 && 50 * s.pieces_peak < s.pieces, values(s.pieces_peak, s.pieces));
+    std::cout << "close levels: spacing " << spacing << ", " << calls << " levels, " << s.pieces << " pieces, at most "
+              << s.pieces_peak << " at one time; " << num_faces(fan.mesh) << " faces" << std::endl;
+  }
+}
+
 // All const members from several threads at once.
 void threads(const test::Surface_mesh& mesh, const std::function<void(Geodesic&)>& add_sources,
              bool keep)
@@ -566,6 +586,7 @@ GEODESIC_OFFSET_TEST(test_offset_families)
     {"one propagation from a section", [&] { one_propagation(data.mesh, section); }},
     {"streaming", streaming},
     {"long faces", long_faces},
+    {"close levels", close_levels},
     {"threads", [&] { threads(data.mesh, section, false); }},
     {"threads, with kept windows", [&] { threads(data.mesh, section, true); }},
     {"limits save windows", limits_save_windows}};

@@ -362,7 +362,7 @@ private:
     for (const char* key : {"setup_seconds", "solve_seconds", "offset_seconds"})
       CHECK_DETAIL(json_number(stats, key) >= 0, key);
     for (const char* key :
-         {"windows_created", "windows_propagated", "windows_peak", "peak_rss_bytes"})
+         {"windows_created", "windows_propagated", "windows_peak", "pieces_peak", "peak_rss_bytes"})
       CHECK_DETAIL(json_number(stats, key) > 0, key);
     const std::string curves = stats.substr((std::min)(stats.find("\"curves\""), stats.size()));
     CHECK(json_number(curves, "distance") == 1.25 && json_number(curves, "number") == 1 &&

@@ -75,6 +75,7 @@ inline void write_stats(std::ostream& out, const Run_figures& run, const Geodesi
       << "  \"windows_created\": " << solver.windows_created << ",\n"
       << "  \"windows_propagated\": " << solver.windows_propagated << ",\n"
       << "  \"windows_peak\": " << solver.windows_peak << ",\n"
+      << "  \"pieces_peak\": " << solver.pieces_peak << ",\n"
       << "  \"pieces\": " << solver.pieces << ",\n"
       << "  \"peak_rss_bytes\": " << peak_rss_bytes() << ",\n"
       << "  \"largest_distance\": " << run.largest_distance << ",\n"

@@ -23,6 +23,7 @@ struct Geodesic_offset_statistics
   double error_bound = 0;             ///< with a tolerance: bound of exact minus computed distance; excludes rounding error
   double relative_error_bound = 0;    ///< with a tolerance: bound of that difference divided by the computed distance
   std::size_t pieces = 0;             ///< pieces of offset curves, before a selection of sides
+  std::size_t pieces_peak = 0;        ///< largest number of pieces held at one time, of offsets that are not passed on yet
   std::size_t forced_joints = 0;      ///< cells larger than rounding in which offset pieces were joined straight
   std::size_t faces_searched = 0;     ///< faces in which the largest distance was searched, if the build computes it
   std::size_t sign_decisions = 0;     ///< with exact square roots: number of evaluated signs and comparisons

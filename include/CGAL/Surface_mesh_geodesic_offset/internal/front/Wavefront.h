@@ -66,8 +66,8 @@ public:
   // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
   // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
   // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces() returns true,
-  // consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that are not finalized,
-  // and settle(distance) follows; the distances and windows nearer than `distance` are final then.
+  // consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that are not finalized;
+  // the distances and windows nearer than `distance` are final then.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.
@@ -215,7 +215,6 @@ private:
     }
     auto&& team = m_front.team();
     consumer.take_pending(faces, settled, team);
-    consumer.settle(settled);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

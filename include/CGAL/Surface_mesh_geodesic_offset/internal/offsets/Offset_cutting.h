@@ -98,7 +98,9 @@ public:
   template <class Team>
   void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
   {
-    add_time_of([&] { this->m_extraction.cut_pending(faces, settled, team); });
+    add_time_of([&] {
+      this->m_extraction.cut_pending(faces, settled, team, [this](const FT& distance) { this->settle(distance); });
+    });
   }
 
   void settle(const FT& distance)
@@ -115,6 +117,7 @@ public:
     statistics.propagation_seconds -= m_seconds_within_propagation;
     statistics.offset_seconds = m_seconds;
     statistics.pieces = m_extraction.number_of_pieces();
+    statistics.pieces_peak = m_extraction.largest_number_of_waiting_pieces();
     statistics.forced_joints = m_extraction.number_of_forced_joints();
   }
 
@@ -123,12 +126,14 @@ private:
 
   static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
+  // Without the time of settle().
   template <class Cutting>
   void add_time_of(const Cutting& cutting)
   {
     const Clock::time_point start = Clock::now();
+    const double before = m_seconds_within_propagation;
     cutting();
-    const double time = seconds_since(start);
+    const double time = seconds_since(start) - (m_seconds_within_propagation - before);
     m_seconds += time;
     m_seconds_within_propagation += time;
   }

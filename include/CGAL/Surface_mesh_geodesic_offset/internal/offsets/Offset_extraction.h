@@ -58,19 +58,29 @@ public:
   // time per piece that was found since the last call that returned true.
   bool needs_pending_faces()
   {
-    const std::size_t many = m_next_level.size() / faces_per_waiting_piece + 1;
-    if (m_waiting_pieces < many || m_new_pieces < many) return false;
+    if (m_waiting_pieces < most_waiting_pieces() || m_new_pieces < most_waiting_pieces()) return false;
     m_new_pieces = 0;
     return true;
   }
 
   // Cuts faces that are not finalized, at all levels nearer than `settled`. Their distances nearer than `settled` are final, and
   // all faces with such distances are finalized or among these faces.
-  template <class Team>
-  void cut_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
+  //
+  // Few levels are cut at a time, so that about as many pieces are added as may wait; then calls is_cut(distance): the levels
+  // nearer than the distance are cut in all faces, and release() may pass them on.
+  template <class Team, class Function>
+  void cut_pending(const std::vector<Index>& faces, const FT& settled, Team& team, const Function& is_cut)
   {
-    const std::size_t end = m_levels.first_above(settled);
-    if (end < std::size_t(all_levels)) cut_below(faces, settled, Index(end), team);
+    CGAL_precondition(!m_curves.empty());
+    const std::size_t last = m_levels.first_above(settled);
+    if (last >= std::size_t(all_levels)) return;
+    const std::size_t at_once = most_waiting_pieces() * m_curves.size() / (m_waiting_pieces + 1) + 1;
+    for (std::size_t end = m_curves.begin()->first; end < last;)
+    {
+      end = (std::min)(end + at_once, last);
+      cut_below(faces, settled, Index(end), team);
+      is_cut(end < last ? m_levels[end] : settled);
+    }
   }
 
   // Passes on the levels that are finished when all faces with points nearer than `settled` are cut: calls out(level index,
@@ -94,6 +104,7 @@ public:
   }
 
   std::size_t number_of_pieces() const { return m_number_of_pieces; }
+  std::size_t largest_number_of_waiting_pieces() const { return m_waiting_pieces_peak; }
   std::size_t number_of_forced_joints() const
   {
     std::size_t n = 0;
@@ -115,7 +126,7 @@ private:
   static constexpr Index all_levels = no_index;
   static constexpr std::size_t worthwhile = 16; // levels in faces; the wake-up of other threads costs more than fewer
   // With more levels than this in the faces of a batch, the batch has fewer faces: their crossings are in memory.
-  static constexpr std::size_t levels_per_face = 8;
+  static constexpr std::size_t levels_per_face = 2;
   // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150.
   static constexpr std::size_t faces_per_waiting_piece = 4;
 
@@ -127,6 +138,8 @@ private:
     Index next_level;                 // of the face when it is cut: crossings with levels before are due
     std::array<Index, 3> next_beside; // of the neighbours: their crossings with levels before are found
   };
+
+  std::size_t most_waiting_pieces() const { return m_next_level.size() / faces_per_waiting_piece + 1; }
 
   // Cuts faces at the levels before the level with index `end`.
   template <class Team>
@@ -197,6 +210,7 @@ private:
         m_waiting_pieces += curves.number_of_pieces() - before;
         m_new_pieces += curves.number_of_pieces() - before;
       }
+    m_waiting_pieces_peak = (std::max)(m_waiting_pieces_peak, m_waiting_pieces);
     m_crossed.clear();
   }
 
@@ -256,10 +270,10 @@ private:
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
-  Curves_of_levels m_curves;          // of unfinished levels
-  std::size_t m_number_of_pieces = 0; // passed on
-  std::size_t m_waiting_pieces = 0;   // of unfinished levels
-  std::size_t m_new_pieces = 0;       // since needs_pending_faces() returned true
+  Curves_of_levels m_curves;                                   // of levels that are not passed on
+  std::size_t m_number_of_pieces = 0;                          // passed on
+  std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
+  std::size_t m_new_pieces = 0;                                // since needs_pending_faces() returned true
 };
 
 } // namespace internal
