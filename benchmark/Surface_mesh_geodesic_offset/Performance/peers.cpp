@@ -6,8 +6,8 @@
 //   peers [--smsp-limit VERTICES] [--torus VERTICES]... [MESH]...
 //
 // on the given meshes, and on generated tori with waves, from one vertex, from 64 vertices, and from a plane section of the
-// mesh. The methods: ours; CGAL::Surface_mesh_shortest_path, up to 30000 vertices by default; CGAL::Heat_method_3, if built
-// with Eigen; shortest paths along edges; fast marching. For the section, the sources of the other methods are the
+// mesh. The methods: ours, exact and within relative tolerances; CGAL::Surface_mesh_shortest_path, up to 30000 vertices by
+// default; CGAL::Heat_method_3, if built with Eigen; shortest paths along edges; fast marching. For the section, the sources of the other methods are the
 // midpoints of its segments (SMSP, which in CGAL 5.5 finds wrong distances from sources on edges), the nearer end of each
 // crossed edge (heat method), or all corners of its faces with their distances (edges, fast marching); ours also runs with
 // k points per segment, for increasing k.
@@ -135,7 +135,10 @@ public:
   Comparison(const std::string& name, const Mesh& mesh, const Source& source, std::size_t smsp_limit)
     : m_name(name), m_mesh(mesh), m_source(source)
   {
-    run("ours", [&](std::vector<double>& distances, std::uint64_t& windows) { ours(distances, windows); });
+    run("ours", [&](std::vector<double>& distances, std::uint64_t& windows) { ours(0, distances, windows); });
+    for (const char* tolerance : {"1e-6", "1e-5", "1e-4", "1e-3", "1e-2"})
+      run(std::string("ours, tolerance ") + tolerance, [&](std::vector<double>& distances, std::uint64_t& windows)
+          { ours(std::stod(tolerance), distances, windows); });
     if (source.curve.empty()) run_smsp(smsp_limit, m_source.vertices);
     else
     {
@@ -146,7 +149,7 @@ public:
             {
               Geodesic geodesic(m_mesh);
               for (const Face_location& l : samples(m_mesh, m_source.curve, k)) geodesic.add_source_point(l);
-              build(geodesic, distances, windows);
+              build(geodesic, 0, distances, windows);
             });
     }
     run_heat_method();
@@ -157,20 +160,20 @@ public:
   }
 
 private:
-  void build(Geodesic& geodesic, std::vector<double>& distances, std::uint64_t& windows) const
+  void build(Geodesic& geodesic, double tolerance, std::vector<double>& distances, std::uint64_t& windows) const
   {
-    geodesic.build();
+    geodesic.build(CGAL::parameters::relative_tolerance(tolerance));
     for (Mesh::Vertex_index v : m_mesh.vertices()) distances.push_back(geodesic.distance_to_sources(v));
     windows = geodesic.statistics().windows_propagated;
   }
 
-  void ours(std::vector<double>& distances, std::uint64_t& windows) const
+  void ours(double tolerance, std::vector<double>& distances, std::uint64_t& windows) const
   {
     Geodesic geodesic(m_mesh);
     if (m_source.curve.empty())
       for (Mesh::Vertex_index v : m_source.vertices) geodesic.add_source_point(v);
     for (const Section& s : m_source.curve) geodesic.add_source_polyline(s.locations, s.closed);
-    build(geodesic, distances, windows);
+    build(geodesic, tolerance, distances, windows);
   }
 
   template <class Points>
