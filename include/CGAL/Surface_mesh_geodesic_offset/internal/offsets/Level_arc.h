@@ -153,15 +153,24 @@ public:
     return true;
   }
 
-  // Largest signed distance of the part from p to q from a half-plane (positive outside).
-  FT largest_value(const Half_plane<FT>& s, const Point& p, const Point& q) const
+  // Range of the signed distances of the part from p to q from a half-plane (positive outside).
+  struct Range
   {
-    FT value = (std::max)(s.value(p), s.value(q));
-    if (is_straight()) return value;
-    // The farthest point of the circle, if it is on the part.
-    if (CGAL::is_positive(cross(p - image(), s.n)) && CGAL::is_positive(cross(s.n, q - image())))
-      value = (std::max)(value, FT(s.value(image()) + m_radius));
-    return value;
+    FT least, largest;
+  };
+
+  Range values(const Half_plane<FT>& s, const Point& p, const Point& q) const
+  {
+    const FT at_p = s.value(p), at_q = s.value(q);
+    Range range{(std::min)(at_p, at_q), (std::max)(at_p, at_q)};
+    if (is_straight()) return range;
+    // The nearest or farthest point of the circle, if it is on the part.
+    const FT from_p = cross(p - image(), s.n), to_q = cross(s.n, q - image());
+    if (CGAL::is_positive(from_p) && CGAL::is_positive(to_q))
+      range.largest = (std::max)(range.largest, FT(s.value(image()) + m_radius));
+    else if (CGAL::is_negative(from_p) && CGAL::is_negative(to_q))
+      range.least = (std::min)(range.least, FT(s.value(image()) - m_radius));
+    return range;
   }
 
 private:

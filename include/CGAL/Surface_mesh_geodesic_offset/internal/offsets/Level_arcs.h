@@ -229,26 +229,11 @@ private:
     for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
   }
 
-  // True if arc a between two points lies outside a bounding ray, up to the tolerance `error`. This tolerance is needed where
-  // the windows of two arcs share the ray.
-  bool is_beyond(const Half_plane<FT>& ray, const Arc& a, const Point& from, const Point& to) const
-  {
-    return !(a.largest_value(ray.opposite(), from, to) > m_tolerances.error);
-  }
-
   // True if p is covered by the window of b. If the image is a point of the face, straight paths from it to all points of the
   // face are on the surface, so the cone is not tested: an arc may run along its bounding ray.
   bool covers(const Arc& b, const Point& p) const
   {
     return (b.starts_at_point_of_face() || b.is_in_cone(p)) && b.excess(p) < -m_tolerances.cover;
-  }
-
-  // True if arc a between two points lies along a bounding ray of b up to `error`, and is longer than the smallest cell.
-  bool runs_along_ray(const Arc& b, const Arc& a, const Point& from, const Point& to) const
-  {
-    const FT& error = m_tolerances.error;
-    return a.advance(from, to) > m_tolerances.smallest_cell && !(a.largest_value(b.left(), from, to) > error) &&
-           !(a.largest_value(b.right(), from, to) > error);
   }
 
   // Variant of covers() for p beside a bounding ray of b, up to `error`. An arc along a ray that two windows share may lie
@@ -259,13 +244,27 @@ private:
     return !(b.outside_cone(p) > m_tolerances.error) && b.excess(p) < -FT(2) * m_tolerances.cover;
   }
 
+  // True if arc a between two points lies beside the cone of b. `is_beside`: it lies outside a bounding ray of b, up to the
+  // tolerance `error`; this tolerance is needed where the windows of two arcs share the ray. Such an arc is not beside the cone
+  // if it runs along the ray, up to `error`, and is longer than the smallest cell.
+  bool lies_beside(const Arc& b, const Arc& a, const Point& from, const Point& to, bool& is_beside) const
+  {
+    const FT& error = m_tolerances.error;
+    const auto left = a.values(b.left(), from, to);
+    is_beside = !(-left.least > error);
+    if (is_beside && left.largest > error) return true;
+    const auto right = a.values(b.right(), from, to);
+    is_beside = is_beside || !(-right.least > error);
+    return is_beside && (left.largest > error || right.largest > error ||
+                         !(a.advance(from, to) > m_tolerances.smallest_cell));
+  }
+
   // Overload for the window of one other arc b. The points where arc a meets b and the bounding rays of b divide a into parts
   // that are covered wholly or not at all. The middle point of each part decides.
   bool find_covered_by(const Arc& a, const Arc& b, const Point& from, Point& to) const
   {
-    const bool is_beside =
-      !b.starts_at_point_of_face() && (is_beyond(b.left(), a, from, to) || is_beyond(b.right(), a, from, to));
-    if (is_beside && !runs_along_ray(b, a, from, to)) return false;
+    bool is_beside = false;
+    if (!b.starts_at_point_of_face() && lies_beside(b, a, from, to, is_beside)) return false;
     Point end[10];
     int n = 0;
     const auto add = [&](const Point& p) {

@@ -162,7 +162,7 @@ private:
     {
       const Half_plane<FT> side = m_cell->outside(k).opposite();
       Point enter, leave;
-      if (!(a.largest_value(side, start, run.end) > tolerance.tie) || !a.meet(side, enter, leave)) continue;
+      if (!(a.values(side, start, run.end).largest > tolerance.tie) || !a.meet(side, enter, leave)) continue;
       run.leaves = true;
       run.is_covered = false;
       run.gate = none;
