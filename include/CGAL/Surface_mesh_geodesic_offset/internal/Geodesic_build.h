@@ -166,7 +166,7 @@ private:
       consumer.take(faces, team);
     }
     void settle(const FT& distance) { consumer.settle(distance); }
-    bool needs_pending_faces() { return consumer.needs_pending_faces(); }
+    bool needs_pending_faces(const FT& settled, std::size_t number) { return consumer.needs_pending_faces(settled, number); }
     template <class Team>
     void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
     {

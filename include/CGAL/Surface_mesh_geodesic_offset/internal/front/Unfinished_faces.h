@@ -43,6 +43,7 @@ public:
     CGAL_precondition(b >= counts.first);
     if (b >= counts.first + counts.numbers.size()) counts.numbers.resize(b - counts.first + 1, 0);
     ++counts.numbers[b - counts.first];
+    ++counts.sum;
     m_reached_in[f] = b;
   }
 
@@ -53,6 +54,15 @@ public:
     CGAL_precondition(m_reached_in[f] >= counts.first && m_reached_in[f] - counts.first < counts.numbers.size());
     CGAL_precondition(counts.numbers[m_reached_in[f] - counts.first] > 0);
     --counts.numbers[m_reached_in[f] - counts.first];
+    --counts.sum;
+  }
+
+  // Number of pending faces.
+  std::size_t number() const
+  {
+    std::size_t n = 0;
+    for (const Counts& counts : m_counts) n += counts.sum;
+    return n;
   }
 
   // Bucket of the oldest pending face; `otherwise` if there is none.
@@ -76,6 +86,7 @@ private:
   {
     std::deque<Index> numbers; // of pending faces, per bucket
     std::size_t first = 0;     // bucket of the first number
+    std::size_t sum = 0;       // of the numbers
   };
 
   const Front_parts m_parts;

@@ -93,7 +93,7 @@ public:
     add_time_of([&] { this->m_extraction.cut(faces, team); });
   }
 
-  bool needs_pending_faces() { return m_extraction.needs_pending_faces(); }
+  bool needs_pending_faces(const FT& settled, std::size_t number) { return m_extraction.needs_pending_faces(settled, number); }
 
   template <class Team>
   void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)

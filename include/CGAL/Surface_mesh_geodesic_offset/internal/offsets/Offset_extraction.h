@@ -54,33 +54,43 @@ public:
     cut_below(faces, Number_policy<FT>::infinity(), all_levels, team);
   }
 
-  // True if so many pieces wait for the cutting of other faces that cut_pending() is worth its time: it takes at most constant
-  // time per piece that was found since the last call that returned true.
-  bool needs_pending_faces()
+  // True if cut_pending() is likely to be worth its time: pieces wait for the cutting of faces, or `number` faces have to be cut
+  // at levels nearer than `settled`.
+  bool needs_pending_faces(const FT& settled, std::size_t number)
   {
-    if (m_waiting_pieces < most_waiting_pieces() || m_new_pieces < most_waiting_pieces()) return false;
-    m_new_pieces = 0;
-    return true;
+    if (m_waiting_pieces >= most_waiting_pieces() && m_new_pieces >= most_waiting_pieces()) return true;
+    const std::size_t end = m_levels.first_above(settled);
+    m_possible_pieces = end > m_first_waiting ? double(end - m_first_waiting) * double(number) : 0.;
+    return m_possible_pieces >= m_next_attempt;
   }
 
-  // Cuts faces that are not finalized, at all levels nearer than `settled`. Their distances nearer than `settled` are final, and
-  // all faces with such distances are finalized or among these faces.
+  // Cuts faces that are not cut at all levels, at all levels nearer than `settled`. Their distances nearer than `settled` are
+  // final, and all faces with such distances are cut at all levels or among these faces.
   //
   // Few levels are cut at a time, so that about as many pieces are added as may wait; then calls is_cut(distance): the levels
-  // nearer than the distance are cut in all faces, and release() may pass them on.
+  // nearer than the distance are cut in all faces, and release() may pass them on. Does nothing if too few pieces are to be
+  // expected; the time is at most constant per piece.
   template <class Team, class Function>
   void cut_pending(const std::vector<Index>& faces, const FT& settled, Team& team, const Function& is_cut)
   {
-    CGAL_precondition(!m_curves.empty());
-    const std::size_t last = m_levels.first_above(settled);
-    if (last >= std::size_t(all_levels)) return;
-    const std::size_t at_once = most_waiting_pieces() * m_curves.size() / (m_waiting_pieces + 1) + 1;
-    for (std::size_t end = m_curves.begin()->first; end < last;)
+    make_cuttings(team.size());
+    const std::size_t end = m_levels.first_above(settled), last = (std::min)(end, std::size_t(all_levels) - 1);
+    const std::size_t many = most_waiting_pieces();
+    Level_group group = next_group(faces, settled, m_first_waiting, last);
+    if (group.end == last && (m_waiting_pieces + group.pieces < many || m_new_pieces + group.pieces < many))
     {
-      end = (std::min)(end + at_once, last);
-      cut_below(faces, settled, Index(end), team);
-      is_cut(end < last ? m_levels[end] : settled);
+      m_next_attempt = 2 * m_possible_pieces;
+      return;
     }
+    for (; group.end < last; group = next_group(faces, settled, group.end, last))
+    {
+      cut_below(faces, settled, Index(group.end), team);
+      is_cut(m_levels[group.end]);
+    }
+    cut_below(faces, settled, Index(last), team);
+    is_cut(last < end ? m_levels[last] : settled);
+    m_next_attempt = double(many);
+    m_new_pieces = 0;
   }
 
   // Passes on the levels that are finished when all faces with points nearer than `settled` are cut: calls out(level index,
@@ -88,6 +98,9 @@ public:
   template <class Function>
   void release(const FT& settled, const Function& out)
   {
+    std::size_t end = m_levels.first_above(settled);
+    while (end > m_first_waiting && !(m_levels[end - 1] < settled)) --end;
+    m_first_waiting = (std::max)(m_first_waiting, end);
     while (!m_curves.empty())
     {
       const auto first = m_curves.begin();
@@ -129,6 +142,7 @@ private:
   static constexpr std::size_t levels_per_face = 2;
   // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150.
   static constexpr std::size_t faces_per_waiting_piece = 4;
+  static constexpr std::size_t most_levels_together = 1 << 10; // in a group: the array for their numbers of pieces is in memory
 
   struct Crossed_face
   {
@@ -140,6 +154,46 @@ private:
   };
 
   std::size_t most_waiting_pieces() const { return m_next_level.size() / faces_per_waiting_piece + 1; }
+
+  // Levels that are cut together, before `end`, and how many pieces to expect: one in each face that they may cross.
+  struct Level_group
+  {
+    std::size_t end, pieces;
+  };
+
+  // The next group of levels from `first` on, before `last`. It has at least one level that may cross faces, and further ones as
+  // long as it has no more pieces than may wait. It ends at `last` if no level crosses a face.
+  Level_group next_group(const std::vector<Index>& faces, const FT& settled, std::size_t first, std::size_t last)
+  {
+    std::size_t lowest = last;
+    const auto levels_of = [&](Index f) {
+      Level_range levels = this->m_cuttings.front()->levels_of(f, settled);
+      levels.first = (std::max)({levels.first, std::size_t(this->m_next_level[f]), first});
+      levels.last = (std::min)(levels.last, last);
+      return levels;
+    };
+    for (const Index f : faces)
+      if (const Level_range levels = levels_of(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
+    if (lowest == last) return {last, 0};
+    std::vector<std::ptrdiff_t>& change = m_changes; // of the number of faces, from level to level
+    change.assign((std::min)(last - lowest, most_levels_together) + 1, 0);
+    const std::size_t end = lowest + change.size() - 1;
+    for (const Index f : faces)
+    {
+      const Level_range levels = levels_of(f);
+      if (levels.is_empty() || levels.first >= end) continue;
+      ++change[levels.first - lowest];
+      --change[(std::min)(levels.last, end) - lowest];
+    }
+    std::size_t pieces = std::size_t(change[0]), crossed = pieces, i = lowest + 1;
+    for (; i < end; ++i)
+    {
+      crossed += std::size_t(change[i - lowest]);
+      if (pieces + crossed > most_waiting_pieces()) break;
+      pieces += crossed;
+    }
+    return {i, pieces};
+  }
 
   // Cuts faces at the levels before the level with index `end`.
   template <class Team>
@@ -273,7 +327,11 @@ private:
   Curves_of_levels m_curves;                                   // of levels that are not passed on
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
-  std::size_t m_new_pieces = 0;                                // since needs_pending_faces() returned true
+  std::size_t m_new_pieces = 0;                                // since the last cut_pending()
+  std::size_t m_first_waiting = 0;                             // level: those before have been passed on
+  double m_possible_pieces = 0;                                // levels times pending faces, not passed on
+  double m_next_attempt = double(most_waiting_pieces());       // so many of them may be worth the time of cut_pending()
+  std::vector<std::ptrdiff_t> m_changes;                       // see next_group()
 };
 
 } // namespace internal
