@@ -531,7 +531,8 @@ public:
   ///
   /// `f(distance, curves)` is called once per distance, in increasing order, with a `const FT&` and a
   /// `std::vector<Offset_curve>&&`, also if there are no curves. If the number of levels is unlimited, the last call is
-  /// that of the largest level that has curves. All else is as in `build_with_offset_curves()`.
+  /// that of the largest level that has curves, or of one at the largest distance, which has none. All else is as in
+  /// `build_with_offset_curves()`.
   template <class Levels, class Function, class NamedParameters = parameters::Default_named_parameters>
   void build_with_offset_curves_by_distance(const Levels& levels, Function&& f,
                                             const NamedParameters& np = parameters::default_values())

@@ -411,6 +411,27 @@ void rounding_of_the_caller(const test::Surface_mesh& mesh)
   CHECK(build(2, FE_TONEAREST) == nearest);
 }
 
+// Start values so large that all buckets of the front are one, or beyond the range of their numbers: builds end.
+void large_start_values(const test::Surface_mesh& mesh)
+{
+  for (const double s : {1e15, 1e16, 1e19, 1e100, 1e300})
+  {
+    Report::instance().set_context("start value " + std::to_string(s));
+    const auto build = [&](const auto& tag) {
+      Geodesic geodesic(mesh);
+      geodesic.add_source_point(*vertices(mesh).begin(), CGAL::parameters::start_value(s));
+      geodesic.build(CGAL::parameters::concurrency_tag(tag));
+      return geodesic;
+    };
+    const Geodesic parallel = build(CGAL::Parallel_tag()), sequential = build(CGAL::Sequential_tag());
+    for (Vertex_index v : vertices(mesh))
+    {
+      const double d = parallel.distance_to_sources(v), e = sequential.distance_to_sources(v);
+      CHECK_DETAIL(d >= s && std::abs(d - e) <= bound * s, values(d, e));
+    }
+  }
+}
+
 // The exception of the first failing item, with any number of threads; the team remains usable.
 void exceptions_of_a_team()
 {
@@ -497,6 +518,7 @@ GEODESIC_OFFSET_TEST(test_parallel)
   tests.emplace_back("set-up", [&] { same_set_up(large); });
   tests.emplace_back("up to a maximum distance", [&] { up_to_maximum(large); });
   tests.emplace_back("rounding of the caller", [&] { rounding_of_the_caller(large.mesh); });
+  tests.emplace_back("large start values", [&] { large_start_values(cases.front()->mesh); });
   tests.emplace_back("exceptions of a team", exceptions_of_a_team);
   tests.emplace_back("several at once", [&] { several_at_once(*cases.back()); });
 #if !defined(__SANITIZE_THREAD__)

@@ -130,6 +130,9 @@ inline void read_source_options(const po::variables_map& map, Source_options& op
        value < 0)
       throw Usage_error("--start-value must be the number of a source, a comma, and a number that is not negative, not " +
                         quoted(w));
+    for(std::size_t i = 0; i + 1 < options.start_values.size(); ++i)
+      if(options.start_values[i].first == source)
+        throw Usage_error("--start-value: two values for source " + std::to_string(source));
   }
 
   if(options.source_vertices.empty() && options.source_points.empty() && options.source_polylines.empty() &&

@@ -40,7 +40,8 @@ public:
   {
     const double b = CGAL::to_double(distance) * m_scale;
     // the conversion to a signed integer is one instruction
-    return b < 9e15 ? (b > 0 ? std::size_t(std::ptrdiff_t(b)) : 0) : std::size_t(9e15);
+    if (b < last_bucket) return b > 0 ? std::size_t(std::ptrdiff_t(b)) : 0;
+    return std::size_t(Number_policy<FT>::is_finite(distance) ? last_bucket : bucket_of_infinity);
   }
 
   std::size_t current() const { return m_current; }
@@ -117,6 +118,9 @@ public:
   bool pop_vertex(Index& v) { return pop_event(&Bucket::vertices, v); }
 
 private:
+  // The bucket of large finite distances, and that of an infinite one, which the front never reaches.
+  static constexpr double last_bucket = 0x1p61, bucket_of_infinity = 0x1p62;
+
   bool pop(std::vector<Index> Bucket::*items, Index& item)
   {
     std::vector<Index>& v = m_ring[m_begin].*items;
