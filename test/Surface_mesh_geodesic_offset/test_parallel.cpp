@@ -432,6 +432,38 @@ void large_start_values(const test::Surface_mesh& mesh)
   }
 }
 
+// Needles on both sides of a row of vertices, which is straight up to 1e-11: rays are also started beyond the opposite edge.
+void needles()
+{
+  Report::instance().set_context("needles");
+  Soup soup;
+  const std::size_t n = 40;
+  for (std::size_t i = 0; i <= n; ++i) soup.points.push_back({double(i), i % 2 == 0 ? 0 : 1e-11 * double(i % 7 + 1), 0});
+  soup.points.push_back({0.7 * double(n), 1e-10, 0});
+  soup.points.push_back({0.3 * double(n), -7e-11, 0});
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    soup.add_triangle({n + 1, i, i + 1});
+    soup.add_triangle({n + 2, i + 1, i});
+  }
+  const Generated_mesh<test::Surface_mesh> data(soup);
+  for (Vertex_index v : vertices(data.mesh))
+  {
+    const auto build = [&](const auto& tag) {
+      Geodesic geodesic(data.mesh);
+      geodesic.add_source_point(v);
+      geodesic.build(CGAL::parameters::concurrency_tag(tag));
+      return geodesic;
+    };
+    const Geodesic parallel = build(CGAL::Parallel_tag()), sequential = build(CGAL::Sequential_tag());
+    for (Vertex_index u : vertices(data.mesh))
+    {
+      const double d = parallel.distance_to_sources(u), e = sequential.distance_to_sources(u);
+      CHECK_DETAIL(std::abs(d - e) <= bound * double(n), values(d, e));
+    }
+  }
+}
+
 // The exception of the first failing item, with any number of threads; the team remains usable.
 void exceptions_of_a_team()
 {
@@ -519,6 +551,7 @@ GEODESIC_OFFSET_TEST(test_parallel)
   tests.emplace_back("up to a maximum distance", [&] { up_to_maximum(large); });
   tests.emplace_back("rounding of the caller", [&] { rounding_of_the_caller(large.mesh); });
   tests.emplace_back("large start values", [&] { large_start_values(cases.front()->mesh); });
+  tests.emplace_back("needles", needles);
   tests.emplace_back("exceptions of a team", exceptions_of_a_team);
   tests.emplace_back("several at once", [&] { several_at_once(*cases.back()); });
 #if !defined(__SANITIZE_THREAD__)

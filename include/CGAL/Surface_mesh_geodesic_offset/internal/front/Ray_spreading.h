@@ -202,17 +202,19 @@ private:
       const Index g = m_mesh.twin(e);
       if (g == no_index) return;
       const FT length = m_mesh[e].length;
-      if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < FT(least_clear_distance) * length)
-        spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
       Window w{length - m_mesh[e].apex_x, -m_mesh[e].apex_y, sigma, FT(0), length, FT(0), FT(0), source_ref,
                Window::make_bits(false, pseudo_source)};
       if (lower) w.b1 = m_sector.exit_of_ray(h, *lower);
       if (upper) w.b0 = m_sector.exit_of_ray(h, *upper);
-      if (!(w.b0 < w.b1)) return;
-      if (is_margin) w.sigma += m_sector.margin_surcharge((std::max)(w.distance_at(w.b0), w.distance_at(w.b1)));
-      w.d0 = w.distance_at(w.b0);
-      w.d1 = w.distance_at(w.b1);
-      front.add(g, w);
+      if (w.b0 < w.b1)
+      {
+        if (is_margin) w.sigma += m_sector.margin_surcharge((std::max)(w.distance_at(w.b0), w.distance_at(w.b1)));
+        w.d0 = w.distance_at(w.b0);
+        w.d1 = w.distance_at(w.b1);
+        front.add(g, w); // before spread_beyond(), which updates other vertices than the ends of g
+      }
+      if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < FT(least_clear_distance) * length)
+        spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
     });
   }
 
