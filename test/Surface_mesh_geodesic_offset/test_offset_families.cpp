@@ -504,8 +504,8 @@ void faces_finalized_together()
     geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(length / (double(n) + 0.5), n),
                                                   [&](double, Offset_curves&&) { ++calls; });
     const CGAL::Geodesic_offset_statistics& s = geodesic.statistics();
-    // those of one level, or one for four faces; twice, as levels at the front are not complete
-    const std::size_t most = 2 * (s.pieces / n + num_faces(data.mesh) / 4) + 1;
+    // those of one level, and one for four faces but at least 1024; twice, as levels at the front are not complete
+    const std::size_t most = 2 * (s.pieces / n + (std::max)(std::size_t(num_faces(data.mesh)) / 4, std::size_t(1024)));
     CHECK_DETAIL(calls == n && s.pieces_peak <= most, name + ": " + values(s.pieces_peak, most));
     std::cout << name << ": " << s.pieces << " pieces, at most " << s.pieces_peak << " at one time; " << num_faces(data.mesh)
               << " faces" << std::endl;

@@ -140,8 +140,9 @@ private:
   static constexpr std::size_t worthwhile = 16; // levels in faces; the wake-up of other threads costs more than fewer
   // With more levels than this in the faces of a batch, the batch has fewer faces: their crossings are in memory.
   static constexpr std::size_t levels_per_face = 2;
-  // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150.
-  static constexpr std::size_t faces_per_waiting_piece = 4;
+  // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150. And the number of
+  // pieces that may always wait: 72 kB.
+  static constexpr std::size_t faces_per_waiting_piece = 4, least_waiting_pieces = 1 << 10;
   static constexpr std::size_t most_levels_together = 1 << 10; // in a group: the array for their numbers of pieces is in memory
 
   struct Crossed_face
@@ -153,7 +154,10 @@ private:
     std::array<Index, 3> next_beside; // of the neighbours: their crossings with levels before are found
   };
 
-  std::size_t most_waiting_pieces() const { return m_next_level.size() / faces_per_waiting_piece + 1; }
+  std::size_t most_waiting_pieces() const
+  {
+    return (std::max)(m_next_level.size() / faces_per_waiting_piece, std::size_t(least_waiting_pieces));
+  }
 
   // Levels that are cut together, before `end`, and how many pieces to expect: one in each face that they may cross.
   struct Level_group
