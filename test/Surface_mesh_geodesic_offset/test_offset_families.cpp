@@ -8,6 +8,7 @@
 #include "generated_meshes.h"
 #include "offset_tools.h"
 #include "plane_section.h"
+#include "search_cases.h"
 
 #include <cmath>
 #include <functional>
@@ -469,32 +470,13 @@ void close_levels()
   }
 }
 
-// Rings of n squares, each divided in two, of a cylinder of radius 1.
-Soup cylinder(std::size_t n, std::size_t rings, double height)
-{
-  Soup soup;
-  for (std::size_t i = 0; i <= rings; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-    {
-      const double angle = 2 * CGAL_PI * double(j) / double(n);
-      soup.points.push_back({std::cos(angle), std::sin(angle), rings == 0 ? 0 : height * double(i) / double(rings)});
-    }
-  for (std::size_t i = 0; i < rings; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-    {
-      const std::size_t a = n * i + j, b = n * i + (j + 1) % n;
-      soup.add_triangle({a, b, b + n});
-      soup.add_triangle({a, b + n, a + n});
-    }
-  return soup;
-}
-
 // Few pieces are in memory at one time also where many faces are finalized together: rings of a cylinder around its border, of
 // many rings and of one, a fan of faces, and a strip that the front has passed before its first face is finalized.
 void faces_finalized_together()
 {
   Report::instance().set_context("faces that are finalized together");
-  const auto run = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source, double length)
+  const auto run = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
+                       double length)
   {
     const Generated_mesh<test::Surface_mesh> data(soup);
     Geodesic geodesic(data.mesh);
@@ -512,11 +494,11 @@ void faces_finalized_together()
   };
   const auto from_border = [](Geodesic& g) { g.add_source_boundary(); };
   const auto from_vertex = [](Geodesic& g) { g.add_source_point(test::Surface_mesh::Vertex_index(0)); };
-  run("many rings", cylinder(100, 12, 6), from_border, 3);
-  run("one ring", cylinder(100, 1, 6), from_border, 3);
-  run("one ring, from a vertex", cylinder(300, 1, 6), from_vertex, 6);
+  run("many rings", tube(100, 12, 1, 0.5), from_border, 3);
+  run("one ring", tube(100, 1, 1, 6), from_border, 3);
+  run("one ring, from a vertex", tube(300, 1, 1, 6), from_vertex, 6);
   run("strip", planar_grid(1, 300), from_vertex, 300);
-  Soup cone = cylinder(500, 0, 0);
+  Soup cone = tube(500, 0, 1, 0); // its rim
   const std::size_t tip = cone.points.size();
   cone.points.push_back({0, 0, 3});
   for (std::size_t i = 0; i < 500; ++i) cone.add_triangle({i, (i + 1) % 500, tip});

@@ -411,24 +411,30 @@ void rounding_of_the_caller(const test::Surface_mesh& mesh)
   CHECK(build(2, FE_TONEAREST) == nearest);
 }
 
+// Builds from one source with both tags; their distances differ by at most `allowed`.
+void same_distances(const test::Surface_mesh& mesh, Vertex_index source, double start_value, double allowed)
+{
+  const auto build = [&](const auto& tag) {
+    Geodesic geodesic(mesh);
+    geodesic.add_source_point(source, CGAL::parameters::start_value(start_value));
+    geodesic.build(CGAL::parameters::concurrency_tag(tag));
+    return geodesic;
+  };
+  const Geodesic parallel = build(CGAL::Parallel_tag()), sequential = build(CGAL::Sequential_tag());
+  for (Vertex_index v : vertices(mesh))
+  {
+    const double d = parallel.distance_to_sources(v), e = sequential.distance_to_sources(v);
+    CHECK_DETAIL(d >= start_value && std::abs(d - e) <= allowed, values(d, e));
+  }
+}
+
 // Start values so large that all buckets of the front are one, or beyond the range of their numbers: builds end.
 void large_start_values(const test::Surface_mesh& mesh)
 {
   for (const double s : {1e15, 1e16, 1e19, 1e100, 1e300})
   {
     Report::instance().set_context("start value " + std::to_string(s));
-    const auto build = [&](const auto& tag) {
-      Geodesic geodesic(mesh);
-      geodesic.add_source_point(*vertices(mesh).begin(), CGAL::parameters::start_value(s));
-      geodesic.build(CGAL::parameters::concurrency_tag(tag));
-      return geodesic;
-    };
-    const Geodesic parallel = build(CGAL::Parallel_tag()), sequential = build(CGAL::Sequential_tag());
-    for (Vertex_index v : vertices(mesh))
-    {
-      const double d = parallel.distance_to_sources(v), e = sequential.distance_to_sources(v);
-      CHECK_DETAIL(d >= s && std::abs(d - e) <= bound * s, values(d, e));
-    }
+    same_distances(mesh, *vertices(mesh).begin(), s, bound * s);
   }
 }
 
@@ -447,21 +453,7 @@ void needles()
     soup.add_triangle({n + 2, i + 1, i});
   }
   const Generated_mesh<test::Surface_mesh> data(soup);
-  for (Vertex_index v : vertices(data.mesh))
-  {
-    const auto build = [&](const auto& tag) {
-      Geodesic geodesic(data.mesh);
-      geodesic.add_source_point(v);
-      geodesic.build(CGAL::parameters::concurrency_tag(tag));
-      return geodesic;
-    };
-    const Geodesic parallel = build(CGAL::Parallel_tag()), sequential = build(CGAL::Sequential_tag());
-    for (Vertex_index u : vertices(data.mesh))
-    {
-      const double d = parallel.distance_to_sources(u), e = sequential.distance_to_sources(u);
-      CHECK_DETAIL(std::abs(d - e) <= bound * double(n), values(d, e));
-    }
-  }
+  for (Vertex_index v : vertices(data.mesh)) same_distances(data.mesh, v, 0, bound * double(n));
 }
 
 // The exception of the first failing item, with any number of threads; the team remains usable.

@@ -7,10 +7,10 @@
 //
 // on the given meshes, and on generated tori with waves, from one vertex, from 64 vertices, and from a plane section of the
 // mesh. The methods: ours, exact and within relative tolerances; CGAL::Surface_mesh_shortest_path, up to 30000 vertices by
-// default; CGAL::Heat_method_3, if built with Eigen; shortest paths along edges; fast marching. For the section, the sources of the other methods are the
-// midpoints of its segments (SMSP, which in CGAL 5.5 finds wrong distances from sources on edges), the nearer end of each
-// crossed edge (heat method), or all corners of its faces with their distances (edges, fast marching); ours also runs with
-// k points per segment, for increasing k.
+// default; CGAL::Heat_method_3, if built with Eigen; shortest paths along edges; fast marching. For the section, the sources of
+// the other methods are the midpoints of its segments (SMSP, which in CGAL 5.5 finds wrong distances from sources on edges), the
+// nearer end of each crossed edge (heat method), or all corners of its faces with their distances (edges, fast marching); ours
+// also runs with k points per segment, for increasing k.
 //
 // A tab-separated table on stdout. `seconds` include the construction and the output of all distances. Errors are those of
 // vertex distances, relative to our distances from the true source; `unreached` is the number of vertices at infinity for

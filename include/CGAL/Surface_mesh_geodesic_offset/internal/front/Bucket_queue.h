@@ -118,7 +118,8 @@ public:
   bool pop_vertex(Index& v) { return pop_event(&Bucket::vertices, v); }
 
 private:
-  // The bucket of large finite distances, and that of an infinite one, which the front never reaches.
+  // The bucket of large finite distances, and that of an infinite one, which the front never reaches: it passes the last bucket
+  // by a few only. Both are far below the largest number of type std::ptrdiff_t. Binding test: test_parallel.
   static constexpr double last_bucket = 0x1p61, bucket_of_infinity = 0x1p62;
 
   bool pop(std::vector<Index> Bucket::*items, Index& item)

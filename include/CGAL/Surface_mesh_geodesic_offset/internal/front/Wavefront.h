@@ -65,9 +65,9 @@ public:
   //
   // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
   // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
-  // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces(distance, number) returns true,
-  // consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not been taken,
-  // at most `number`; the distances and windows nearer than `distance` are final then.
+  // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces(distance, number) returns
+  // true, consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not been
+  // taken, at most `number`; the distances and windows nearer than `distance` are final then.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.
@@ -102,7 +102,7 @@ public:
         }
       m_front.pass_faces(m_passing, m_passed);
       if constexpr (Consumer::reads_lists)
-        if (!m_is_update && m_state.current() > 2) hand_over_pending(consumer, (std::min)(m_state.maximum, settled_distance()));
+        if (m_state.current() > 2) hand_over_pending(consumer, (std::min)(m_state.maximum, settled_distance()));
       hand_over(consumer);
       reveal_vertices();
       m_front.process_bucket(m_spreading);
@@ -200,20 +200,24 @@ private:
     m_passed.faces.clear();
   }
 
-  // Distances up to here are final: faces up to the end of the last bucket but one are finalized (Face_finalizer::is_postponed());
-  // less a margin for rounding, 2^-20 of the distance and at most a bucket.
+  // Part of a distance that is far above the rounding of distances, 2^-43 or less, so that a settled distance does not depend on
+  // it. A wider margin would only keep more levels in memory.
+  static constexpr double settling_margin = 0x1p-20;
+
+  // Distances up to here are final: faces up to the end of the last bucket but one are finalized
+  // (Face_finalizer::is_postponed()); less a margin for rounding of at most a bucket.
   FT settled_distance() const
   {
     const double end = double(m_state.current() - 1) * m_state.bucket_width();
-    return FT((std::max)(end * (1 - 0x1p-20), end - m_state.bucket_width()));
+    return FT((std::max)(end * (1 - settling_margin), end - m_state.bucket_width()));
   }
 
   // Passes faces that have not been handed over to the consumer, up to a settled distance, if it needs them; not if a hidden
-  // vertex is found.
+  // vertex is found, and not in an update, which hands over only the faces that it improves.
   template <class Consumer>
   void hand_over_pending(Consumer& consumer, const FT& settled)
   {
-    if (!consumer.needs_pending_faces(settled, m_state.unfinished.number() + m_passed.faces.size())) return;
+    if (m_is_update || !consumer.needs_pending_faces(settled, m_state.unfinished.number() + m_passed.faces.size())) return;
     std::vector<Index> faces = m_passed.faces;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
     {

@@ -58,10 +58,9 @@ public:
   // at levels nearer than `settled`.
   bool needs_pending_faces(const FT& settled, std::size_t number)
   {
-    if (m_waiting_pieces >= most_waiting_pieces() && m_new_pieces >= most_waiting_pieces()) return true;
-    const std::size_t end = m_levels.first_above(settled);
+    const std::size_t end = m_levels.first_above(settled), many = most_waiting_pieces();
     m_possible_pieces = end > m_first_waiting ? double(end - m_first_waiting) * double(number) : 0.;
-    return m_possible_pieces >= m_next_attempt;
+    return (m_waiting_pieces >= many && m_new_pieces >= many) || m_possible_pieces >= m_next_attempt;
   }
 
   // Cuts faces that are not cut at all levels, at all levels nearer than `settled`. Their distances nearer than `settled` are
