@@ -158,7 +158,13 @@ private:
     return (std::max)(m_next_level.size() / faces_per_waiting_piece, std::size_t(least_waiting_pieces));
   }
 
-  // Levels that are cut together, before `end`, and how many pieces to expect: one in each face that they may cross.
+  // Pieces in a face at a level that may cross it, on average so far; at least one.
+  double pieces_per_crossing() const
+  {
+    return (std::max)(1., double(m_number_of_pieces + m_waiting_pieces) / double(m_number_of_crossings + 1));
+  }
+
+  // Levels that are cut together, before `end`, and how many pieces to expect in the faces that they may cross.
   struct Level_group
   {
     std::size_t end, pieces;
@@ -188,14 +194,15 @@ private:
       ++change[levels.first - lowest];
       --change[(std::min)(levels.last, end) - lowest];
     }
-    std::size_t pieces = std::size_t(change[0]), crossed = pieces, i = lowest + 1;
+    const double factor = pieces_per_crossing(), most = double(most_waiting_pieces());
+    std::size_t crossings = std::size_t(change[0]), crossed = crossings, i = lowest + 1;
     for (; i < end; ++i)
     {
       crossed += std::size_t(change[i - lowest]);
-      if (pieces + crossed > most_waiting_pieces()) break;
-      pieces += crossed;
+      if (factor * double(crossings + crossed) > most) break;
+      crossings += crossed;
     }
-    return {i, pieces};
+    return {i, std::size_t(factor * double(crossings))};
   }
 
   // Cuts faces at the levels before the level with index `end`.
@@ -247,6 +254,7 @@ private:
     while (m_cuts.size() < number) m_cuts.push_back(std::make_unique<Face_cut<FT>>(m_mesh, m_initial, m_field));
     std::size_t work = 0;
     for (const Crossed_face& c : m_crossed) work += c.levels.size();
+    m_number_of_crossings += work;
     const auto weight = [this](Index i) { return this->m_crossed[i].levels.size(); };
     team.for_each(number, weight, work >= worthwhile, [this](unsigned worker, Index i) {
       const Crossed_face& c = this->m_crossed[i];
@@ -331,6 +339,7 @@ private:
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
   std::size_t m_new_pieces = 0;                                // since the last cut_pending()
+  std::size_t m_number_of_crossings = 0;                       // levels of faces that were cut
   std::size_t m_first_waiting = 0;                             // level: those before have been passed on
   double m_possible_pieces = 0;                                // levels times pending faces, not passed on
   double m_next_attempt = double(most_waiting_pieces());       // so many of them may be worth the time of cut_pending()
