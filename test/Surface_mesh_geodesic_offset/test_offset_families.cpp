@@ -503,6 +503,17 @@ void faces_finalized_together()
   cone.points.push_back({0, 0, 3});
   for (std::size_t i = 0; i < 500; ++i) cone.add_triangle({i, (i + 1) % 500, tip});
   run("cone", cone, from_vertex, 4);
+  // faces with up to a hundred pieces at each level
+  run("many sources in a face", planar_grid(3, 1),
+      [](Geodesic& g) {
+        test::Random random(1);
+        for (int i = 0; i < 120; ++i)
+        {
+          const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+          g.add_source_point(Face_location{test::Surface_mesh::Face_index(i % 6), {u, v, 1 - u - v}});
+        }
+      },
+      0.2);
 }
 
 // All const members from several threads at once.

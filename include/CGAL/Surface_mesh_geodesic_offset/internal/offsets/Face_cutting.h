@@ -114,7 +114,7 @@ public:
 
   // Step 1: the crossings with the edges of the face; with edge k, of the levels from first[k]. Precondition: cut.levels is a
   // part of levels_of(face, settled).
-  void find_crossings(Index face, const FT& settled, const std::array<Index, 3>& first, Face_cut<FT>& cut)
+  void find_crossings(Index face, const FT& settled, const std::array<std::size_t, 3>& first, Face_cut<FT>& cut)
   {
     Level_range& l = cut.levels;
     cut.gates.clear();
@@ -124,14 +124,9 @@ public:
     l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack)));
     for (Index k = 0; k < 3; ++k)
     {
-      std::vector<Crossing<FT>>& found = cut.crossings[k];
-      found.clear();
+      cut.crossings[k].clear();
       const Index h = 3 * face + k;
-      const Index smaller = (std::min)(h, m_mesh.twin(h));
-      for (std::size_t i = (std::max)(l.first, std::size_t(first[k])); i < l.last; ++i)
-        m_crossings(smaller, cut.field, cut_level(i), [&](const FT& t, bool falling) {
-          found.push_back({i, t, falling, no_index});
-        });
+      find_crossings((std::min)(h, m_mesh.twin(h)), {(std::max)(l.first, first[k]), l.last}, cut.field, cut.crossings[k]);
     }
   }
 
@@ -174,6 +169,28 @@ public:
   std::size_t number_of_crossed_cells() const { return m_tracer.number_of_crossed_cells(); }
 
 private:
+  // The crossings of levels with the edge of h, by level. As the level rises, an edge is first far from the sources, then
+  // crossed, then near them. So the first and the last crossed level are found from those of the ends of the edge, and no other
+  // level is computed but one on each side.
+  void find_crossings(Index h, const Level_range& levels, const Face_field<FT>& field, std::vector<Crossing<FT>>& found)
+  {
+    const auto add = [&](std::size_t i) {
+      const std::size_t before = found.size();
+      this->m_crossings(h, field, this->cut_level(i), [&](const FT& t, bool falling) {
+        found.push_back({i, t, falling, no_index});
+      });
+      return found.size() > before;
+    };
+    if (levels.is_empty()) return;
+    const Index p = m_mesh.source(h), q = m_mesh.target(h);
+    const std::size_t at_end = m_levels.first_above((std::min)(m_field.distance[p], m_field.distance[q]));
+    std::size_t i = (std::min)((std::max)(at_end, levels.first), levels.last);
+    while (i > levels.first && add(i - 1)) --i;
+    found.clear();
+    for (; i < levels.last; ++i)
+      if (!add(i) && m_sources.is_near(p, cut_level(i)) && m_sources.is_near(q, cut_level(i))) return;
+  }
+
   // A point at exactly the level counts as farther: with inexact numbers, a level is cut slightly below itself. Levels through
   // vertices and along edges, frequent on CAD meshes, then need no special case.
   FT cut_level(std::size_t i) const { return m_levels[i] - Offset_tolerances<FT>::level_shift(m_levels[i]); }

@@ -51,7 +51,8 @@ public:
   template <class Team>
   void cut(const std::vector<Index>& faces, Team& team)
   {
-    cut_below(faces, Number_policy<FT>::infinity(), all_levels, team);
+    make_cuttings(team.size());
+    cut_below(faces, Number_policy<FT>::infinity(), all_levels, all_levels, team);
   }
 
   // True if cut_pending() is likely to be worth its time: pieces wait for the cutting of faces, or `number` faces have to be cut
@@ -59,7 +60,7 @@ public:
   bool needs_pending_faces(const FT& settled, std::size_t number)
   {
     const std::size_t end = m_levels.first_above(settled), many = most_waiting_pieces();
-    m_possible_pieces = end > m_first_waiting ? double(end - m_first_waiting) * double(number) : 0.;
+    m_possible_pieces = end > m_first_waiting ? m_pieces_per_crossing * double(end - m_first_waiting) * double(number) : 0.;
     return (m_waiting_pieces >= many && m_new_pieces >= many) || m_possible_pieces >= m_next_attempt;
   }
 
@@ -81,12 +82,13 @@ public:
       m_next_attempt = 2 * m_possible_pieces;
       return;
     }
-    for (; group.end < last; group = next_group(faces, settled, group.end, last))
+    while (true)
     {
-      cut_below(faces, settled, Index(group.end), team);
-      is_cut(m_levels[group.end]);
+      const std::size_t cut_end = cut_group(faces, settled, group, team);
+      if (cut_end == last) break;
+      is_cut(m_levels[cut_end]);
+      group = next_group(faces, settled, cut_end, last);
     }
-    cut_below(faces, settled, Index(last), team);
     is_cut(last < end ? m_levels[last] : settled);
     m_next_attempt = double(many);
     m_new_pieces = 0;
@@ -142,15 +144,19 @@ private:
   // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150. And the number of
   // pieces that may always wait: 72 kB.
   static constexpr std::size_t faces_per_waiting_piece = 4, least_waiting_pieces = 1 << 10;
-  static constexpr std::size_t most_levels_together = 1 << 10; // in a group: the array for their numbers of pieces is in memory
+  // In a group. A face may have a hundred pieces at each level, so that one face alone adds few thousand pieces.
+  static constexpr std::size_t most_levels_together = 1 << 5;
+  // Pieces to expect in a face at a level that may cross it, before any group is cut; and at least. Bounds of the levels of a
+  // face are loose in long faces along the front: most levels within them may have no piece.
+  static constexpr double first_pieces_per_crossing = 4, least_pieces_per_crossing = 1. / 64;
 
   struct Crossed_face
   {
     Index face;
     Level_range levels;
-    FT settled;                       // the distances are final up to here
-    Index next_level;                 // of the face when it is cut: crossings with levels before are due
-    std::array<Index, 3> next_beside; // of the neighbours: their crossings with levels before are found
+    FT settled;                             // the distances are final up to here
+    Index next_level;                       // of the face when it is cut: crossings with levels before are due
+    std::array<std::size_t, 3> next_beside; // of the neighbours: their crossings with levels before are found
   };
 
   std::size_t most_waiting_pieces() const
@@ -158,21 +164,23 @@ private:
     return (std::max)(m_next_level.size() / faces_per_waiting_piece, std::size_t(least_waiting_pieces));
   }
 
-  // Pieces in a face at a level that may cross it, on average so far; at least one.
-  double pieces_per_crossing() const
+  // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
+  std::size_t pieces_that_may_be_added() const
   {
-    return (std::max)(1., double(m_number_of_pieces + m_waiting_pieces) / double(m_number_of_crossings + 1));
+    const std::size_t most = most_waiting_pieces(), least = most / 8;
+    if (m_waiting_pieces <= most) return most;
+    return m_waiting_pieces + least < 2 * most ? 2 * most - m_waiting_pieces : least;
   }
 
-  // Levels that are cut together, before `end`, and how many pieces to expect in the faces that they may cross.
+  // Levels that are cut together, from `first` to before `end`, and the faces that they may cross, each counted once per level.
   struct Level_group
   {
-    std::size_t end, pieces;
+    std::size_t first, end, crossings, pieces; // pieces: to be expected
   };
 
   // The next group of levels from `first` on, before `last`. It has at least one level that may cross faces, and further ones as
-  // long as it has no more pieces than may wait. It ends at `last` if no level crosses a face.
-  Level_group next_group(const std::vector<Index>& faces, const FT& settled, std::size_t first, std::size_t last)
+  // long as no more pieces are to be expected than may wait. It ends at `last` if no level crosses a face.
+  Level_group next_group(const std::vector<Index>& faces, const FT& settled, std::size_t first, std::size_t last) const
   {
     std::size_t lowest = last;
     const auto levels_of = [&](Index f) {
@@ -183,10 +191,9 @@ private:
     };
     for (const Index f : faces)
       if (const Level_range levels = levels_of(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
-    if (lowest == last) return {last, 0};
-    std::vector<std::ptrdiff_t>& change = m_changes; // of the number of faces, from level to level
-    change.assign((std::min)(last - lowest, most_levels_together) + 1, 0);
-    const std::size_t end = lowest + change.size() - 1;
+    if (lowest == last) return {last, last, 0, 0};
+    std::array<std::ptrdiff_t, most_levels_together + 1> change{}; // of the number of faces, from level to level
+    const std::size_t end = (std::min)(last, lowest + most_levels_together);
     for (const Index f : faces)
     {
       const Level_range levels = levels_of(f);
@@ -194,23 +201,37 @@ private:
       ++change[levels.first - lowest];
       --change[(std::min)(levels.last, end) - lowest];
     }
-    const double factor = pieces_per_crossing(), most = double(most_waiting_pieces());
+    const double most = double(pieces_that_may_be_added());
     std::size_t crossings = std::size_t(change[0]), crossed = crossings, i = lowest + 1;
     for (; i < end; ++i)
     {
       crossed += std::size_t(change[i - lowest]);
-      if (factor * double(crossings + crossed) > most) break;
+      if (m_pieces_per_crossing * double(crossings + crossed) > most) break;
       crossings += crossed;
     }
-    return {i, std::size_t(factor * double(crossings))};
+    return {lowest, i, crossings, std::size_t(m_pieces_per_crossing * double(crossings))};
   }
 
-  // Cuts faces at the levels before the level with index `end`.
+  // Cuts faces at the levels of a group, or at the first ones. Returns the end of the levels that are cut in all faces.
   template <class Team>
-  void cut_below(const std::vector<Index>& faces, const FT& settled, Index end, Team& team)
+  std::size_t cut_group(const std::vector<Index>& faces, const FT& settled, const Level_group& group, Team& team)
   {
-    make_cuttings(team.size());
+    const std::size_t before = m_new_pieces;
+    const Index end = cut_below(faces, settled, Index(group.first), Index(group.end), team);
+    if (group.crossings > 0 && end == group.end)
+      m_pieces_per_crossing = (std::max)({double(m_new_pieces - before) / double(group.crossings), m_pieces_per_crossing / 2,
+                                          double(least_pieces_per_crossing)});
+    else if (end < group.end) m_pieces_per_crossing *= 2;
+    return end;
+  }
+
+  // Cuts faces at the levels before the level with index `end`. If these have more pieces than may wait, cuts the other faces at
+  // fewer levels, up to level `first` at least. Returns the end of the levels that are cut in all faces.
+  template <class Team>
+  Index cut_below(const std::vector<Index>& faces, const FT& settled, Index first, Index end, Team& team)
+  {
     const std::size_t faces_at_once = items_at_once(team.size()), levels_at_once = levels_per_face * faces_at_once;
+    const std::size_t most = m_new_pieces + pieces_that_may_be_added();
     std::size_t work = 0;
     for (const Index f : faces)
     {
@@ -225,17 +246,20 @@ private:
       if (m_crossed.size() < faces_at_once && work < levels_at_once) continue;
       cut_crossed(team);
       work = 0;
+      if (m_new_pieces > most && end > first) end = (std::min)(end, Index(first + 1));
     }
     cut_crossed(team);
+    return end;
   }
 
-  std::array<Index, 3> next_levels_beside(Index f) const
+  // Indices of levels may be larger than an Index.
+  std::array<std::size_t, 3> next_levels_beside(Index f) const
   {
-    std::array<Index, 3> next;
+    std::array<std::size_t, 3> next;
     for (Index k = 0; k < 3; ++k)
     {
-      const Index g = m_mesh.twin(3 * f + k);
-      next[k] = g == no_index ? 0 : m_next_level[m_mesh.face(g)];
+      const Index g = m_mesh.twin(3 * f + k), level = g == no_index ? 0 : m_next_level[m_mesh.face(g)];
+      next[k] = level == all_levels ? (std::numeric_limits<std::size_t>::max)() : level;
     }
     return next;
   }
@@ -254,7 +278,6 @@ private:
     while (m_cuts.size() < number) m_cuts.push_back(std::make_unique<Face_cut<FT>>(m_mesh, m_initial, m_field));
     std::size_t work = 0;
     for (const Crossed_face& c : m_crossed) work += c.levels.size();
-    m_number_of_crossings += work;
     const auto weight = [this](Index i) { return this->m_crossed[i].levels.size(); };
     team.for_each(number, weight, work >= worthwhile, [this](unsigned worker, Index i) {
       const Crossed_face& c = this->m_crossed[i];
@@ -339,11 +362,10 @@ private:
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
   std::size_t m_new_pieces = 0;                                // since the last cut_pending()
-  std::size_t m_number_of_crossings = 0;                       // levels of faces that were cut
   std::size_t m_first_waiting = 0;                             // level: those before have been passed on
-  double m_possible_pieces = 0;                                // levels times pending faces, not passed on
+  double m_pieces_per_crossing = first_pieces_per_crossing;    // to be expected, see cut_group()
+  double m_possible_pieces = 0;                                // in pending faces at levels that are not passed on
   double m_next_attempt = double(most_waiting_pieces());       // so many of them may be worth the time of cut_pending()
-  std::vector<std::ptrdiff_t> m_changes;                       // see next_group()
 };
 
 } // namespace internal
