@@ -475,22 +475,28 @@ void close_levels()
 void faces_finalized_together()
 {
   Report::instance().set_context("faces that are finalized together");
-  const auto run = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
-                       double length)
+  const auto run_levels = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
+                              const std::vector<double>& levels)
   {
     const Generated_mesh<test::Surface_mesh> data(soup);
     Geodesic geodesic(data.mesh);
     add_source(geodesic);
-    const std::size_t n = 500;
+    const std::size_t n = levels.size();
     std::size_t calls = 0;
-    geodesic.build_with_offset_curves_by_distance(Levels::equally_spaced(length / (double(n) + 0.5), n),
-                                                  [&](double, Offset_curves&&) { ++calls; });
+    geodesic.build_with_offset_curves_by_distance(levels, [&](double, Offset_curves&&) { ++calls; });
     const CGAL::Geodesic_offset_statistics& s = geodesic.statistics();
     // those of one level, and one for four faces but at least 1024; twice, as levels at the front are not complete
     const std::size_t most = 2 * (s.pieces / n + (std::max)(std::size_t(num_faces(data.mesh)) / 4, std::size_t(1024)));
     CHECK_DETAIL(calls == n && s.pieces_peak <= most, name + ": " + values(s.pieces_peak, most));
     std::cout << name << ": " << s.pieces << " pieces, at most " << s.pieces_peak << " at one time; " << num_faces(data.mesh)
               << " faces" << std::endl;
+  };
+  const auto run = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
+                       double length)
+  {
+    std::vector<double> levels;
+    for (int i = 1; i <= 500; ++i) levels.push_back(i * length / 500.5);
+    run_levels(name, soup, add_source, levels);
   };
   const auto from_border = [](Geodesic& g) { g.add_source_boundary(); };
   const auto from_vertex = [](Geodesic& g) { g.add_source_point(test::Surface_mesh::Vertex_index(0)); };
@@ -507,13 +513,47 @@ void faces_finalized_together()
   run("many sources in a face", planar_grid(3, 1),
       [](Geodesic& g) {
         test::Random random(1);
-        for (int i = 0; i < 120; ++i)
+        for (int i = 0; i < 60; ++i)
         {
           const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
           g.add_source_point(Face_location{test::Surface_mesh::Face_index(i % 6), {u, v, 1 - u - v}});
         }
       },
       0.2);
+  // the same, after faces without curves whose bounds of levels are loose
+  Soup parts;
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(6, 0, 0), Point_3(0, 6, 0)}) parts.points.push_back(p);
+  parts.add_triangle({0, 1, 2});
+  const auto add_fan = [&parts](double x, double radius, std::size_t faces)
+  {
+    const std::size_t center = parts.points.size();
+    parts.points.push_back({x, 0, 0});
+    for (std::size_t i = 0; i < faces; ++i)
+    {
+      const double angle = 2 * CGAL_PI * double(i) / double(faces);
+      parts.points.push_back({x + radius * std::cos(angle), radius * std::sin(angle), 0});
+      parts.add_triangle({center, center + 1 + i, center + 1 + (i + 1) % faces});
+    }
+  };
+  add_fan(30, 4.5, 10);
+  add_fan(60, 1, 6);
+  std::vector<double> levels;
+  for (int i = 0; i < 400; ++i) levels.push_back(3.99 * (i + 0.5) / 400);
+  for (int i = 0; i < 600; ++i) levels.push_back(20 + 0.1 * (i + 0.5) / 600);
+  run_levels("many sources in a face, later", parts,
+             [](Geodesic& g)
+             {
+               g.add_source_point(test::Surface_mesh::Vertex_index(0));
+               g.add_source_point(test::Surface_mesh::Vertex_index(3), CGAL::parameters::start_value(4));
+               test::Random random(1);
+               for (int i = 0; i < 60; ++i)
+               {
+                 const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+                 g.add_source_point(Face_location{test::Surface_mesh::Face_index(11 + i % 6), {u, v, 1 - u - v}},
+                                    CGAL::parameters::start_value(20));
+               }
+             },
+             levels);
 }
 
 // All const members from several threads at once.

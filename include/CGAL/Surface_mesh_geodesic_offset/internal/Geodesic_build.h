@@ -166,7 +166,10 @@ private:
       consumer.take(faces, team);
     }
     void settle(const FT& distance) { consumer.settle(distance); }
-    bool needs_pending_faces(const FT& settled, std::size_t number) { return consumer.needs_pending_faces(settled, number); }
+    bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized)
+    {
+      return consumer.needs_pending_faces(settled, number, finalized);
+    }
     template <class Team>
     void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
     {

@@ -65,8 +65,8 @@ public:
   //
   // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
   // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
-  // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces(distance, number) returns
-  // true, consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not been
+  // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces(distance, number, finalized)
+  // returns true, consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not been
   // taken, at most `number`; the distances and windows nearer than `distance` are final then.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
@@ -217,7 +217,8 @@ private:
   template <class Consumer>
   void hand_over_pending(Consumer& consumer, const FT& settled)
   {
-    if (m_is_update || !consumer.needs_pending_faces(settled, m_state.unfinished.number() + m_passed.faces.size())) return;
+    const std::size_t number = m_state.unfinished.number() + m_passed.faces.size();
+    if (m_is_update || !consumer.needs_pending_faces(settled, number, m_passed.faces)) return;
     std::vector<Index> faces = m_passed.faces;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
     {

@@ -93,7 +93,10 @@ public:
     add_time_of([&] { this->m_extraction.cut(faces, team); });
   }
 
-  bool needs_pending_faces(const FT& settled, std::size_t number) { return m_extraction.needs_pending_faces(settled, number); }
+  bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized)
+  {
+    return m_extraction.needs_pending_faces(settled, number, finalized);
+  }
 
   template <class Team>
   void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)

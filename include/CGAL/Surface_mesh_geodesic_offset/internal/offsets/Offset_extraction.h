@@ -56,12 +56,15 @@ public:
   }
 
   // True if cut_pending() is likely to be worth its time: pieces wait for the cutting of faces, or `number` faces have to be cut
-  // at levels nearer than `settled`.
-  bool needs_pending_faces(const FT& settled, std::size_t number)
+  // at levels nearer than `settled`. `finalized`: those of them that are cut next, at all levels; if they may have more pieces
+  // than may wait, all these faces must be cut level by level.
+  bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized)
   {
     const std::size_t end = m_levels.first_above(settled), many = most_waiting_pieces();
-    m_possible_pieces = end > m_first_waiting ? m_pieces_per_crossing * double(end - m_first_waiting) * double(number) : 0.;
-    return (m_waiting_pieces >= many && m_new_pieces >= many) || m_possible_pieces >= m_next_attempt;
+    m_possible_pieces =
+      end > m_first_waiting ? (std::max)(1., m_pieces_per_crossing) * double(end - m_first_waiting) * double(number) : 0.;
+    m_must_cut_pending = end > m_first_waiting && has_more_pieces(finalized, settled, many);
+    return m_must_cut_pending || (m_waiting_pieces >= many && m_new_pieces >= many) || m_possible_pieces >= m_next_attempt;
   }
 
   // Cuts faces that are not cut at all levels, at all levels nearer than `settled`. Their distances nearer than `settled` are
@@ -77,7 +80,8 @@ public:
     const std::size_t end = m_levels.first_above(settled), last = (std::min)(end, std::size_t(all_levels) - 1);
     const std::size_t many = most_waiting_pieces();
     Level_group group = next_group(faces, settled, m_first_waiting, last);
-    if (group.end == last && (m_waiting_pieces + group.pieces < many || m_new_pieces + group.pieces < many))
+    if (!m_must_cut_pending && group.end == last &&
+        (m_waiting_pieces + group.pieces < many || m_new_pieces + group.pieces < many))
     {
       m_next_attempt = 2 * m_possible_pieces;
       return;
@@ -149,6 +153,9 @@ private:
   // Pieces to expect in a face at a level that may cross it, before any group is cut; and at least. Bounds of the levels of a
   // face are loose in long faces along the front: most levels within them may have no piece.
   static constexpr double first_pieces_per_crossing = 4, least_pieces_per_crossing = 1. / 64;
+  // Pieces in a face at a level that may cross it, per window of the face: one of four to ten has a piece on fine meshes, one of
+  // two to four in faces with many sources.
+  static constexpr double pieces_per_window = 1. / 4;
 
   struct Crossed_face
   {
@@ -162,6 +169,29 @@ private:
   std::size_t most_waiting_pieces() const
   {
     return (std::max)(m_next_level.size() / faces_per_waiting_piece, std::size_t(least_waiting_pieces));
+  }
+
+  // True if faces have more than `most` pieces at levels nearer than `settled`, by the numbers of their windows. Then as many
+  // pieces are to be expected in the next group.
+  bool has_more_pieces(const std::vector<Index>& faces, const FT& settled, std::size_t most)
+  {
+    make_cuttings(1);
+    double number = 0;
+    std::size_t crossings = 0;
+    for (const Index f : faces)
+    {
+      Level_range levels = m_cuttings.front()->levels_of(f, settled);
+      levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
+      if (levels.is_empty()) continue;
+      const auto local = local_windows(m_initial, f);
+      std::size_t windows = std::size_t(local.second - local.first);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
+      number += pieces_per_window * double(windows) * double(levels.size());
+      crossings += levels.size();
+    }
+    if (!(number > double(most))) return false;
+    m_pieces_per_crossing = (std::max)(m_pieces_per_crossing, number / double(crossings));
+    return true;
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
@@ -364,6 +394,7 @@ private:
   std::size_t m_new_pieces = 0;                                // since the last cut_pending()
   std::size_t m_first_waiting = 0;                             // level: those before have been passed on
   double m_pieces_per_crossing = first_pieces_per_crossing;    // to be expected, see cut_group()
+  bool m_must_cut_pending = false;                             // see needs_pending_faces()
   double m_possible_pieces = 0;                                // in pending faces at levels that are not passed on
   double m_next_attempt = double(most_waiting_pieces());       // so many of them may be worth the time of cut_pending()
 };
