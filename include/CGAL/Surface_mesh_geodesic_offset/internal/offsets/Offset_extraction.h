@@ -184,7 +184,7 @@ private:
       levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
       if (levels.is_empty()) continue;
       const auto local = local_windows(m_initial, f);
-      std::size_t windows = std::size_t(local.second - local.first);
+      std::size_t windows = 3 + std::size_t(local.second - local.first); // the corners have cones, too
       for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
       number += pieces_per_window * double(windows) * double(levels.size());
       crossings += levels.size();
