@@ -470,34 +470,42 @@ void close_levels()
   }
 }
 
-// Few pieces are in memory at one time also where many faces are finalized together: rings of a cylinder around its border, of
-// many rings and of one, a fan of faces, and a strip that the front has passed before its first face is finalized.
+// Few pieces are in memory at one time while a family is cut.
+void check_waiting_pieces(const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_sources,
+                          const std::vector<double>& levels)
+{
+  const Generated_mesh<test::Surface_mesh> data(soup);
+  Geodesic geodesic(data.mesh);
+  add_sources(geodesic);
+  const std::size_t n = levels.size();
+  std::size_t calls = 0;
+  geodesic.build_with_offset_curves_by_distance(levels, [&](double, Offset_curves&&) { ++calls; });
+  const CGAL::Geodesic_offset_statistics& s = geodesic.statistics();
+  // twice one for four faces, but for 1024 at least, as levels at the front are not complete; and those of three levels, of which
+  // one is cut
+  const std::size_t most = 3 * s.pieces / n + 2 * (std::max)(std::size_t(num_faces(data.mesh)) / 4, std::size_t(1024));
+  CHECK_DETAIL(calls == n && s.pieces_peak <= most, name + ": " + values(s.pieces_peak, most));
+  std::cout << name << ": " << s.pieces << " pieces, at most " << s.pieces_peak << " at one time; " << num_faces(data.mesh)
+            << " faces" << std::endl;
+}
+
+// Adds n levels between two distances, equally spaced.
+void add_levels(std::vector<double>& levels, double low, double high, int n)
+{
+  for (int i = 0; i < n; ++i) levels.push_back(low + (high - low) * (i + 0.5) / n);
+}
+
+// Also where many faces are finalized together: rings of a cylinder around its border, of many rings and of one, a fan of faces,
+// and a strip that the front has passed before its first face is finalized.
 void faces_finalized_together()
 {
   Report::instance().set_context("faces that are finalized together");
-  const auto run_levels = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
-                              const std::vector<double>& levels)
-  {
-    const Generated_mesh<test::Surface_mesh> data(soup);
-    Geodesic geodesic(data.mesh);
-    add_source(geodesic);
-    const std::size_t n = levels.size();
-    std::size_t calls = 0;
-    geodesic.build_with_offset_curves_by_distance(levels, [&](double, Offset_curves&&) { ++calls; });
-    const CGAL::Geodesic_offset_statistics& s = geodesic.statistics();
-    // twice one for four faces, but for 1024 at least, as levels at the front are not complete; and those of three levels, of which
-    // one is cut
-    const std::size_t most = 3 * s.pieces / n + 2 * (std::max)(std::size_t(num_faces(data.mesh)) / 4, std::size_t(1024));
-    CHECK_DETAIL(calls == n && s.pieces_peak <= most, name + ": " + values(s.pieces_peak, most));
-    std::cout << name << ": " << s.pieces << " pieces, at most " << s.pieces_peak << " at one time; " << num_faces(data.mesh)
-              << " faces" << std::endl;
-  };
   const auto run = [&](const std::string& name, const Soup& soup, const std::function<void(Geodesic&)>& add_source,
                        double length)
   {
     std::vector<double> levels;
-    for (int i = 1; i <= 500; ++i) levels.push_back(i * length / 500.5);
-    run_levels(name, soup, add_source, levels);
+    add_levels(levels, 0, length, 500);
+    check_waiting_pieces(name, soup, add_source, levels);
   };
   const auto from_border = [](Geodesic& g) { g.add_source_boundary(); };
   const auto from_vertex = [](Geodesic& g) { g.add_source_point(test::Surface_mesh::Vertex_index(0)); };
@@ -510,78 +518,77 @@ void faces_finalized_together()
   cone.points.push_back({0, 0, 3});
   for (std::size_t i = 0; i < 500; ++i) cone.add_triangle({i, (i + 1) % 500, tip});
   run("cone", cone, from_vertex, 4);
-  // faces with up to a hundred pieces at each level
-  run("many sources in a face", planar_grid(3, 1),
-      [](Geodesic& g) {
-        test::Random random(1);
-        for (int i = 0; i < 60; ++i)
-        {
-          const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
-          g.add_source_point(Face_location{test::Surface_mesh::Face_index(i % 6), {u, v, 1 - u - v}});
-        }
-      },
-      0.2);
-  // the same, after faces without curves whose bounds of levels are loose
-  Soup parts;
-  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(6, 0, 0), Point_3(0, 6, 0)}) parts.points.push_back(p);
-  parts.add_triangle({0, 1, 2});
-  const auto add_fan = [&parts](double x, double radius, std::size_t faces)
+}
+
+// Adds a part, scaled and moved along the x axis, to a soup. Returns its first vertex.
+std::size_t add_part(Soup& soup, const Soup& part, double scale, double x)
+{
+  const std::size_t first = soup.points.size();
+  for (const Point_3& p : part.points) soup.points.push_back({x + scale * p.x(), scale * p.y(), scale * p.z()});
+  for (const auto& t : part.triangles) soup.add_triangle({first + t[0], first + t[1], first + t[2]});
+  return first;
+}
+
+// Also where faces have far more pieces than those before: 10 sources in each of six faces, at once or after faces without curves
+// whose bounds of levels are loose, and a fan in the shadow of its center, whose faces have no windows.
+void dense_faces()
+{
+  Report::instance().set_context("dense faces");
+  const auto add_source = [](Geodesic& g, std::size_t vertex, double start_value)
   {
-    const std::size_t center = parts.points.size();
-    parts.points.push_back({x, 0, 0});
-    for (std::size_t i = 0; i < faces; ++i)
+    g.add_source_point(test::Surface_mesh::Vertex_index(unsigned(vertex)), CGAL::parameters::start_value(start_value));
+  };
+  const auto add_sources_in_faces = [](Geodesic& g, int first, double start_value)
+  {
+    test::Random random(1);
+    for (int i = 0; i < 60; ++i)
     {
-      const double angle = 2 * CGAL_PI * double(i) / double(faces);
-      parts.points.push_back({x + radius * std::cos(angle), radius * std::sin(angle), 0});
-      parts.add_triangle({center, center + 1 + i, center + 1 + (i + 1) % faces});
+      const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+      g.add_source_point(Face_location{test::Surface_mesh::Face_index(unsigned(first + i % 6)), {u, v, 1 - u - v}},
+                         CGAL::parameters::start_value(start_value));
     }
   };
-  add_fan(30, 4.5, 10);
-  add_fan(60, 1, 6);
   std::vector<double> levels;
-  for (int i = 0; i < 400; ++i) levels.push_back(3.99 * (i + 0.5) / 400);
-  for (int i = 0; i < 600; ++i) levels.push_back(20 + 0.1 * (i + 0.5) / 600);
-  run_levels("many sources in a face, later", parts,
-             [](Geodesic& g)
-             {
-               g.add_source_point(test::Surface_mesh::Vertex_index(0));
-               g.add_source_point(test::Surface_mesh::Vertex_index(3), CGAL::parameters::start_value(4));
-               test::Random random(1);
-               for (int i = 0; i < 60; ++i)
-               {
-                 const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
-                 g.add_source_point(Face_location{test::Surface_mesh::Face_index(11 + i % 6), {u, v, 1 - u - v}},
-                                    CGAL::parameters::start_value(20));
-               }
-             },
-             levels);
-  // Fans around a reflex border vertex, whose faces have no windows, after many faces without curves.
-  parts = Soup();
-  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(5, 0, 0), Point_3(5, 0.2, 0), Point_3(5, -0.2, 0)}) parts.points.push_back(p);
-  parts.add_triangle({0, 1, 2});
-  parts.add_triangle({0, 3, 1});
-  add_fan(20, 1, 5000);
-  const std::size_t o = parts.points.size();
-  for (const Point_3& p : {Point_3(40, 0, 0), Point_3(39, 0, 0), Point_3(40, 1, 0), Point_3(41, 0, 0)}) parts.points.push_back(p);
-  parts.add_triangle({o, o + 2, o + 1});
-  parts.add_triangle({o, o + 3, o + 2});
-  for (std::size_t i = 1, previous = o + 3; i <= 200; ++i, previous = parts.points.size() - 1)
-  {
-    const double angle = -0.9 * CGAL_PI * double(i) / 200;
-    parts.add_triangle({o, parts.points.size(), previous});
-    parts.points.push_back({40 + std::cos(angle), std::sin(angle), 0});
-  }
+  add_levels(levels, 0, 0.2, 500);
+  check_waiting_pieces("many sources in a face", planar_grid(3, 1), [&](Geodesic& g) { add_sources_in_faces(g, 0, 0); }, levels);
+
+  Soup parts;
+  add_part(parts, planar_grid(1, 1), 4, 0);
+  const std::size_t empty = add_part(parts, needle_fan(10), 4.5, 30);
+  const int dense = int(parts.triangles.size());
+  add_part(parts, needle_fan(6), 1, 60);
   levels.clear();
-  for (int i = 0; i < 30; ++i) levels.push_back(0.5 + 0.5 * (i + 0.5) / 30);
-  for (int i = 0; i < 470; ++i) levels.push_back(10.005 + 0.98 * (i + 0.5) / 470);
-  run_levels("in the shadow of a vertex", parts,
-             [o](Geodesic& g)
-             {
-               g.add_source_point(test::Surface_mesh::Vertex_index(0));
-               g.add_source_point(test::Surface_mesh::Vertex_index(4), CGAL::parameters::start_value(3));
-               g.add_source_point(test::Surface_mesh::Vertex_index(unsigned(o + 1)), CGAL::parameters::start_value(9));
-             },
-             levels);
+  add_levels(levels, 0, 3.99, 400);
+  add_levels(levels, 20, 20.1, 600);
+  check_waiting_pieces("many sources in a face, later", parts,
+                       [&](Geodesic& g)
+                       {
+                         add_source(g, 0, 0);
+                         add_source(g, empty, 4);
+                         add_sources_in_faces(g, dense, 20);
+                       },
+                       levels);
+
+  Soup shadow;
+  add_part(shadow, planar_grid(1, 1), 4, 0);
+  const std::size_t disc = add_part(shadow, needle_fan(5000), 1, 20);
+  const std::size_t center = shadow.points.size(), source = center + 1;
+  const auto add_ray = [&](double angle) { shadow.points.push_back({40 + std::cos(angle), std::sin(angle), 0}); };
+  shadow.points.push_back({40, 0, 0});
+  for (const double angle : {1., 0.5, 0.}) add_ray(angle * CGAL_PI);
+  for (int i = 1; i <= 200; ++i) add_ray(-0.9 * CGAL_PI * i / 200);
+  for (std::size_t i = source; i + 1 < shadow.points.size(); ++i) shadow.add_triangle({center, i + 1, i});
+  levels.clear();
+  add_levels(levels, 0.5, 1, 30);
+  add_levels(levels, 10.005, 10.985, 470);
+  check_waiting_pieces("in the shadow of a vertex", shadow,
+                       [&](Geodesic& g)
+                       {
+                         add_source(g, 0, 0);
+                         add_source(g, disc, 3);
+                         add_source(g, source, 9);
+                       },
+                       levels);
 }
 
 // All const members from several threads at once.
@@ -703,6 +710,7 @@ GEODESIC_OFFSET_TEST(test_offset_families)
     {"long faces", long_faces},
     {"close levels", close_levels},
     {"faces finalized together", faces_finalized_together},
+    {"dense faces", dense_faces},
     {"threads", [&] { threads(data.mesh, section, false); }},
     {"threads, with kept windows", [&] { threads(data.mesh, section, true); }},
     {"limits save windows", limits_save_windows}};

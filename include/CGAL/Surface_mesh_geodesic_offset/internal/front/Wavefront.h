@@ -66,8 +66,8 @@ public:
   // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners
   // are final then, and so are the lists of the halfedges if the consumer reads them. consumer.settle(distance) is called when
   // all faces with points nearer than `distance` have been taken. If consumer.needs_pending_faces(distance, number, finalized)
-  // returns true, consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not been
-  // taken, at most `number`; the distances and windows nearer than `distance` are final then.
+  // returns true, consumer.take_pending(faces, distance, team) passes the faces with points nearer than `distance` that have not
+  // been taken, at most `number`, among them the finalized ones; the distances and windows nearer than `distance` are final then.
   //
   // goes_on(distance, faces) is called periodically when all points up to `distance` are final; `faces` is the number of
   // finalized faces. If it returns false, `distance` becomes the distance limit.

@@ -44,6 +44,7 @@ public:
     : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(mesh), m_sources(initial, field, m_reach), m_levels(levels),
       m_maximum(maximum), m_next_level(mesh.number_of_faces(), 0)
   {
+    make_cuttings(1);
   }
 
   // Cuts finalized faces, each once, at all levels that cross them, except those at which they were cut before. Curves do not
@@ -51,7 +52,6 @@ public:
   template <class Team>
   void cut(const std::vector<Index>& faces, Team& team)
   {
-    make_cuttings(team.size());
     cut_below(faces, Number_policy<FT>::infinity(), all_levels, all_levels, team);
   }
 
@@ -63,7 +63,10 @@ public:
     const std::size_t end = m_levels.first_above(settled), many = most_waiting_pieces();
     m_possible_pieces =
       end > m_first_waiting ? (std::max)(1., m_pieces_per_crossing) * double(end - m_first_waiting) * double(number) : 0.;
-    m_must_cut_pending = end > m_first_waiting && has_more_pieces(finalized, settled, many);
+    const Expected_pieces expected = end > m_first_waiting ? expected_pieces(finalized, settled) : Expected_pieces{};
+    m_must_cut_pending = expected.pieces > double(many);
+    if (m_must_cut_pending)
+      m_pieces_per_crossing = (std::max)(m_pieces_per_crossing, expected.pieces / double(expected.crossings));
     return m_must_cut_pending || (m_waiting_pieces >= many && m_new_pieces >= many) || m_possible_pieces >= m_next_attempt;
   }
 
@@ -76,12 +79,11 @@ public:
   template <class Team, class Function>
   void cut_pending(const std::vector<Index>& faces, const FT& settled, Team& team, const Function& is_cut)
   {
-    make_cuttings(team.size());
     const std::size_t end = m_levels.first_above(settled), last = (std::min)(end, std::size_t(all_levels) - 1);
     const std::size_t many = most_waiting_pieces();
     Level_group group = next_group(faces, settled, m_first_waiting, last);
     if (!m_must_cut_pending && group.end == last &&
-        (m_waiting_pieces + group.pieces < many || m_new_pieces + group.pieces < many))
+        double((std::min)(m_waiting_pieces, m_new_pieces)) + group.expected.pieces < double(many))
     {
       m_next_attempt = 2 * m_possible_pieces;
       return;
@@ -148,13 +150,13 @@ private:
   // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150. And the number of
   // pieces that may always wait: 72 kB.
   static constexpr std::size_t faces_per_waiting_piece = 4, least_waiting_pieces = 1 << 10;
-  // In a group. A face may have a hundred pieces at each level, so that one face alone adds few thousand pieces.
+  // In a group. A face may have a hundred pieces at each level, so that one face alone adds a few thousand pieces.
   static constexpr std::size_t most_levels_together = 1 << 5;
   // Pieces to expect in a face at a level that may cross it, before any group is cut; and at least. Bounds of the levels of a
   // face are loose in long faces along the front: most levels within them may have no piece.
   static constexpr double first_pieces_per_crossing = 4, least_pieces_per_crossing = 1. / 64;
   // Pieces in a face at a level that may cross it, per window of the face: one of four to ten has a piece on fine meshes, one of
-  // two to four in faces with many sources.
+  // two to four in faces with many sources. Binding test of these limits: test_offset_families.
   static constexpr double pieces_per_window = 1. / 4;
 
   struct Crossed_face
@@ -171,27 +173,36 @@ private:
     return (std::max)(m_next_level.size() / faces_per_waiting_piece, std::size_t(least_waiting_pieces));
   }
 
-  // True if faces have more than `most` pieces at levels nearer than `settled`, by the numbers of their windows. Then as many
-  // pieces are to be expected in the next group.
-  bool has_more_pieces(const std::vector<Index>& faces, const FT& settled, std::size_t most)
+  // The levels nearer than `settled` that may cross a face, and at which it is not cut.
+  Level_range levels_left(Index f, const FT& settled) const
   {
-    make_cuttings(1);
-    double number = 0;
+    Level_range levels = m_cuttings.front()->levels_of(f, settled);
+    levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
+    return levels;
+  }
+
+  // Pieces to expect, and the faces that levels may cross, each counted once per level.
+  struct Expected_pieces
+  {
+    double pieces = 0;
     std::size_t crossings = 0;
+  };
+
+  // In faces at levels nearer than `settled`, by the numbers of their windows.
+  Expected_pieces expected_pieces(const std::vector<Index>& faces, const FT& settled) const
+  {
+    Expected_pieces expected;
     for (const Index f : faces)
     {
-      Level_range levels = m_cuttings.front()->levels_of(f, settled);
-      levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
+      const Level_range levels = levels_left(f, settled);
       if (levels.is_empty()) continue;
       const auto local = local_windows(m_initial, f);
       std::size_t windows = 3 + std::size_t(local.second - local.first); // the corners have cones, too
       for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
-      number += pieces_per_window * double(windows) * double(levels.size());
-      crossings += levels.size();
+      expected.pieces += pieces_per_window * double(windows) * double(levels.size());
+      expected.crossings += levels.size();
     }
-    if (!(number > double(most))) return false;
-    m_pieces_per_crossing = (std::max)(m_pieces_per_crossing, number / double(crossings));
-    return true;
+    return expected;
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
@@ -202,10 +213,11 @@ private:
     return m_waiting_pieces + least < 2 * most ? 2 * most - m_waiting_pieces : least;
   }
 
-  // Levels that are cut together, from `first` to before `end`, and the faces that they may cross, each counted once per level.
+  // Levels that are cut together, from `first` to before `end`.
   struct Level_group
   {
-    std::size_t first, end, crossings, pieces; // pieces: to be expected
+    std::size_t first, end;
+    Expected_pieces expected;
   };
 
   // The next group of levels from `first` on, before `last`. It has at least one level that may cross faces, and further ones as
@@ -213,20 +225,18 @@ private:
   Level_group next_group(const std::vector<Index>& faces, const FT& settled, std::size_t first, std::size_t last) const
   {
     std::size_t lowest = last;
-    const auto levels_of = [&](Index f) {
-      Level_range levels = this->m_cuttings.front()->levels_of(f, settled);
-      levels.first = (std::max)({levels.first, std::size_t(this->m_next_level[f]), first});
-      levels.last = (std::min)(levels.last, last);
-      return levels;
+    const auto levels_within = [&](Index f) {
+      const Level_range levels = this->levels_left(f, settled);
+      return Level_range{(std::max)(levels.first, first), (std::min)(levels.last, last)};
     };
     for (const Index f : faces)
-      if (const Level_range levels = levels_of(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
-    if (lowest == last) return {last, last, 0, 0};
+      if (const Level_range levels = levels_within(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
+    if (lowest == last) return {last, last, Expected_pieces{}};
     std::array<std::ptrdiff_t, most_levels_together + 1> change{}; // of the number of faces, from level to level
     const std::size_t end = (std::min)(last, lowest + most_levels_together);
     for (const Index f : faces)
     {
-      const Level_range levels = levels_of(f);
+      const Level_range levels = levels_within(f);
       if (levels.is_empty() || levels.first >= end) continue;
       ++change[levels.first - lowest];
       --change[(std::min)(levels.last, end) - lowest];
@@ -239,7 +249,7 @@ private:
       if (m_pieces_per_crossing * double(crossings + crossed) > most) break;
       crossings += crossed;
     }
-    return {lowest, i, crossings, std::size_t(m_pieces_per_crossing * double(crossings))};
+    return {lowest, i, {m_pieces_per_crossing * double(crossings), crossings}};
   }
 
   // Cuts faces at the levels of a group, or at the first ones. Returns the end of the levels that are cut in all faces.
@@ -248,10 +258,10 @@ private:
   {
     const std::size_t before = m_new_pieces;
     const Index end = cut_below(faces, settled, Index(group.first), Index(group.end), team);
-    if (group.crossings > 0 && end == group.end)
-      m_pieces_per_crossing = (std::max)({double(m_new_pieces - before) / double(group.crossings), m_pieces_per_crossing / 2,
-                                          double(least_pieces_per_crossing)});
-    else if (end < group.end) m_pieces_per_crossing *= 2;
+    const double pieces = double(m_new_pieces - before), crossings = double(group.expected.crossings);
+    if (end < group.end) m_pieces_per_crossing *= 2;
+    else if (crossings > 0)
+      m_pieces_per_crossing = (std::max)({pieces / crossings, m_pieces_per_crossing / 2, least_pieces_per_crossing});
     return end;
   }
 
@@ -260,6 +270,7 @@ private:
   template <class Team>
   Index cut_below(const std::vector<Index>& faces, const FT& settled, Index first, Index end, Team& team)
   {
+    make_cuttings(team.size());
     const std::size_t faces_at_once = items_at_once(team.size()), levels_at_once = levels_per_face * faces_at_once;
     const std::size_t most = m_new_pieces + pieces_that_may_be_added();
     std::size_t work = 0;
@@ -267,8 +278,7 @@ private:
     {
       CGAL_precondition(m_next_level[f] != all_levels);
       if (end <= m_next_level[f]) continue;
-      Level_range levels = m_cuttings.front()->levels_of(f, settled);
-      levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
+      Level_range levels = levels_left(f, settled);
       if (end != all_levels) levels.last = (std::min)(levels.last, std::size_t(end));
       if (!levels.is_empty()) m_crossed.push_back({f, levels, settled, end, next_levels_beside(f)});
       m_next_level[f] = end;
@@ -276,7 +286,7 @@ private:
       if (m_crossed.size() < faces_at_once && work < levels_at_once) continue;
       cut_crossed(team);
       work = 0;
-      if (m_new_pieces > most && end > first) end = (std::min)(end, Index(first + 1));
+      if (m_new_pieces > most && end > first) end = first + 1;
     }
     cut_crossed(team);
     return end;
