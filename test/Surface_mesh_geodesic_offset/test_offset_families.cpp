@@ -518,6 +518,18 @@ void faces_finalized_together()
   cone.points.push_back({0, 0, 3});
   for (std::size_t i = 0; i < 500; ++i) cone.add_triangle({i, (i + 1) % 500, tip});
   run("cone", cone, from_vertex, 4);
+
+  // the first bucket is longer than the faces of one cone, whose levels also cross the needles of the other
+  Soup double_cone = tube(500, 0, 0.01, 0);
+  for (const double z : {3., -0.1})
+  {
+    const std::size_t end = double_cone.points.size();
+    double_cone.points.push_back({0, 0, z});
+    for (std::size_t i = 0; i < 500; ++i)
+      if (z > 0) double_cone.add_triangle({i, (i + 1) % 500, end});
+      else double_cone.add_triangle({(i + 1) % 500, i, end});
+  }
+  run("double cone", double_cone, from_vertex, 3);
 }
 
 // Adds a part, scaled and moved along the x axis, to a soup. Returns its first vertex.

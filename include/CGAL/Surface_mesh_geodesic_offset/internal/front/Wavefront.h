@@ -102,7 +102,7 @@ public:
         }
       m_front.pass_faces(m_passing, m_passed);
       if constexpr (Consumer::reads_lists)
-        if (m_state.current() > 2) hand_over_pending(consumer, (std::min)(m_state.maximum, settled_distance()));
+        if (m_state.current() > 1) hand_over_pending(consumer, (std::min)(m_state.maximum, settled_distance()));
       hand_over(consumer);
       reveal_vertices();
       m_front.process_bucket(m_spreading);
