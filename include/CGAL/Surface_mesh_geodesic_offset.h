@@ -411,8 +411,8 @@ public:
       \cgalParamDefault{0: exact distances}
       \cgalParamExtra{On smooth fine meshes a tolerance saves much time and memory: neighbouring windows are merged if all
                       distances stay within the tolerance, so that a few windows per vertex are propagated. `statistics()`
-                      reports the error bound that was reached. Distances, signed distances, gradients and labels are available
-                      then. Needs a floating point number type.}
+                      reports the error bound that was reached. Distances, signed distances, gradients, labels and offset
+                      curves are available then. Needs a floating point number type.}
     \cgalParamNEnd
     \cgalParamNBegin{merging_tolerance}
       \cgalParamDescription{the largest length by which a distance may be smaller than the exact distance, in the units of the
@@ -494,11 +494,12 @@ public:
   curves that the front crosses. Without `distance_limit`, distances beyond the largest level are computed, too. With a
   limit that is equal to the largest level, the curves are the same up to rounding, and nothing beyond is computed. Levels
   beyond the distance limit give no curves. A selection by inside or outside takes one more propagation per closed
-  polyline: over the whole surface, on the calling thread, and with all windows in memory.
+  polyline: over the whole surface, on the calling thread, and with all windows in memory. With a tolerance, the curves are
+  those of the distances that the build gives, see `Geodesic_offset_curve::tolerance()`.
 
   \param levels a distance, a range of distances, or an `Offset_levels` object
   \param out an output iterator for `Offset_curve`
-  \param np an optional sequence of named parameters: those of `build()`, except for tolerances, and those listed below
+  \param np an optional sequence of named parameters: those of `build()`, and those listed below
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{offset_side}
@@ -516,7 +517,7 @@ public:
 
   \throws std::invalid_argument if a distance is not a positive finite number; if the spacing of unlimited levels is less
           than the rounding of distances; if the side is inside or outside and a source is an open polyline, or a
-          closed polyline that does not divide the surface; or if there is a tolerance; and the exceptions of `build()`.
+          closed polyline that does not divide the surface; and the exceptions of `build()`.
           The field of the object is unchanged then.
   */
   template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
@@ -541,8 +542,6 @@ public:
     internal::check_named_parameters<internal::Build_and_offset_parameters, NamedParameters>();
     const auto wanted = internal::offset_levels<Surface>(levels);
     const auto fresh = std::make_shared<Build>(data().unfolded(), classified_sources(), request(np));
-    if (fresh->is_approximate())
-      throw std::invalid_argument("Surface_mesh_geodesic_offset: offset curves are exact, they take no tolerance");
     constexpr bool may_search = internal::has_parameter<internal_np::geodesic_compute_largest_distance_t, NamedParameters>;
     internal::propagate_and_cut<internal::Concurrency_tag_of<NamedParameters>, may_search>(
       data(), *fresh, wanted, internal::Offset_selection(np), f);

@@ -180,6 +180,18 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Edge_point>> edges_;
 };
 
+/// Points moved by up to `noise` in z, and up to `across` in x and y.
+inline Soup with_noise(Soup soup, double noise, unsigned seed, double across = 0)
+{
+  Random random(seed);
+  for (Point_3& p : soup.points)
+  {
+    const double x = uniform(random, -across, across), y = uniform(random, -across, across);
+    p = p + Vector_3(x, y, uniform(random, -noise, noise));
+  }
+  return soup;
+}
+
 /// Rotates and translates the soup so that its coordinates are generic.
 inline Soup rotated(Soup soup, unsigned seed)
 {

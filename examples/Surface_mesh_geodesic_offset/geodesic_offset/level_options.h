@@ -61,9 +61,9 @@ inline po::options_description level_options_description()
     ("start", word("D"), "with --spacing: offsets at D, D + S, D + 2 S, ... instead")
     ("count", word("N"), "with --spacing: at most N of them")
     ("maximum-distance", word("D"), "do not compute points farther than D")
-    ("relative-tolerance", word("T"), "without offsets: distances may be smaller than the exact ones by a fraction T of them, which "
-                                      "saves time on fine smooth meshes; --stats has the bound that was reached")
-    ("merging-tolerance", word("L"), "without offsets: distances may be smaller than the exact ones by a length L")
+    ("relative-tolerance", word("T"), "distances may be smaller than the exact ones by a fraction T of them, which saves time on fine "
+                                      "smooth meshes; --stats has the bound that was reached")
+    ("merging-tolerance", word("L"), "distances may be smaller than the exact ones by a length L")
     ("side", word("SIDE"), "side of polylines and sections: both (default), left, right, or of closed ones inside, outside")
     ("end", word("END"), "offsets beyond the ends of open polylines: round (default with both sides) or butt, which means "
                          "none (default with one side)");

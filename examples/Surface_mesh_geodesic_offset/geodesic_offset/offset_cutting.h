@@ -187,12 +187,12 @@ Offsets build_and_cut(Geodesic& geodesic, const Sources& sources, const Levels& 
     CGAL::parameters::distance_limit(limit)
       .compute_largest_distance(true)
       .keep_windows(options.needs_windows())
+      .relative_tolerance(options.relative_tolerance)
+      .merging_tolerance(options.merging_tolerance)
       .visitor(internal::Solving_bar(levels, collector, limit, progress));
   if(levels.empty())
   {
-    geodesic.build(parameters.relative_tolerance(options.relative_tolerance)
-                     .merging_tolerance(options.merging_tolerance)
-                     .concurrency_tag(Concurrency_tag()));
+    geodesic.build(parameters.concurrency_tag(Concurrency_tag()));
     return offsets;
   }
   try

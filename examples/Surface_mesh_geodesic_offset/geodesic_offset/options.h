@@ -68,8 +68,7 @@ inline po::options_description options_description()
 // Throws Usage_error if distances within a tolerance are requested together with something that needs exact ones.
 inline void check_tolerances(const po::variables_map& map, const Options& options)
 {
-  const std::pair<const char*, bool> exact[] = {{"distance", map.count("distance") != 0},
-                                                {"spacing", map.count("spacing") != 0},
+  const std::pair<const char*, bool> exact[] = {{"split", !options.split.empty()},
                                                 {"path-from", map.count("path-from") != 0},
                                                 {"path-from-vertex", map.count("path-from-vertex") != 0},
                                                 {"farthest-point", options.farthest_point},

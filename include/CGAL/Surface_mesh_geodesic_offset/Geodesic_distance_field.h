@@ -283,7 +283,8 @@ public:
   /// A level on which a vertex or a whole edge lies is cut as if these were infinitesimally farther: the curve bounds the
   /// points that are strictly nearer. With an inexact number type every level is cut 1024 units in the last place below
   /// itself, with `double` \f$2^{-42}\f$ of its value. Levels beyond the largest distance of the surface, or beyond the
-  /// distance limit of the build, give no curves.
+  /// distance limit of the build, give no curves. If the build had a tolerance, so have the curves, see
+  /// `Geodesic_offset_curve::tolerance()`.
   ///
   /// Takes time linear in the size of the mesh and of the curves, but in a face quadratic in the number of its windows that reach a
   /// distance, and up to cubic if they start at sources that cross each other: hundreds of segments of polylines in one face take
@@ -293,7 +294,6 @@ public:
   /// \param np optional named parameters: `offset_side`, `end_style` and `concurrency_tag` as in
   ///        `Surface_mesh_geodesic_offset::build_with_offset_curves()`
   /// \throws std::invalid_argument as `Surface_mesh_geodesic_offset::build_with_offset_curves()`
-  /// \throws std::logic_error if the build had a tolerance
   template <class Levels, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
   OutputIterator offset_curves(const Levels& levels, OutputIterator out,
                                const NamedParameters& np = parameters::default_values()) const
@@ -311,7 +311,7 @@ public:
     namespace internal = Geodesic_offset::internal;
     internal::check_named_parameters<internal::Offset_parameters, NamedParameters>();
     const auto wanted = internal::offset_levels<Surface>(levels);
-    internal::cut_offset_curves<internal::Concurrency_tag_of<NamedParameters>>(data(), built_exactly(), wanted,
+    internal::cut_offset_curves<internal::Concurrency_tag_of<NamedParameters>>(data(), built(), wanted,
                                                                                internal::Offset_selection(np), f);
   }
   /// @}

@@ -31,7 +31,7 @@ The curve is closed, or its ends lie on the border of the mesh; a curve of one s
 side, and may end inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside
 of the surface. No curve meets itself or another one of the same distance.
 
-The curve is exact up to the rounding of its number type; it becomes a polyline only on output. Points on arcs, angles and
+The curve is exact up to the rounding of its number type, unless the build had a tolerance; it becomes a polyline only on output. Points on arcs, angles and
 lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
 `Surface_mesh_geodesic_offset` need not. Copies of the curve share the unfolded mesh, which is immutable. All member functions
 are const and, with floating point numbers, may be called from several threads. A curve that was moved from has no pieces: its
@@ -48,9 +48,9 @@ class Geodesic_offset_curve
 
   friend Context; // makes curves
 
-  Geodesic_offset_curve(std::shared_ptr<const Context> context, const typename Surface_::FT& distance, bool closed,
-                        std::vector<Level_piece> pieces)
-    : m_context(std::move(context)), m_distance(distance), m_closed(closed), m_pieces(std::move(pieces))
+  Geodesic_offset_curve(std::shared_ptr<const Context> context, const typename Surface_::FT& distance,
+                        const typename Surface_::FT& tolerance, bool closed, std::vector<Level_piece> pieces)
+    : m_context(std::move(context)), m_distance(distance), m_tolerance(tolerance), m_closed(closed), m_pieces(std::move(pieces))
   {
   }
 
@@ -71,6 +71,10 @@ public:
   /// the requested distance from the sources. With an inexact number type, all points of the curve are nearer by 1024 units
   /// in the last place: with `double`, at \f$1 - 2^{-42}\f$ times this distance.
   const FT& distance() const { return m_distance; }
+
+  /// how much larger than `distance()` the exact distances of the region that the curves of this distance enclose may be: 0 if the
+  /// build had no tolerance. See \ref SurfaceMeshGeodesicOffsetTolerance.
+  const FT& tolerance() const { return m_tolerance; }
 
   /// whether the curve is closed.
   bool is_closed() const { return m_closed; }
@@ -208,7 +212,7 @@ private:
   }
 
   std::shared_ptr<const Context> m_context;
-  FT m_distance;
+  FT m_distance, m_tolerance;
   bool m_closed;
   std::vector<Level_piece> m_pieces;
 };

@@ -36,7 +36,7 @@ using Geodesic_offset_curve_type =
 /*!
 \ingroup PkgSurfaceMeshGeodesicOffsetFunctions
 
-\brief computes the exact offset curves of sources at one or several distances.
+\brief computes the offset curves of sources at one or several distances, exact unless there is a tolerance.
 
 Curves come by increasing distance. Nothing is computed beyond the largest level, or beyond a distance limit that is less.
 The time is that of setting up the mesh, linear in its size, and of
@@ -57,7 +57,7 @@ The time is that of setting up the mesh, linear in its size, and of
   \cgalParamNBegin{vertex_point_map, geom_traits, edge_length_map, vertex_index_map, face_index_map}
     \cgalParamDescription{as in `Geodesic_mesh::Geodesic_mesh()`}
   \cgalParamNEnd
-  \cgalParamNBegin{distance_limit, visitor, concurrency_tag, verbose}
+  \cgalParamNBegin{distance_limit, visitor, relative_tolerance, merging_tolerance, concurrency_tag, verbose}
     \cgalParamDescription{as in `Surface_mesh_geodesic_offset::build()`}
   \cgalParamNEnd
   \cgalParamNBegin{offset_side, end_style}

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -109,7 +110,7 @@ count for the farther ones. If an exception is thrown before the mesh is changed
 
 \pre All faces of `tm` are triangles. The curves and the field are of `tm` with these points, or of a mesh that has the same
 descriptors: if `tm` is a copy of a `Surface_mesh`, curves and field of the original remain valid.
-\throws std::invalid_argument unless `chord_tolerance > 0`; then the mesh is unchanged
+\throws std::invalid_argument unless `chord_tolerance > 0`, or if the curves have a tolerance; then the mesh is unchanged
 \throws std::length_error if the curves have more than 20,000,000 chords in all; then the mesh is unchanged
 \throws std::logic_error if `distance_field` has no kept windows, or has a tolerance; then the mesh is unchanged
 */
@@ -128,7 +129,12 @@ void split_along_offset_curves(TriangleMesh& tm, const OffsetCurves& curves,
   const auto lengths = internal::Split_lengths::of<typename Curve::FT>(tm, vpm, curves, np);
   internal::Mesh_splitting<TriangleMesh, Vertex_point_map, Curve> splitting(tm, vpm, lengths.diagonal, lengths.chord_tolerance);
   std::vector<typename Curve::FT> distances;
-  for (const Curve& c : curves) distances.push_back(c.distance());
+  for (const Curve& c : curves)
+  {
+    if (!CGAL::is_zero(c.tolerance()))
+      throw std::invalid_argument("Surface_mesh_geodesic_offset: a mesh is split along exact curves, without a tolerance");
+    distances.push_back(c.distance());
+  }
   const internal::Split_levels<typename Curve::FT> levels(std::move(distances), lengths.diagonal);
   for (const Curve& c : curves)
     if (const auto level = levels.index_of(c.distance())) splitting.add(c, *level);

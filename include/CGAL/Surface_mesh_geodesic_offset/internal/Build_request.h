@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
 
 #include <functional>

@@ -167,8 +167,9 @@ private:
   bool add_arc(const Arc& arc, const Place& from, std::size_t curve)
   {
     Double_double_2 p, q;
-    unsigned edges;
-    if (!place_in(arc.face, from, p, edges) || !place_in(arc.face, arc.to, q, edges)) return false;
+    unsigned p_edges, q_edges;
+    if (!place_in(arc.face, from, p, p_edges) || !place_in(arc.face, arc.to, q, q_edges)) return false;
+    const bool is_along_edge = !(arc.radius > 0) && (p_edges & q_edges);
     const auto point = [](const Point_in_face<double>& x) { return Double_double_2{Double_double(x.x), Double_double(x.y)}; };
     const Double_double_2 start = point(arc.start), end = point(arc.end);
     const Face_piece piece = arc.radius > 0 ? Face_piece::arc(start, end, point(arc.center), arc.radius)
@@ -176,7 +177,7 @@ private:
     double moved = (std::max)(length(difference(p, start)), length(difference(q, end)));
     moved = (std::max)({moved, piece.off_circle(), outside(piece, arc.face)});
     if (!(moved <= joint_tolerance)) return false;
-    m_pieces.push_back({arc.face, from, arc.to, piece, p, q, moved, curve, -1});
+    m_pieces.push_back({arc.face, from, arc.to, piece, p, q, moved, curve, is_along_edge ? edge_of_bit(p_edges & q_edges) : -1});
     return true;
   }
 

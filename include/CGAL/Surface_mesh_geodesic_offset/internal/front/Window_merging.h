@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_sequence.h>
 
 #include <boost/config.hpp>
@@ -22,16 +23,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// Largest error of distances; they may be too small.
-template <class FT>
-struct Merging_tolerance
-{
-  FT relative = FT(0); // fraction of the distance
-  FT absolute = FT(0); // length
-
-  bool is_zero() const { return !(relative > FT(0)) && !(absolute > FT(0)); }
-};
 
 struct Merging_counts
 {

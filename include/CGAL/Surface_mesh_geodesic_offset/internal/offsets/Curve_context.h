@@ -31,9 +31,9 @@ struct Curve_context
 
   template <class FT, class Pieces>
   static Geodesic_offset_curve<Surface> make_curve(const std::shared_ptr<const Curve_context>& context, const FT& distance,
-                                                   bool is_closed, Pieces&& pieces)
+                                                   const FT& tolerance, bool is_closed, Pieces&& pieces)
   {
-    return Geodesic_offset_curve<Surface>(context, distance, is_closed, std::forward<Pieces>(pieces));
+    return Geodesic_offset_curve<Surface>(context, distance, tolerance, is_closed, std::forward<Pieces>(pieces));
   }
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Shallow_loop.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Side_selection.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 
 #include <CGAL/assertions.h>
 
@@ -35,11 +36,12 @@ public:
   typedef Geodesic_offset_curve<Surface> Curve;
   typedef Curve_context<Surface> Context;
 
-  // `distance`: of the vertices. It, `levels` and `f` must outlive this object.
+  // `distance`: of the vertices; `tolerance`: of the distances. `distance`, `levels` and `f` must outlive this object.
   Curve_output(const std::shared_ptr<const Surface>& surface, const std::vector<Source_primitive>& primitives,
-               const std::vector<FT>& distance, const Offset_levels<FT>& levels, const Offset_selection& selection,
+               const std::vector<FT>& distance, const Merging_tolerance<FT>& tolerance, const Offset_levels<FT>& levels, const Offset_selection& selection,
                std::map<Index, Source_side> inside, Function& f)
-    : m_context(std::make_shared<Context>(Context{surface, primitives})), m_levels(levels),
+    : m_context(std::make_shared<Context>(Context{surface, primitives})), m_tolerance(tolerance),
+      m_levels(levels),
       m_select(selection, m_context->primitives, std::move(inside)), m_is_shallow(surface->unfolded, distance),
       m_edge(surface->unfolded.mean_edge_length()), m_function(f)
   {
@@ -51,11 +53,12 @@ public:
     CGAL_precondition(level >= m_next);
     pass_to(level);
     std::vector<Curve> curves;
+    const typename Surface::FT tolerance = Surface::exported(m_tolerance.error_at(m_levels[level]));
     const FT shortest = Offset_tolerances<FT>::shortest_part(m_levels[level] + m_edge);
     cut.for_each_curve([&](bool closed, std::vector<Level_piece<FT>>&& pieces) {
       if (m_is_shallow(closed, pieces, m_levels[level])) return;
       m_select(shortest, closed, std::move(pieces), [&](bool is_closed, auto&& part) {
-        curves.push_back(Context::make_curve(m_context, Surface::exported(m_levels[level]), is_closed,
+        curves.push_back(Context::make_curve(m_context, Surface::exported(m_levels[level]), tolerance, is_closed,
                                              std::forward<decltype(part)>(part)));
       });
     });
@@ -75,6 +78,7 @@ private:
   }
 
   std::shared_ptr<const Context> m_context;
+  const Merging_tolerance<FT> m_tolerance;
   const Offset_levels<FT>& m_levels;
   Side_selection m_select;
   Shallow_loop<FT> m_is_shallow;

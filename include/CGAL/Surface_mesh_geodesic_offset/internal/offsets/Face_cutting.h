@@ -11,10 +11,13 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Per_corner.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Crossing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
 
 #include <CGAL/assertions.h>
 
@@ -33,16 +36,6 @@ struct Level_range
   std::size_t first, last; // `last` is excluded
   bool is_empty() const { return first >= last; }
   std::size_t size() const { return is_empty() ? 0 : last - first; }
-};
-
-// A crossing of a level with an edge.
-template <class FT>
-struct Crossing
-{
-  std::size_t level;
-  FT position; // along the halfedge with the smaller index
-  bool falling;
-  Index gate;
 };
 
 // A face with the results of its cutting.
@@ -77,7 +70,7 @@ struct Face_cut
     {
       const Crossing<FT>& c = begin[reversed ? n - 1 - i : i];
       const FT t = reversed ? FT(field.frame().edge_length(k) - c.position) : c.position;
-      gates.push_back({c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.falling == reversed, c.gate}});
+      gates.push_back({c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.starts_chain(reversed), c.gate}});
       levels.first = (std::min)(levels.first, c.level);
       levels.last = (std::max)(levels.last, c.level + 1);
     }
@@ -95,11 +88,13 @@ template <class FT>
 class Face_cutting
 {
 public:
+  // `tolerance`: that of the field. If it is not zero, distances jump at edges.
   Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                const Vertex_reach<FT>& reach, const Offset_sources<FT>& sources, const Offset_levels<FT>& levels,
-               const FT& maximum)
+               const FT& maximum, const Merging_tolerance<FT>& tolerance)
     : m_mesh(mesh), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)), m_sources(sources),
-      m_crossings(mesh, initial, field, reach, sources), m_tracer(mesh.longest_edge(), sources)
+      m_tolerance(tolerance), m_crossings(mesh, initial, field, reach, sources), m_face_crossings(mesh, field, reach, sources),
+      m_tracer(mesh.longest_edge(), sources)
   {
   }
 
@@ -112,8 +107,8 @@ public:
     return {m_levels.first_above(near), (std::min)(m_end, m_levels.first_above(far))};
   }
 
-  // Step 1: the crossings with the edges of the face; with edge k, of the levels from first[k]. Precondition: cut.levels is a
-  // part of levels_of(face, settled).
+  // Step 1: the crossings with the edges of the face; with edge k, of the levels from first[k]. With a tolerance, they are those
+  // of this face, otherwise those of both faces of the edge. Precondition: cut.levels is a part of levels_of(face, settled).
   void find_crossings(Index face, const FT& settled, const std::array<std::size_t, 3>& first, Face_cut<FT>& cut)
   {
     Level_range& l = cut.levels;
@@ -126,7 +121,9 @@ public:
     {
       cut.crossings[k].clear();
       const Index h = 3 * face + k;
-      find_crossings((std::min)(h, m_mesh.twin(h)), {(std::max)(l.first, first[k]), l.last}, cut.field, cut.crossings[k]);
+      const Level_range left{(std::max)(l.first, first[k]), l.last};
+      if (m_tolerance.is_zero()) find_crossings((std::min)(h, m_mesh.twin(h)), m_crossings, left, cut.field, cut.crossings[k]);
+      else find_crossings(h, m_face_crossings, left, cut.field, cut.crossings[k]);
     }
   }
 
@@ -172,11 +169,13 @@ private:
   // The crossings of levels with the edge of h, by level. As the level rises, an edge is first far from the sources, then
   // crossed, then near them. So the first and the last crossed level are found from those of the ends of the edge, and no other
   // level is computed but one on each side.
-  void find_crossings(Index h, const Level_range& levels, const Face_field<FT>& field, std::vector<Crossing<FT>>& found)
+  template <class Crossings>
+  void find_crossings(Index h, Crossings& crossings, const Level_range& levels, const Face_field<FT>& field,
+                      std::vector<Crossing<FT>>& found)
   {
     const auto add = [&](std::size_t i) {
       const std::size_t before = found.size();
-      this->m_crossings(h, field, this->cut_level(i), [&](const FT& t, bool falling) {
+      crossings(h, field, this->cut_level(i), [&](const FT& t, bool falling) {
         found.push_back({i, t, falling, no_index});
       });
       return found.size() > before;
@@ -219,11 +218,12 @@ private:
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     { // a vertex without a distance is beyond the maximum
       const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], maximum);
-      if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(lowest - longest));
+      if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(m_tolerance.least_of(lowest) - longest));
     }
     if (!Number_policy<FT>::is_finite(far)) far = FT(0);
     else
-    {
+    { // the distances of two vertices may differ by the tolerance more than the length of the edge between them
+      far = (std::min)(maximum, FT(far + m_tolerance.error_at(far)));
       near -= Offset_tolerances<FT>::bound_slack(far);
       far += Offset_tolerances<FT>::bound_slack(far);
     }
@@ -235,7 +235,9 @@ private:
   const Offset_levels<FT>& m_levels;
   const std::size_t m_end; // number of levels up to the distance limit
   const Offset_sources<FT>& m_sources;
+  const Merging_tolerance<FT> m_tolerance;
   Edge_crossings<FT> m_crossings;
+  Face_crossings<FT> m_face_crossings;
   Level_tracer<FT> m_tracer;
   Level_cell<FT> m_cell; // the face with the gates of one level
   std::vector<Level_piece<FT>> m_pieces;

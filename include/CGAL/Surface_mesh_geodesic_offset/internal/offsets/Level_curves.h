@@ -67,6 +67,25 @@ public:
     m_links.push_back({start, end, Index(first), Index(m_pieces.size())});
   }
 
+  // Connects two chains in the faces of an edge, from a gate where one ends to a gate where one starts, by a piece along the
+  // edge with the source of the second chain, or by none. Precondition: both chains were added.
+  void connect(Index from, Index to, const Piece* piece)
+  {
+    CGAL_precondition(m_link_at[from] == no_index && m_link_at[to] != no_index);
+    const Index first = Index(m_pieces.size());
+    if (piece)
+    {
+      const Piece next = m_pieces[m_links[m_link_at[to]].first];
+      m_pieces.push_back(*piece);
+      m_pieces.back().source_ref = next.source_ref;
+      m_pieces.back().pseudo_source = next.pseudo_source;
+    }
+    m_link_at[from] = Index(m_links.size());
+    m_links.push_back({from, to, first, Index(m_pieces.size())});
+    gate_found();
+    gate_found();
+  }
+
   // Calls out(closed, pieces) for each curve, first those that start on the border.
   template <class Function>
   void for_each_curve(const Function& out) const

@@ -69,8 +69,8 @@ auto make_curve_output(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
                                 "distances");
   std::map<Index, Source_side> inside;
   if (selection.needs_inner_sides()) inside = inner_sides(mesh.unfolded(), mesh.traits, build.sources);
-  return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, build.field.distance, levels, selection,
-                                         std::move(inside), f);
+  return Curve_output<Surface, Function>(mesh.shared_surface, build.initial.primitives, build.field.distance,
+                                         build.request().tolerance, levels, selection, std::move(inside), f);
 }
 
 // Consumer of faces that cuts the levels in them (see Wavefront::run()). Calls out(level index, Level_curves) for each finished
@@ -83,7 +83,8 @@ public:
 
   template <class Build>
   Level_cutter(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
-    : m_extraction(mesh, build.initial, build.field, levels, build.maximum), m_out(out)
+    : m_tolerance(build.request().tolerance),
+      m_extraction(mesh, build.initial, build.field, levels, build.maximum, m_tolerance), m_out(out)
   {
   }
 
@@ -95,23 +96,19 @@ public:
 
   bool needs_pending_faces(const FT& settled, std::size_t number, const std::vector<Index>& finalized)
   {
-    return m_extraction.needs_pending_faces(settled, number, finalized);
+    return m_extraction.needs_pending_faces(m_tolerance.least_of(settled), number, finalized);
   }
 
   template <class Team>
   void take_pending(const std::vector<Index>& faces, const FT& settled, Team& team)
   {
     add_time_of([&] {
-      this->m_extraction.cut_pending(faces, settled, team, [this](const FT& distance) { this->settle(distance); });
+      this->m_extraction.cut_pending(faces, m_tolerance.least_of(settled), team,
+                                     [this](const FT& distance) { this->release(distance); });
     });
   }
 
-  void settle(const FT& distance)
-  {
-    const Clock::time_point start = Clock::now();
-    m_extraction.release(distance, m_out);
-    m_seconds_within_propagation += seconds_since(start);
-  }
+  void settle(const FT& distance) { release(m_tolerance.least_of(distance)); }
 
   // Releases the curves up to the distance of the propagation.
   void finish(const FT& distance, Geodesic_offset_statistics& statistics)
@@ -129,7 +126,14 @@ private:
 
   static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
-  // Without the time of settle().
+  void release(const FT& distance)
+  {
+    const Clock::time_point start = Clock::now();
+    m_extraction.release(distance, m_out);
+    m_seconds_within_propagation += seconds_since(start);
+  }
+
+  // Without the time of release().
   template <class Cutting>
   void add_time_of(const Cutting& cutting)
   {
@@ -141,6 +145,7 @@ private:
     m_seconds_within_propagation += time;
   }
 
+  const Merging_tolerance<FT> m_tolerance; // a point nearer than a level may be settled only at the exact distance
   Offset_extraction<FT> m_extraction;
   const Function& m_out;
   double m_seconds = 0, m_seconds_within_propagation = 0;
@@ -151,7 +156,7 @@ template <class Concurrency_tag, class FT, class Build, class Function>
 void cut_all_faces(const Unfolded_mesh<FT>& mesh, const Build& build, const Offset_levels<FT>& levels, const Function& out)
 {
   constexpr std::size_t at_once = 1 << 12;
-  Offset_extraction<FT> extraction(mesh, build.initial, build.field, levels, build.maximum);
+  Offset_extraction<FT> extraction(mesh, build.initial, build.field, levels, build.maximum, build.request().tolerance);
   {
     auto&& team = Concurrency<Concurrency_tag, FT>::Team::make();
     std::vector<Index> faces;
@@ -192,7 +197,7 @@ void cut_offset_curves(const Geodesic_mesh_data<Surface>& mesh, const Build& bui
   }
   typename Surface::Number maximum = build.maximum;
   if (!levels.is_unlimited() && levels.size() > 0) maximum = (std::min)(maximum, levels[levels.size() - 1]);
-  Build again(mesh.unfolded(), build.sources, {maximum, false, {}, {}, {}});
+  Build again(mesh.unfolded(), build.sources, {maximum, false, {}, {}, build.request().tolerance});
   propagate_and_cut<Concurrency_tag>(mesh, again, levels, selection, f);
 }
 

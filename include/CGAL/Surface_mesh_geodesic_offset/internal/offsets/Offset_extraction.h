@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
@@ -40,9 +41,9 @@ class Offset_extraction
 
 public:
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-                    const Offset_levels<FT>& levels, const FT& maximum)
+                    const Offset_levels<FT>& levels, const FT& maximum, const Merging_tolerance<FT>& tolerance)
     : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(mesh), m_sources(initial, field, m_reach), m_levels(levels),
-      m_maximum(maximum), m_next_level(mesh.number_of_faces(), 0)
+      m_maximum(maximum), m_tolerance(tolerance), m_next_level(mesh.number_of_faces(), 0), m_joining(mesh, levels)
   {
     make_cuttings(1);
   }
@@ -282,6 +283,7 @@ private:
       if (end != all_levels) levels.last = (std::min)(levels.last, std::size_t(end));
       if (!levels.is_empty()) m_crossed.push_back({f, levels, settled, end, next_levels_beside(f)});
       m_next_level[f] = end;
+      if (!m_tolerance.is_zero()) m_to_join.push_back(f);
       work += levels.size();
       if (m_crossed.size() < faces_at_once && work < levels_at_once) continue;
       cut_crossed(team);
@@ -298,17 +300,23 @@ private:
     std::array<std::size_t, 3> next;
     for (Index k = 0; k < 3; ++k)
     {
-      const Index g = m_mesh.twin(3 * f + k), level = g == no_index ? 0 : m_next_level[m_mesh.face(g)];
-      next[k] = level == all_levels ? (std::numeric_limits<std::size_t>::max)() : level;
+      const Index g = m_mesh.twin(3 * f + k);
+      // with a tolerance, each face finds all crossings with its edges
+      next[k] = g == no_index || !m_tolerance.is_zero() ? 0 : level_of(m_next_level[m_mesh.face(g)]);
     }
     return next;
+  }
+
+  static std::size_t level_of(Index next_level)
+  {
+    return next_level == all_levels ? (std::numeric_limits<std::size_t>::max)() : next_level;
   }
 
   void make_cuttings(unsigned number)
   {
     while (m_cuttings.size() < number)
       m_cuttings.push_back(std::make_unique<Face_cutting<FT>>(m_mesh, m_initial, m_field, m_reach, m_sources, m_levels,
-                                                              m_maximum));
+                                                              m_maximum, m_tolerance));
   }
 
   template <class Team>
@@ -338,8 +346,26 @@ private:
         m_waiting_pieces += curves.number_of_pieces() - before;
         m_new_pieces += curves.number_of_pieces() - before;
       }
+    for (const Index f : m_to_join) join_with_neighbors(f);
+    m_to_join.clear();
     m_waiting_pieces_peak = (std::max)(m_waiting_pieces_peak, m_waiting_pieces);
     m_crossed.clear();
+  }
+
+  void join_with_neighbors(Index f)
+  {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Index g = m_mesh.twin(h);
+      if (g == no_index) continue;
+      const Index end = (std::min)(m_next_level[f], m_next_level[m_mesh.face(g)]);
+      m_joining.join(h, level_of(end), [this](std::size_t level, Index from, Index to, const Level_piece<FT>* along_edge) {
+        this->m_curves[level].connect(from, to, along_edge);
+        const std::size_t pieces = along_edge ? 1 : 0;
+        this->m_waiting_pieces += pieces;
+        this->m_new_pieces += pieces;
+      });
+    }
   }
 
   // Numbers the gates of a face. Of the two faces of an edge, the first one that is cut at a level finds the crossings with this
@@ -355,6 +381,11 @@ private:
       for (Crossing<FT>& c : found) c.gate = m_curves[c.level].new_gate(g == no_index);
       cut.add_gates(int(k), found.begin(), found.end(), g < h);
       if (g == no_index) continue;
+      if (!m_tolerance.is_zero())
+      {
+        m_joining.add(h, found);
+        continue;
+      }
       std::vector<Crossing<FT>>& waiting = m_waiting[h];
       waiting.insert(waiting.end(), found.begin(), found.end());
     }
@@ -393,11 +424,14 @@ private:
   const Offset_sources<FT> m_sources;
   const Offset_levels<FT>& m_levels;
   const FT m_maximum;
+  const Merging_tolerance<FT> m_tolerance;                   // of the field
   std::vector<Index> m_next_level;                           // per face: the first level at which it is not cut
   std::vector<Crossed_face> m_crossed;                       // to be cut next
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
+  Edge_joining<FT> m_joining;                                  // with a tolerance
+  std::vector<Index> m_to_join;                                // faces that were cut since
   Curves_of_levels m_curves;                                   // of levels that are not passed on
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
