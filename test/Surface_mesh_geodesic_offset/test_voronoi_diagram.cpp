@@ -860,6 +860,47 @@ void ties_on_a_ray()
       }
 }
 
+// A vertex and an edge at it: where the vertex is the nearest point of the edge, both tie, and the curve is the border of this
+// region. It runs along rays on both sides of which the distances are equal up to the square of the distance from the ray, so
+// rounding may end windows anywhere beside them; on two sides of the other end of the edge, these rays meet.
+void vertex_and_edge()
+{
+  Random random(4);
+  const auto run = [&](const std::string& name, const Soup& soup, std::size_t cases)
+  {
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
+    for (std::size_t i = 0; i < cases; ++i)
+    {
+      const Edge_index e(unsigned(uniform_index(random, mesh.number_of_edges())));
+      const auto h = mesh.halfedge(e, unsigned(uniform_index(random, 2)));
+      compare(name, mesh,
+              {[v = mesh.source(h)](Geodesic& g) { g.add_source_point(v); },
+               [e](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{e}); }},
+              random, 50, true);
+    }
+  };
+  for (int i = 0; i < number_of_cases(60, 600); ++i)
+  { // an octahedron with other positions of its vertices
+    const double thickness = std::pow(10, uniform(random, -4, 0));
+    Soup octahedron;
+    for (int k = 0; k < 6; ++k)
+    {
+      const double turn = (k + uniform(random, -0.4, 0.4)) * CGAL_PI / 2;
+      octahedron.points.push_back(k < 4 ? Point_3(std::cos(turn), std::sin(turn), thickness * uniform(random, -0.2, 0.2))
+                                        : Point_3(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2), k == 4 ? thickness : -thickness));
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      octahedron.add_triangle({{k, (k + 1) % 4, 4}});
+      octahedron.add_triangle({{(k + 1) % 4, k, 5}});
+    }
+    run("octahedron, a vertex and an edge", octahedron, 5);
+  }
+  for (unsigned i = 0; i < number_of_cases(60u, 600u); ++i)
+    run("thin box, a vertex and an edge",
+        box_sides(1, uniform(random, 0.3, 2), std::pow(10, uniform(random, -5, -1))).triangulated(uniform_index(random, 3), uniform_index(random, 3), i), 5);
+}
+
 void bad_input()
 {
   const Surface_mesh mesh = Generated_mesh<Surface_mesh>(icosphere(1)).mesh;
@@ -938,6 +979,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"windows without order", test_voronoi_diagram::windows_without_order},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
+    {"vertex and edge", test_voronoi_diagram::vertex_and_edge},
     {"bad input", test_voronoi_diagram::bad_input},
     {"unreachable", test_voronoi_diagram::unreachable},
     {data_case, test_voronoi_diagram::data_meshes}};

@@ -159,6 +159,8 @@ private:
   // Pieces in a face at a level that may cross it, per window of the face: one of four to ten has a piece on fine meshes, one of
   // two to four in faces with many sources. Binding test of these limits: test_offset_families.
   static constexpr double pieces_per_window = 1. / 4;
+  // A face with more windows may have more pieces than all others that are cut before it, so it counts by its windows.
+  static constexpr std::size_t many_windows = 1 << 6;
 
   struct Crossed_face
   {
@@ -197,13 +199,25 @@ private:
     {
       const Level_range levels = levels_left(f, settled);
       if (levels.is_empty()) continue;
-      const auto local = local_windows(m_initial, f);
-      std::size_t windows = 3 + std::size_t(local.second - local.first); // the corners have cones, too
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
-      expected.pieces += pieces_per_window * double(windows) * double(levels.size());
+      expected.pieces += pieces_per_window * double(number_of_windows(f)) * double(levels.size());
       expected.crossings += levels.size();
     }
     return expected;
+  }
+
+  std::size_t number_of_windows(Index f) const
+  {
+    const auto local = local_windows(m_initial, f);
+    std::size_t windows = 3 + std::size_t(local.second - local.first); // the corners have cones, too
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
+    return windows;
+  }
+
+  // Pieces to expect in a face at a level that may cross it.
+  double expected_pieces_at_level(Index f) const
+  {
+    const std::size_t windows = number_of_windows(f);
+    return windows > many_windows ? (std::max)(m_pieces_per_crossing, pieces_per_window * double(windows)) : m_pieces_per_crossing;
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
@@ -233,24 +247,33 @@ private:
     for (const Index f : faces)
       if (const Level_range levels = levels_within(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
     if (lowest == last) return {last, last, Expected_pieces{}};
-    std::array<std::ptrdiff_t, most_levels_together + 1> change{}; // of the number of faces, from level to level
+    std::array<std::ptrdiff_t, most_levels_together + 1> change{};  // of the number of faces, from level to level
+    std::array<double, most_levels_together + 1> change_of_pieces{}; // to expect in them
     const std::size_t end = (std::min)(last, lowest + most_levels_together);
     for (const Index f : faces)
     {
       const Level_range levels = levels_within(f);
       if (levels.is_empty() || levels.first >= end) continue;
-      ++change[levels.first - lowest];
-      --change[(std::min)(levels.last, end) - lowest];
+      const std::size_t first_change = levels.first - lowest, last_change = (std::min)(levels.last, end) - lowest;
+      const double pieces = expected_pieces_at_level(f);
+      ++change[first_change];
+      --change[last_change];
+      change_of_pieces[first_change] += pieces;
+      change_of_pieces[last_change] -= pieces;
     }
     const double most = double(pieces_that_may_be_added());
-    std::size_t crossings = std::size_t(change[0]), crossed = crossings, i = lowest + 1;
+    std::size_t crossed = std::size_t(change[0]), i = lowest + 1;
+    double pieces = change_of_pieces[0];
+    Expected_pieces expected{pieces, crossed};
     for (; i < end; ++i)
     {
       crossed += std::size_t(change[i - lowest]);
-      if (m_pieces_per_crossing * double(crossings + crossed) > most) break;
-      crossings += crossed;
+      pieces += change_of_pieces[i - lowest];
+      if (expected.pieces + pieces > most) break;
+      expected.pieces += pieces;
+      expected.crossings += crossed;
     }
-    return {lowest, i, {m_pieces_per_crossing * double(crossings), crossings}};
+    return {lowest, i, expected};
   }
 
   // Cuts faces at the levels of a group, or at the first ones. Returns the end of the levels that are cut in all faces.

@@ -50,13 +50,14 @@ public:
   {
     // With rounding, a bisector along a side lies on both sides of it or on none; the gates may need either. Windows that come over
     // many edges may differ by more than a tie.
-    for (const double factor : Voronoi_tolerances::tie_factors)
-    {
-      m_tolerances.use_tie(factor);
-      if (connect(cell, candidates, m_tolerances.slack, new_node, out) ||
-          connect(cell, candidates, -m_tolerances.slack, new_node, out))
-        return true;
-    }
+    for (const bool joins_loose_ends : {false, true})
+      for (const double factor : Voronoi_tolerances::tie_factors)
+      {
+        m_tolerances.use_tie(factor);
+        if (connect(cell, candidates, m_tolerances.slack, joins_loose_ends, new_node, out) ||
+            connect(cell, candidates, -m_tolerances.slack, joins_loose_ends, new_node, out))
+          return true;
+      }
     return false;
   }
 
@@ -110,8 +111,8 @@ private:
   }
 
   template <class New_node, class OutputFunction>
-  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, const New_node& new_node,
-               const OutputFunction& out)
+  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, bool joins_loose_ends,
+               const New_node& new_node, const OutputFunction& out)
   {
     m_motion.set_cell(cell, candidates);
     m_arcs.clear();
@@ -128,7 +129,7 @@ private:
     for (std::size_t i = 0; i < cell.gates.size(); ++i)
       m_ends.push_back({cell.gates[i].point, i, true, false, cell.gates[i].to, cell.gates[i].from});
     find_clusters();
-    join_loose_ends(cell);
+    if (joins_loose_ends) join_loose_ends(cell);
     m_links.clear();
     for (auto& members : m_clusters)
       if (!fits(cell, members) && !(link_neighbours(cell, members) && fits(cell, members))) return false;

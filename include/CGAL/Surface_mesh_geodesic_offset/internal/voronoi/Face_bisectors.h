@@ -212,15 +212,46 @@ private:
     for (unsigned i = 0; i < has_neighbor.size(); ++i)
     {
       const Point p = m_windows[i].start_of_bound(1);
-      for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.tie, 0));
-           next != left.end() && next->first <= p.x + m_tolerances.tie; ++next)
-        if (next->second != i && length(m_windows[next->second].start_of_bound(0) - p) <= m_tolerances.tie &&
-            (m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie) || add_fan(i, next->second)))
+      for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.joint, 0));
+           next != left.end() && next->first <= p.x + m_tolerances.joint; ++next)
+      {
+        const double gap = length(m_windows[next->second].start_of_bound(0) - p);
+        if (next->second == i || gap > m_tolerances.joint) continue;
+        if (meet_at_common_ray(i, next->second) ||
+            (gap <= m_tolerances.tie &&
+             (m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie) || add_fan(i, next->second))))
           has_neighbor[i][1] = has_neighbor[next->second][0] = true;
+      }
     }
     for (std::size_t i = 0; i < has_neighbor.size(); ++i)
       for (int k = 0; k < 2; ++k)
         if (!has_neighbor[i][std::size_t(k)]) m_windows[i].widen(k, m_tolerances.tie);
+    // Beside a common ray, windows of both sources may alternate.
+    const auto has_no_cone = [&](unsigned i) {
+      return has_neighbor[i][0] && has_neighbor[i][1] &&
+             this->m_windows[i].is_one_ray(CGAL::to_double(this->m_field.size()), this->m_tolerances.tie);
+    };
+    m_all.erase(std::remove_if(m_all.begin(), m_all.end(), [&](unsigned i) { return i < has_neighbor.size() && has_no_cone(i); }),
+                m_all.end());
+  }
+
+  // Ends the cones of two windows at their common ray, if there is one; and those of other windows with the same functions that end
+  // there up to rounding.
+  bool meet_at_common_ray(unsigned left, unsigned right)
+  {
+    const double distance = (std::max)(m_windows[left].largest_at_chord(), m_windows[right].largest_at_chord());
+    const double tie = Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie;
+    const auto ray = m_windows[left].common_ray(m_windows[right], tie);
+    if (!ray || !m_windows[left].is_bound(*ray, 1, tie) || !m_windows[right].is_bound(*ray, 0, tie)) return false;
+    const Voronoi_window on_left(m_windows[left]), on_right(m_windows[right]);
+    const Point center = m_cell.center();
+    const double radius = m_cell.radius();
+    for (Voronoi_window& w : m_windows)
+    {
+      if (w.is_same_function(on_left, center, radius, tie)) w.end_at(*ray, 1, tie);
+      if (w.is_same_function(on_right, center, radius, tie)) w.end_at(*ray, 0, tie);
+    }
+    return true;
   }
 
   bool add_fan(unsigned i, unsigned next)

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -67,6 +68,9 @@ struct Voronoi_tolerances
   // The largest angle by which a cone is widened, in radians: that of an image within a tie of the start of its ray, which has no
   // direction. Binding test of these angles: test_voronoi_diagram, beside vertices.
   static constexpr double widest_turn = 1;
+  // How far from a ray the distance through a point on it is equal, up to `tie` and errors of the windows, to that from a line through
+  // the point across the ray, at this distance from the point: the square of the result, over twice the distance, is four ties.
+  static double tied_width(double along_ray, double tie) { return tie + std::sqrt(8 * tie * along_ray); }
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
   // But after this many divisions of a face only to have less windows, not for this reason any more: many windows may meet at a

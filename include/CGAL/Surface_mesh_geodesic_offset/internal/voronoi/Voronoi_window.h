@@ -99,6 +99,49 @@ struct Voronoi_window
     return true;
   }
 
+  // A ray of two windows, and the half-plane on the left of it.
+  struct Common_ray
+  {
+    Point start;
+    Half_plane<double> left;
+  };
+
+  // The common ray of this window and of one on its right, rays from a point and parallel rays of two sources: if the point is on the
+  // line of the other source, the distances are equal on the ray from there, and differ by the square of the distance from it on
+  // both sides. So within rounding, the cones may end anywhere beside the ray.
+  std::optional<Common_ray> common_ray(const Voronoi_window& right, double tie) const
+  {
+    if (label == right.label || is_parallel() == right.is_parallel()) return std::nullopt;
+    const Voronoi_window &point = is_parallel() ? right : *this, &lines = is_parallel() ? *this : right;
+    const Point p = point.image(), n = quarter_turn(lines.image());
+    if (!(std::abs(lines.distance_at(p) - point.sigma()) <= tie)) return std::nullopt;
+    return Common_ray{p, {n, dot(n, p)}};
+  }
+
+  // Ends the cone at a common ray on its left (0) or right (1), if its bounding ray there is this ray up to rounding. False if it is
+  // not.
+  bool end_at(const Common_ray& ray, int k, double tie)
+  {
+    if (!is_bound(ray, k, tie)) return false;
+    const double sign = k == 0 ? -1 : 1;
+    bound[std::size_t(k)] = {sign * ray.left.n, sign * ray.left.m};
+    return true;
+  }
+
+  bool is_bound(const Common_ray& ray, int k, double tie) const
+  {
+    const Point start = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
+    const double along_ray = length(start - ray.start), width = Voronoi_tolerances::tied_width(along_ray, tie);
+    const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
+    return std::abs(ray.left.value(start)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
+  }
+
+  // True if both bounding rays are one ray, up to `tie` at distances up to `radius`.
+  bool is_one_ray(double radius, double tie) const
+  {
+    return length(bound[0].n + bound[1].n) * radius + std::abs(bound[0].m + bound[1].m) <= tie;
+  }
+
   // For two windows that come over an edge and tie where their bounding rays start, as in close_gap(), with a gap between these:
   // the rays from this point. Rounding may have lost those of a source so near to the edge, or has put windows there that tie
   // in the wrong order.
