@@ -240,7 +240,7 @@ private:
   bool meet_at_common_ray(unsigned left, unsigned right)
   {
     const double distance = (std::max)(m_windows[left].largest_at_chord(), m_windows[right].largest_at_chord());
-    const double tie = Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie;
+    const double tie = Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie_of_rays;
     const auto ray = m_windows[left].common_ray(m_windows[right], tie);
     if (!ray || !m_windows[left].is_bound(*ray, 1, tie) || !m_windows[right].is_bound(*ray, 0, tie)) return false;
     const Voronoi_window on_left(m_windows[left]), on_right(m_windows[right]);

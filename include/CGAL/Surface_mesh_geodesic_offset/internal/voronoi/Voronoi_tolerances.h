@@ -28,6 +28,9 @@ struct Voronoi_tolerances
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
   double slack;
   double usual_tie;
+  // Between a window and the ray at which it ends: eight ties, as both may come over many edges. Binding test: test_voronoi_diagram,
+  // vertex and edge.
+  double tie_of_rays;
   // Intervals of an edge up to this length are nowhere certainly nearest to their source: 2^8 u, two slacks.
   double shortest_interval;
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
@@ -55,7 +58,7 @@ struct Voronoi_tolerances
   static double same_source(double magnitude) { return unit(9) * magnitude; }
 
   explicit Voronoi_tolerances(double magnitude = 0)
-    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), shortest_interval(unit(8) * magnitude),
+    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(8 * tie), shortest_interval(unit(8) * magnitude),
       joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)), loose_tie(unit(9) * magnitude),
       smallest_loop(unit(29) * magnitude), smallest_cell(unit(15) * magnitude)
   {
