@@ -29,8 +29,7 @@ namespace test_approximate_offsets {
 using namespace test;
 namespace parameters = CGAL::parameters;
 
-typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>>
-  Enclosure;
+typedef CGAL::Surface_mesh_geodesic_enclosure<CGAL::Surface_mesh_geodesic_offset_traits<Kernel, test::Surface_mesh>> Enclosure;
 typedef std::vector<Geodesic::Offset_curve> Curves;
 
 // Of the bounds of points, and of levels, which are cut slightly below themselves; relative to the size of the mesh.
@@ -41,8 +40,10 @@ double worst_share = 0; // of the tolerance
 
 struct Case
 {
-  Case(const std::string& name, const test::Surface_mesh& m) : name(name), mesh(m), diagonal(bounding_box_diagonal(m)), exact(m), enclosure(m)
-  {}
+  Case(const std::string& name, const test::Surface_mesh& m)
+    : name(name), mesh(m), diagonal(bounding_box_diagonal(m)), exact(m), enclosure(m)
+  {
+  }
 
   void add(const Any_source& s)
   {
@@ -109,8 +110,7 @@ void check_with_tolerance(const Case& c, const std::vector<double>& levels, doub
 {
   const auto within = parameters::relative_tolerance(relative).merging_tolerance(absolute);
   const std::string context = Report::instance().context();
-  const auto check = [&](const char* how, const auto& cut)
-  {
+  const auto check = [&](const char* how, const auto& cut) {
     Report::instance().set_context(context + ", tolerances " + values(relative, absolute) + ", " + how);
     std::size_t calls = 0;
     cut([&](double d, Curves&& curves) {
@@ -162,8 +162,9 @@ void check_case(Case& c, Random& random)
   for (const double t : {1e-6, 1e-4, 1e-2, 0.3})
     check_with_tolerance(c, levels_of(c, random, t, 0), t, 0, [t](double d) { return t * d / (1 - t); });
   check_with_tolerance(c, levels_of(c, random, 0, absolute), 0, absolute, [absolute](double) { return absolute; });
-  check_with_tolerance(c, levels_of(c, random, 1e-3, absolute), 1e-3, absolute,
-                       [absolute](double d) { return (1e-3 * d + absolute) / (1 - 1e-3); });
+  check_with_tolerance(c, levels_of(c, random, 1e-3, absolute), 1e-3, absolute, [absolute](double d) {
+    return (1e-3 * d + absolute) / (1 - 1e-3);
+  });
 }
 
 void generated_meshes()
@@ -197,8 +198,8 @@ void generated_meshes()
 
 void data_meshes()
 {
-  for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "mesh_with_border.off", "cow.off", "bones.off",
-                           "hand.off", "mannequin-devil.off", "knot1.off", "femur.off"})
+  for (const char* name : {"eight.off", "anchor.off", "elephant.off", "mask_cone.off", "mesh_with_border.off", "cow.off",
+                           "bones.off", "hand.off", "mannequin-devil.off", "knot1.off", "femur.off"})
   {
     test::Surface_mesh mesh;
     if (const std::string reason = read_data_mesh(std::filesystem::path(data_directory()) / name, 12000, mesh); !reason.empty())
@@ -212,8 +213,7 @@ void data_meshes()
     c.build();
     std::vector<double> levels;
     for (int i = 1; i <= 10; ++i) levels.push_back(c.exact.largest_vertex_distance() * (i - 0.37) / 10);
-    for (const double t : {1e-5, 1e-3})
-      check_with_tolerance(c, levels, t, 0, [t](double d) { return t * d / (1 - t); });
+    for (const double t : {1e-5, 1e-3}) check_with_tolerance(c, levels, t, 0, [t](double d) { return t * d / (1 - t); });
   }
 }
 
@@ -234,30 +234,32 @@ void other_promises()
   g.build_with_offset_curves_by_distance(
     levels,
     [&](double, Curves&& found) {
-      for (const auto& c : found)
-      {
-        const auto on_border = [&](const Face_location& l) {
-          for (std::size_t k = 0; k < 3; ++k)
-          {
-            auto h = halfedge(l.first, data.mesh);
-            for (std::size_t i = 0; i < (k + 1) % 3; ++i) h = next(h, data.mesh);
-            if (l.second[k] <= 1e-12 && is_border(opposite(h, data.mesh), data.mesh)) return true;
-          }
-          return false;
-        };
-        open += std::size_t(!c.is_closed());
-        CHECK(c.is_closed() || (on_border(c.pieces().front().location(0)) && on_border(c.pieces().back().location(1))));
-      }
-      if (curves.empty()) curves = std::move(found);
+    for (const auto& c : found)
+    {
+      const auto on_border = [&](const Face_location& l) {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          auto h = halfedge(l.first, data.mesh);
+          for (std::size_t i = 0; i < (k + 1) % 3; ++i) h = next(h, data.mesh);
+          if (l.second[k] <= 1e-12 && is_border(opposite(h, data.mesh), data.mesh)) return true;
+        }
+        return false;
+      };
+      open += std::size_t(!c.is_closed());
+      CHECK(c.is_closed() || (on_border(c.pieces().front().location(0)) && on_border(c.pieces().back().location(1))));
+    }
+    if (curves.empty()) curves = std::move(found);
     },
     parameters::relative_tolerance(1e-3));
   CHECK(open > 0 && !curves.empty());
-  CHECK_DETAIL(g.statistics().pieces_peak < g.statistics().pieces / 20, values(g.statistics().pieces_peak, g.statistics().pieces));
+  CHECK_DETAIL(g.statistics().pieces_peak < g.statistics().pieces / 20,
+               values(g.statistics().pieces_peak, g.statistics().pieces));
   test::Surface_mesh split(data.mesh);
   CHECK_THROWS(CGAL::split_along_offset_curves(split, curves), std::invalid_argument);
   CHECK(num_faces(split) == num_faces(data.mesh));
   Curves from_function;
-  CGAL::geodesic_offset_curves(data.mesh, Vertex_index(17), 0.3, std::back_inserter(from_function), parameters::relative_tolerance(1e-3));
+  CGAL::geodesic_offset_curves(data.mesh, Vertex_index(17), 0.3, std::back_inserter(from_function),
+                               parameters::relative_tolerance(1e-3));
   CHECK(!from_function.empty() && from_function.front().tolerance() > 0);
 }
 

@@ -89,7 +89,7 @@ public:
 
   Curve put_together(const Parts& parts) const
   {
-    return Context::make_curve(context_, parts.distance, parts.closed, parts.pieces);
+    return Context::make_curve(context_, parts.distance, typename Curve::FT(0), parts.closed, parts.pieces);
   }
 
 private:

@@ -301,6 +301,14 @@ def test_tolerance(bench):
         check(max(d - row["distance"] for row, d in zip(field, exact)) > 1e-7, "no tolerance was used")
         check(max(row["error_bound"] for row in field) <= stats["error_bound"], "the largest bound")
 
+    # offsets of these distances
+    levels = "--source-vertex", 8, "--spacing", 5, "--count", 3, "--output", bench.path("offsets.polylines.txt")
+    exact, near = bench.run(mesh, *levels)["curves"], bench.run(mesh, *levels, "--relative-tolerance", 1e-3)["curves"]
+    check(len(exact) == len(near) == 3, "%d offsets" % len(near))
+    for a, b in zip(exact, near):
+        check(a["number"] == b["number"] and a["length"] != b["length"], "curves within a tolerance: %s, %s" % (a, b))
+        check_close(b["length"], a["length"], 0.01 * a["length"], "length within a tolerance")
+
 
 if __name__ == "__main__":
     run_test(polylines=test_polylines, field=test_field, details=test_details, tolerance=test_tolerance, sources=test_sources)

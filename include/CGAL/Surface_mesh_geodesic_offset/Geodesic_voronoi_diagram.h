@@ -201,6 +201,9 @@ sources bend, to the nearest source of this vertex, as `Geodesic_distance_field:
 coincide if they are no farther apart than 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with
 such ends: rounding does not tell in which direction the curves between them would run.
 
+In faces that are more than a thousand times as long as high, rounding may move ends of pieces so far that the distances there
+differ by 1e-7 of the diagonal of the bounding box: in tests on random thin boxes, at one of thousands of diagrams.
+
 Rounding limits what the curves can tell where more than three sources have equal distances at one point, as with start values that are
 chosen so: within some 1e-6 of the size of the mesh from such a point, the distances of a curve from its sources may differ by 1e-6 of the size.
 And where several sources are closer to each other than 1e-9 of the size, as points of a cluster or polylines that run beside each other,

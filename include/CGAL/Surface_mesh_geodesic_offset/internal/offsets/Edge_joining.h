@@ -67,8 +67,7 @@ public:
         const Level_piece<FT> piece = piece_along(edge, frame, from.position, to.position);
         connect(from.level, from.gate, to.gate, &piece);
       }
-      else
-        connect(from.level, from.gate, to.gate, static_cast<const Level_piece<FT>*>(nullptr));
+      else connect(from.level, from.gate, to.gate, static_cast<const Level_piece<FT>*>(nullptr));
     }
     if (last == gates.end()) m_gates.erase(stored);
     else gates.erase(gates.begin(), last);

@@ -130,10 +130,10 @@ struct Voronoi_window
 
   bool is_bound(const Common_ray& ray, int k, double tie) const
   {
-    const Point start = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
-    const double along_ray = length(start - ray.start), width = Voronoi_tolerances::tied_width(along_ray, tie);
+    const Point p = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
+    const double along_ray = length(p - ray.start), width = Voronoi_tolerances::tied_width(along_ray, tie);
     const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
-    return std::abs(ray.left.value(start)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
+    return std::abs(ray.left.value(p)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
   }
 
   // True if both bounding rays are one ray, up to `tie` at distances up to `radius`.
