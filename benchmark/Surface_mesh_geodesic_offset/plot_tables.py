@@ -239,6 +239,7 @@ def main(arguments):
     write_markdown_of(out, os.path.join(tables, "window_counts.md"), "Windows and memory, against the lower envelope")
     write_markdown_of(out, os.path.join(tables, "point_source_against_smsp.md"), "One point, against SMSP")
     write_markdown_of(out, os.path.join(tables, "bounded_error.md"), "Windows within a tolerance")
+    write_markdown_of(out, os.path.join(tables, "tolerance_offsets.md"), "Offsets within a tolerance")
     write_markdown_of(out, os.path.join(tables, "certified_bounds.md"), "Certified bounds")
     write_markdown_of(out, os.path.join(tables, "parallel.md"), "Several threads")
     out.close()

@@ -36,7 +36,7 @@ done
 data=${GEODESIC_OFFSET_DATA_DIR:-$root/build/data/meshes}
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DGEODESIC_OFFSET_BUILD_TESTING=OFF -DGEODESIC_OFFSET_BUILD_EXAMPLES=OFF -DGEODESIC_OFFSET_BUILD_BENCHMARK=ON
-cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error tolerance_times tolerance_bounds certified_bounds \
+cmake --build "$build" -j "$jobs" --target size_ladder peers hard_meshes flat_meshes bounded_error tolerance_times tolerance_bounds tolerance_offsets certified_bounds \
   window_counts point_source_against_smsp parallel
 
 bin=$build/bin
@@ -62,10 +62,11 @@ for name in elephant fandisk armadillo bunny00; do
 done
 run flat_meshes.md "$bin/flat_meshes"
 run bounded_error.md "$bin/bounded_error" --limit "$limit"
-rm -f "$results"/{certified_bounds,tolerance_bounds,tolerance_times,window_counts,point_source_against_smsp}.md
+rm -f "$results"/{certified_bounds,tolerance_bounds,tolerance_offsets,tolerance_times,window_counts,point_source_against_smsp}.md
 if [ ${#meshes[@]} -gt 0 ]; then
   run certified_bounds.md "$bin/certified_bounds" --repeat 9 "${meshes[@]}"
   run tolerance_bounds.md "$bin/tolerance_bounds" "${meshes[@]}"
+  run tolerance_offsets.md "$bin/tolerance_offsets" "${meshes[@]}"
   run tolerance_times.md "$bin/tolerance_times" --vertices "$limit" "${meshes[@]}"
   run window_counts.md "$bin/window_counts" "${meshes[@]}"
   run point_source_against_smsp.md "$bin/point_source_against_smsp" "${meshes[@]}"

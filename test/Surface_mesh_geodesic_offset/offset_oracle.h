@@ -82,7 +82,7 @@ public:
   {
     const CGAL::Offset_levels<double> levels(std::vector<double>{level});
     CGAL::Geodesic_offset::internal::Face_cutting<double> cutting(mesh_, initial_, field_, reach_, sources_, levels,
-                                                                  field_.maximum);
+                                                                  field_.maximum, {});
     cut_.levels = cutting.levels_of(face, field_.maximum);
     cutting.find_crossings(face, field_.maximum, {0, 0, 0}, cut_); // on all three edges
     Index number = 0;

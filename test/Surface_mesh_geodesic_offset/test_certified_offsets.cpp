@@ -554,6 +554,30 @@ void use()
   CHECK(unreached.tolerance == infinity && unreached.limit == Limit::CURVE_TOO_FAR && unreached.curve == 0);
 }
 
+// Levels within rounding of a vertex, where a piece may have no length, and of the start value of a source.
+void rounding_of_levels()
+{
+  test::Surface_mesh mesh;
+  std::vector<test::Surface_mesh::Vertex_index> v;
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 0.7, 0), Point_3(1.1, 0.9, 0.2)}) v.push_back(mesh.add_vertex(p));
+  mesh.add_face(v[0], v[1], v[2]);
+  mesh.add_face(v[1], v[3], v[2]);
+  for (const double rounding : {0., 0x1p-43, 0x1p-42, 0x1p-41, 1.000003 * 0x1p-42})
+    for (const double start : {0., 0.1, 0.7 * (1 - 0x1p-43), 0.7 * (1 - 0x1p-44), 0.7})
+    {
+      Case c("rounding of levels", mesh);
+      c.geodesic.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{test::Surface_mesh::Edge_index(0)});
+      c.enclosure.add_source_edges(std::vector<test::Surface_mesh::Edge_index>{test::Surface_mesh::Edge_index(0)});
+      if (start > 0)
+      {
+        c.geodesic.add_source_point(v[3], CGAL::parameters::start_value(start));
+        c.enclosure.add_source_point(v[3], CGAL::parameters::start_value(start));
+      }
+      c.build();
+      check_ours(c, 0.7 * (1 + rounding));
+    }
+}
+
 } // namespace test_certified_offsets
 
 GEODESIC_OFFSET_TEST(test_certified_offsets)
@@ -564,6 +588,7 @@ GEODESIC_OFFSET_TEST(test_certified_offsets)
                                                       {"small triangles", distances_from_small_triangles},
                                                       {"near the farthest point", near_the_farthest_point},
                                                       {"sampled regions", sampled_regions},
+                                                      {"rounding of levels", rounding_of_levels},
                                                       {"faults", faults},
                                                       {"no region, and other sources", no_region_and_other_sources}};
   const int result = run_tests("test_certified_offsets", tests);

@@ -564,6 +564,22 @@ void dense_faces()
   add_levels(levels, 0, 0.2, 500);
   check_waiting_pieces("many sources in a face", planar_grid(3, 1), [&](Geodesic& g) { add_sources_in_faces(g, 0, 0); }, levels);
 
+  std::vector<double> small_levels;
+  for (int i = 0; i < 200; ++i) small_levels.push_back(std::pow(10, -5 + 0.0275 * i));
+  check_waiting_pieces("crossing segments in a face", planar_grid(3, 3),
+                       [](Geodesic& g)
+                       {
+                         test::Random random(7);
+                         std::vector<Face_location> polyline;
+                         for (int i = 0; i < 30; ++i)
+                         {
+                           const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+                           polyline.push_back({test::Surface_mesh::Face_index(5), {u, v, 1 - u - v}});
+                         }
+                         g.add_source_polyline(polyline);
+                       },
+                       small_levels);
+
   Soup parts;
   add_part(parts, planar_grid(1, 1), 4, 0);
   const std::size_t empty = add_part(parts, needle_fan(10), 4.5, 30);

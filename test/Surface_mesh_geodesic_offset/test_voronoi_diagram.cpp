@@ -860,6 +860,31 @@ void ties_on_a_ray()
       }
 }
 
+// A polyline ties at its end only, which is the center of a face: the face belongs to the edge that is nearer everywhere else.
+void tie_at_a_center()
+{
+  Surface_mesh mesh;
+  std::vector<Vertex_index> v{mesh.add_vertex(Point_3(0, 0, -1.3308796789576884))};
+  for (int k = 0; k < 5; ++k) v.push_back(mesh.add_vertex(Point_3(std::cos(0.4 * k * CGAL_PI), std::sin(0.4 * k * CGAL_PI), 0)));
+  for (std::size_t k = 0; k < 5; ++k) mesh.add_face(v[0], v[k + 1], v[(k + 1) % 5 + 1]);
+  const Location apex(Face_index(1), {1, 0, 0}), center(Face_index(1), {1. / 3, 1. / 3, 1. / 3});
+  const auto add_edge = [](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{Edge_index(7)}); };
+  Geodesic edge(mesh);
+  add_edge(edge);
+  const Field field = edge.build(CGAL::parameters::keep_windows(true));
+  for (const double rounding : {-1e-15, 0., 1e-15})
+  {
+    const double start = field.distance_to_sources(center) + rounding;
+    const Diagram diagram = diagram_of(
+      mesh, {add_edge,
+             [&](Geodesic& g) { g.add_source_point(apex, CGAL::parameters::start_value(field.distance_to_sources(apex))); },
+             [&](Geodesic& g) {
+               g.add_source_polyline(std::vector<Location>{apex, center}, false, CGAL::parameters::start_value(start));
+             }});
+    for (const Face_index f : mesh.faces()) CHECK(diagram.source_at_face(f) != 2);
+  }
+}
+
 // A vertex and an edge at it: where the vertex is the nearest point of the edge, both tie, and the curve is the border of this
 // region. It runs along rays on both sides of which the distances are equal up to the square of the distance from the ray, so
 // rounding may end windows anywhere beside them; on two sides of the other end of the edge, these rays meet.
@@ -979,6 +1004,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"windows without order", test_voronoi_diagram::windows_without_order},
     {"crossing polylines", test_voronoi_diagram::crossing_polylines},
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
+    {"tie at a center", test_voronoi_diagram::tie_at_a_center},
     {"vertex and edge", test_voronoi_diagram::vertex_and_edge},
     {"bad input", test_voronoi_diagram::bad_input},
     {"unreachable", test_voronoi_diagram::unreachable},

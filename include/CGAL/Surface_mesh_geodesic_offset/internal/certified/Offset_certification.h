@@ -138,6 +138,8 @@ private:
   // The tolerance is the smallest one up to this part of the distance and the size of a face, twice the errors of the bounds of
   // a point.
   static constexpr double resolution = 0x1p-45;
+  // The package cuts a level below itself by 2^-42 of it. Binding test: test_certified_offsets, rounding of levels.
+  static constexpr double level_rounding = 0x1p-41;
   // The parts of a piece are never smaller than its 2^-60, and the triangles of a face are no more than 2^16.
   static constexpr int most_halvings = 60;
   static constexpr std::size_t most_triangles = 1u << 16;
@@ -169,7 +171,8 @@ private:
     Double_double_2 p, q;
     unsigned p_edges, q_edges;
     if (!place_in(arc.face, from, p, p_edges) || !place_in(arc.face, arc.to, q, q_edges)) return false;
-    const bool is_along_edge = !(arc.radius > 0) && (p_edges & q_edges);
+    // a straight piece from a vertex to itself, of the size of rounding, is along no edge
+    const bool is_along_edge = !(arc.radius > 0) && (p_edges & q_edges) && m_region.key(from) != m_region.key(arc.to);
     const auto point = [](const Point_in_face<double>& x) { return Double_double_2{Double_double(x.x), Double_double(x.y)}; };
     const Double_double_2 start = point(arc.start), end = point(arc.end);
     const Face_piece piece = arc.radius > 0 ? Face_piece::arc(start, end, point(arc.center), arc.radius)
@@ -242,17 +245,18 @@ private:
     set_limit(limit, face, place, bounds, curve);
   }
 
-  // The first source of a component is inside; so must the others be. Sources with start values from the level on are nowhere
-  // nearer, and may be on either side.
+  // The first source of a component is inside; so must the others be. Sources with start values from the level on, up to its
+  // rounding, are nowhere nearer, and may be on either side.
   void find_sides()
   {
+    const double level = (1 - level_rounding) * m_distance;
     for (const Certified_source_vertex& s : m_sources.vertices)
       if (const Index corner = m_mesh.unfolded().corner(s.vertex);
-          s.start_value < m_distance && !m_region.is_on_curve(s.vertex) && corner != no_index)
+          s.start_value < level && !m_region.is_on_curve(s.vertex) && corner != no_index)
         put_source({m_region.part(corner, 0), false, true}, s.start_value, corner / 3,
                    m_sources.corner(corner / 3, int(corner % 3)));
     for (const Certified_source& s : m_sources.in_faces)
-      if (s.start_value < m_distance) put_source(m_side(s.face, s.first), s.start_value, s.face, s.first);
+      if (s.start_value < level) put_source(m_side(s.face, s.first), s.start_value, s.face, s.first);
     for (std::size_t i = 0; i < m_region.number_of_parts(); ++i)
       if (!m_region.has_side(i)) m_region.set_side(i, false);
   }

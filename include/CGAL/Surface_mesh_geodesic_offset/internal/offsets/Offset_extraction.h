@@ -159,8 +159,10 @@ private:
   // Pieces in a face at a level that may cross it, per window of the face: one of four to ten has a piece on fine meshes, one of
   // two to four in faces with many sources. Binding test of these limits: test_offset_families.
   static constexpr double pieces_per_window = 1. / 4;
-  // A face with more windows may have more pieces than all others that are cut before it, so it counts by its windows.
-  static constexpr std::size_t many_windows = 1 << 6;
+  // The same per window of a source in the face: near crossing segments, all of them have pieces, and two on average.
+  static constexpr double pieces_per_local_window = 2;
+  // A face with more of them at a level may have more pieces than all others that are cut before it, so it counts by its windows.
+  static constexpr double many_pieces = 16;
 
   struct Crossed_face
   {
@@ -199,25 +201,25 @@ private:
     {
       const Level_range levels = levels_left(f, settled);
       if (levels.is_empty()) continue;
-      expected.pieces += pieces_per_window * double(number_of_windows(f)) * double(levels.size());
+      expected.pieces += pieces_by_windows(f) * double(levels.size());
       expected.crossings += levels.size();
     }
     return expected;
   }
 
-  std::size_t number_of_windows(Index f) const
+  // Pieces to expect in a face at a level that may cross it, by the number of its windows.
+  double pieces_by_windows(Index f) const
   {
     const auto local = local_windows(m_initial, f);
-    std::size_t windows = 3 + std::size_t(local.second - local.first); // the corners have cones, too
+    std::size_t windows = 3; // the corners have cones, too
     for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
-    return windows;
+    return pieces_per_window * double(windows) + pieces_per_local_window * double(local.second - local.first);
   }
 
-  // Pieces to expect in a face at a level that may cross it.
   double expected_pieces_at_level(Index f) const
   {
-    const std::size_t windows = number_of_windows(f);
-    return windows > many_windows ? (std::max)(m_pieces_per_crossing, pieces_per_window * double(windows)) : m_pieces_per_crossing;
+    const double pieces = pieces_by_windows(f);
+    return pieces > many_pieces ? (std::max)(m_pieces_per_crossing, pieces) : m_pieces_per_crossing;
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.

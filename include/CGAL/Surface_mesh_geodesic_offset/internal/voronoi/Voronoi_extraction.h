@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,12 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
+  // Of a face that no curve crosses, the center may be the only point of another cell: its loop was too small to be kept.
+  std::unordered_set<Index> crossed;
+  for (const Bisector_chain& chain : diagram.chains)
+    for (const Bisector_arc& a : chain.arcs) crossed.insert(a.face);
+  for (const auto& [face, cells] : diagram.cells)
+    if (crossed.count(face) == 0) diagram.label_of_face[face] = cells.labels({0.37, 0.32, 0.31}, 0).front();
   return diagram;
 }
 
