@@ -31,8 +31,8 @@ The curve is closed, or its ends lie on the border of the mesh; a curve of one s
 side, and may end inside the surface. The smaller distances are on the left of the direction of travel, seen from the outside
 of the surface. No curve meets itself or another one of the same distance.
 
-The curve is exact up to the rounding of its number type, unless the build had a tolerance; it becomes a polyline only on output. Points on arcs, angles and
-lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
+The curve is exact up to the rounding of its number type, unless the build had a tolerance; it becomes a polyline only on
+output. Points on arcs, angles and lengths of arcs are rounded to `double` whatever the number type. The mesh must outlive the curve; the
 `Surface_mesh_geodesic_offset` need not. Copies of the curve share the unfolded mesh, which is immutable. All member functions
 are const and, with floating point numbers, may be called from several threads. A curve that was moved from has no pieces: its
 length is 0, `discretize()` and the functions that write points write none, and those that return a point throw

@@ -75,7 +75,7 @@ public:
     const Index first = Index(m_pieces.size());
     if (piece)
     {
-      const Piece next = m_pieces[m_links[m_link_at[to]].first];
+      const Piece& next = m_pieces[m_links[m_link_at[to]].first];
       m_pieces.push_back(*piece);
       m_pieces.back().source_ref = next.source_ref;
       m_pieces.back().pseudo_source = next.pseudo_source;

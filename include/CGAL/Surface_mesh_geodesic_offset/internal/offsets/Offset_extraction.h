@@ -27,6 +27,7 @@
 #include <memory>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -82,6 +83,7 @@ public:
   {
     const std::size_t end = m_levels.first_above(settled), last = (std::min)(end, std::size_t(all_levels) - 1);
     const std::size_t many = most_waiting_pieces();
+    find_dense_faces(faces);
     Level_group group = next_group(faces, settled, m_first_waiting, last);
     if (!m_must_cut_pending && group.end == last &&
         double((std::min)(m_waiting_pieces, m_new_pieces)) + group.expected.pieces < double(many))
@@ -216,10 +218,11 @@ private:
     return pieces_per_window * double(windows) + pieces_per_local_window * double(local.second - local.first);
   }
 
-  double expected_pieces_at_level(Index f) const
+  void find_dense_faces(const std::vector<Index>& faces)
   {
-    const double pieces = pieces_by_windows(f);
-    return pieces > many_pieces ? (std::max)(m_pieces_per_crossing, pieces) : m_pieces_per_crossing;
+    m_dense.clear();
+    for (const Index f : faces)
+      if (const double pieces = pieces_by_windows(f); pieces > many_pieces) m_dense.push_back({f, pieces});
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
@@ -250,27 +253,31 @@ private:
       if (const Level_range levels = levels_within(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
     if (lowest == last) return {last, last, Expected_pieces{}};
     std::array<std::ptrdiff_t, most_levels_together + 1> change{};  // of the number of faces, from level to level
-    std::array<double, most_levels_together + 1> change_of_pieces{}; // to expect in them
+    std::array<double, most_levels_together + 1> change_of_extra{}; // pieces to expect in dense faces
     const std::size_t end = (std::min)(last, lowest + most_levels_together);
     for (const Index f : faces)
     {
       const Level_range levels = levels_within(f);
       if (levels.is_empty() || levels.first >= end) continue;
-      const std::size_t first_change = levels.first - lowest, last_change = (std::min)(levels.last, end) - lowest;
-      const double pieces = expected_pieces_at_level(f);
-      ++change[first_change];
-      --change[last_change];
-      change_of_pieces[first_change] += pieces;
-      change_of_pieces[last_change] -= pieces;
+      ++change[levels.first - lowest];
+      --change[(std::min)(levels.last, end) - lowest];
+    }
+    for (const auto& [f, pieces] : m_dense)
+    {
+      const Level_range levels = levels_within(f);
+      if (levels.is_empty() || levels.first >= end || pieces <= m_pieces_per_crossing) continue;
+      change_of_extra[levels.first - lowest] += pieces - m_pieces_per_crossing;
+      change_of_extra[(std::min)(levels.last, end) - lowest] -= pieces - m_pieces_per_crossing;
     }
     const double most = double(pieces_that_may_be_added());
     std::size_t crossed = std::size_t(change[0]), i = lowest + 1;
-    double pieces = change_of_pieces[0];
-    Expected_pieces expected{pieces, crossed};
+    double extra = change_of_extra[0];
+    Expected_pieces expected{m_pieces_per_crossing * double(crossed) + extra, crossed};
     for (; i < end; ++i)
     {
       crossed += std::size_t(change[i - lowest]);
-      pieces += change_of_pieces[i - lowest];
+      extra += change_of_extra[i - lowest];
+      const double pieces = m_pieces_per_crossing * double(crossed) + extra;
       if (expected.pieces + pieces > most) break;
       expected.pieces += pieces;
       expected.crossings += crossed;
@@ -457,6 +464,7 @@ private:
   Waiting_crossings m_waiting;
   Edge_joining<FT> m_joining;                                  // with a tolerance
   std::vector<Index> m_to_join;                                // faces that were cut since
+  std::vector<std::pair<Index, double>> m_dense;               // of pending faces: those with many pieces at a level
   Curves_of_levels m_curves;                                   // of levels that are not passed on
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on

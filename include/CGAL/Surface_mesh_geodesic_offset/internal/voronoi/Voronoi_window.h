@@ -118,14 +118,10 @@ struct Voronoi_window
     return Common_ray{p, {n, dot(n, p)}};
   }
 
-  // Ends the cone at a common ray on its left (0) or right (1), if its bounding ray there is this ray up to rounding. False if it is
-  // not.
-  bool end_at(const Common_ray& ray, int k, double tie)
+  // Ends the cone at a common ray on its left (0) or right (1), if its bounding ray there is this ray up to rounding.
+  void end_at(const Common_ray& ray, int k, double tie)
   {
-    if (!is_bound(ray, k, tie)) return false;
-    const double sign = k == 0 ? -1 : 1;
-    bound[std::size_t(k)] = {sign * ray.left.n, sign * ray.left.m};
-    return true;
+    if (is_bound(ray, k, tie)) bound[std::size_t(k)] = k == 0 ? ray.left.opposite() : ray.left;
   }
 
   bool is_bound(const Common_ray& ray, int k, double tie) const
