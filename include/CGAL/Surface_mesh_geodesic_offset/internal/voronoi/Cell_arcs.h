@@ -228,10 +228,13 @@ private:
     return v.precedes(w) || (!w.precedes(v) && a < b);
   }
 
-  // True if x may have a ray in common with v, rather than with w: its label, or a more similar direction.
-  static bool is_rival(const Bisector_conic& conic, const Voronoi_window& x, const Voronoi_window& v, const Voronoi_window& w,
-                       const Parameter_intervals& parts)
+  // True if x may have a ray in common with v, rather than with w: their distances are equal along a ray, or else its label, or a more
+  // similar direction.
+  bool is_rival(const Bisector_conic& conic, const Voronoi_window& x, const Voronoi_window& v, const Voronoi_window& w,
+                const Parameter_intervals& parts) const
   {
+    const bool ties_with_v = x.ties_on_ray(v, m_tolerances.tie), ties_with_w = x.ties_on_ray(w, m_tolerances.tie);
+    if (ties_with_v != ties_with_w) return ties_with_v;
     if (x.label == v.label || x.label == w.label) return x.label == v.label;
     const auto& part = *parts.begin();
     if (!std::isfinite(part.begin) || !std::isfinite(part.end)) return true;

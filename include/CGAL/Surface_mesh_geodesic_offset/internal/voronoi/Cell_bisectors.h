@@ -117,6 +117,7 @@ private:
     m_motion.set_cell(cell, candidates);
     m_arcs.clear();
     m_find_arcs(cell, candidates, margin, m_arcs);
+    if (margin > 0) keep_arcs_along_sides(cell);
     if (m_arcs.empty() && cell.gates.empty()) return true;
     add_links_along_sides(cell, candidates);
     m_ends.clear();
@@ -227,6 +228,54 @@ private:
     if (m_cluster[2 * arc] != m_cluster[2 * arc + 1]) return false;
     const Bisector_arc& a = m_arcs[arc];
     return length(a.middle() - a.start) <= 2 * m_tolerances.joint;
+  }
+
+  // An arc along a side of the cell belongs to the cell where the side has the label beyond the arc, and else to the other cell: divides
+  // such arcs at the gates of the side, and keeps those parts that belong to the cell.
+  void keep_arcs_along_sides(const Voronoi_cell& cell)
+  {
+    std::vector<Bisector_arc> found;
+    found.swap(m_arcs);
+    for (const Bisector_arc& a : found)
+    {
+      const auto is_along = [&](int k) {
+        const Half_plane<double> side = cell.outside(k);
+        for (const Point& p : {a.start, a.middle(), a.end})
+          if (std::abs(side.value(p)) > 2 * m_tolerances.slack) return false;
+        return true;
+      };
+      const int k = is_along(0) ? 0 : is_along(1) ? 1 : is_along(2) ? 2 : 3;
+      if (k == 3)
+      {
+        m_arcs.push_back(a);
+        continue;
+      }
+      const Point u = cell.direction[k];
+      const auto position = [&](const Point& p) { return dot(p - cell.corner[k], u); };
+      const bool is_forward = position(a.end) > position(a.start);
+      const Index inner = is_forward ? a.left.label : a.right.label;
+      std::vector<double> ends{a.from};
+      const auto add_end = [&](const Voronoi_gate& g) {
+        if (g.side != k) return;
+        const double t = a.conic.parameter_near(g.point, a.conic.between(a.from, a.to, 0.5));
+        if (a.from < t && t < a.to) ends.push_back(t);
+      };
+      for (const Voronoi_gate& g : cell.gates) add_end(g);
+      ends.push_back(a.to);
+      std::sort(ends.begin(), ends.end());
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      {
+        Bisector_arc part(a);
+        part.from = ends[i];
+        part.to = ends[i + 1];
+        part.start = part.conic.at(part.from).point();
+        part.end = part.conic.at(part.to).point();
+        Index label = cell.label[k];
+        for (const Voronoi_gate& g : cell.gates)
+          if (g.side == k && position(g.point) <= position(part.middle())) label = g.to;
+        if (label != inner) m_arcs.push_back(part);
+      }
+    }
   }
 
   // Where a side of the cell ties, its points may have a label that no window of the cell has. Then the bisector runs along the side:

@@ -118,6 +118,15 @@ struct Voronoi_window
     return Common_ray{p, {n, dot(n, p)}};
   }
 
+  // True if the distances are equal on a ray, were there no cones, and one of the windows is nearer everywhere else.
+  bool ties_on_ray(const Voronoi_window& other, double tie) const
+  {
+    if (is_parallel() && other.is_parallel()) return false;
+    if (is_parallel()) return other.ties_on_ray(*this, tie);
+    if (other.is_parallel()) return std::abs(other.distance_at(image()) - sigma()) <= tie;
+    return std::abs(length(image() - other.image()) - std::abs(sigma() - other.sigma())) <= tie;
+  }
+
   // Ends the cone at a common ray on its left (0) or right (1), if its bounding ray there is this ray up to rounding.
   void end_at(const Common_ray& ray, int k, double tie)
   {
