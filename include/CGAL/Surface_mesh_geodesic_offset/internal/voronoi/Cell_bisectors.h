@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arc_end_motion.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_arcs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Label_changes.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
@@ -230,21 +231,16 @@ private:
     return length(a.middle() - a.start) <= 2 * m_tolerances.joint;
   }
 
-  // An arc along a side of the cell belongs to the cell where the side has the label beyond the arc, and else to the other cell: divides
-  // such arcs at the gates of the side, and keeps those parts that belong to the cell.
+  // An arc along a side of the cell belongs to the cell where the side has not the label on the inner side of the arc, and else to the
+  // other cell: divides such arcs at the gates of the side, and keeps those parts that belong to the cell.
   void keep_arcs_along_sides(const Voronoi_cell& cell)
   {
     std::vector<Bisector_arc> found;
     found.swap(m_arcs);
     for (const Bisector_arc& a : found)
     {
-      const auto is_along = [&](int k) {
-        const Half_plane<double> side = cell.outside(k);
-        for (const Point& p : {a.start, a.middle(), a.end})
-          if (std::abs(side.value(p)) > 2 * m_tolerances.slack) return false;
-        return true;
-      };
-      const int k = is_along(0) ? 0 : is_along(1) ? 1 : is_along(2) ? 2 : 3;
+      int k = 0;
+      while (k < 3 && !is_along(cell, k, a)) ++k;
       if (k == 3)
       {
         m_arcs.push_back(a);
@@ -273,52 +269,89 @@ private:
         Index label = cell.label[k];
         for (const Voronoi_gate& g : cell.gates)
           if (g.side == k && position(g.point) <= position(part.middle())) label = g.to;
-        if (label != inner) m_arcs.push_back(part);
+        if (label == inner) continue;
+        Bisector_side& beyond = is_forward ? part.right : part.left;
+        if (label != beyond.label)
+        { // a third source that ties along the side
+          part.is_link = true;
+          part.left.window = part.right.window = no_index;
+          beyond = Bisector_side();
+          beyond.label = label;
+        }
+        m_arcs.push_back(part);
       }
     }
   }
 
-  // Where a side of the cell ties, its points may have a label that no window of the cell has. Then the bisector runs along the side:
-  // adds links there, from both gates of this part of the side to the bisector of the sources beside it, or to each other.
+  // Where a side of the cell ties, its points may have a label that no window of the cell has there, but one beyond the side. Then the
+  // bisector runs along the side: adds links there, between this label and that of the cell beside the side.
   void add_links_along_sides(const Voronoi_cell& cell, const std::vector<unsigned>& candidates)
   {
-    const std::size_t n = cell.gates.size(), arcs = m_arcs.size();
-    for (std::size_t i = 0; i < n; ++i)
+    for (int k = 0; k < 3; ++k)
     {
-      const Voronoi_gate &g = cell.gates[i], &h = cell.gates[(i + 1) % n];
-      if (g.to != h.from || length(g.point - h.point) <= m_tolerances.joint) continue;
-      const bool has_windows =
-        std::any_of(candidates.begin(), candidates.end(), [&](unsigned c) { return m_windows[c].label == g.to; });
-      if (has_windows || (candidates.empty() && g.to == cell.label[0])) continue; // without windows, the cell has one label
-      for (int k = 0; k < 3; ++k)
+      double begin = 0;
+      Index label = cell.label[k];
+      for (const Voronoi_gate& g : cell.gates)
       {
-        const Half_plane<double> side = cell.outside(k);
-        const auto is_on_side = [&](const Point& p) { return std::abs(side.value(p)) <= m_tolerances.joint; };
-        if (!is_on_side(g.point) || !is_on_side(h.point)) continue;
-        if (g.from == h.to)
-        {
-          m_arcs.push_back(link(g, h));
-          m_arcs.back().start_node = m_arcs.back().end_node = no_index;
-          break;
-        }
-        for (std::size_t a = 0; a < arcs; ++a)
-          for (const Point& p : {m_arcs[a].start, m_arcs[a].end})
-          {
-            const Index l = m_arcs[a].left.label, r = m_arcs[a].right.label;
-            if (!is_on_side(p) || (std::min)(l, r) != (std::min)(g.from, h.to) || (std::max)(l, r) != (std::max)(g.from, h.to))
-              continue;
-            if (dot(p - g.point, h.point - p) < -m_tolerances.joint * length(h.point - g.point)) continue;
-            for (const Voronoi_gate* const x : {&g, &h})
-            {
-              if (length(x->point - p) <= m_tolerances.joint) continue;
-              m_arcs.push_back(link(*x, *x));
-              m_arcs.back().start_node = m_arcs.back().end_node = no_index;
-              m_arcs.back().end = p;
-            }
-          }
-        break;
+        if (g.side != k) continue;
+        const double end = dot(g.point - cell.corner[k], cell.direction[k]);
+        add_links(cell, candidates, k, begin, end, label);
+        begin = end;
+        label = g.to;
       }
+      add_links(cell, candidates, k, begin, cell.side_length(k), label);
     }
+  }
+
+  // For the part of side k from `begin` to `end`, with a label.
+  void add_links(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, int k, double begin, double end, Index label)
+  {
+    const auto at = [&](double t) { return cell.corner[k] + t * cell.direction[k]; };
+    const auto is_of_neighbour = [&](double t) {
+      const double least = least_path_length(m_windows, candidates, at(t));
+      return least_path_length_from(label, m_windows, candidates, at(t)) > least + 2 * m_tolerances.usual_tie;
+    };
+    if (end - begin <= m_tolerances.joint) return;
+    if (candidates.empty())
+    { // the face has the label of its first corner
+      if (label != cell.label[0]) add_link_along_side(at(begin), at(end), cell.label[0], label);
+      return;
+    }
+    if (!is_of_neighbour(begin) && !is_of_neighbour((begin + end) / 2) && !is_of_neighbour(end)) return;
+    std::vector<Label_change> changes;
+    m_changes(at(begin), cell.direction[k], end - begin, label, label, m_windows, candidates, m_tolerances,
+              [&](const Label_change& c) { changes.push_back(c); });
+    for (std::size_t i = 0; i + 1 < changes.size(); ++i)
+    {
+      const Index inner = changes[i].to;
+      const double from = begin + changes[i].t, to = begin + changes[i + 1].t, middle = (from + to) / 2;
+      if (inner == label || to - from <= m_tolerances.joint || !is_of_neighbour(middle)) continue;
+      const Point p = at(middle);
+      const bool is_known = std::any_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) {
+        return is_along(cell, k, a) && dot(p - a.start, cell.direction[k]) * dot(p - a.end, cell.direction[k]) <= 0;
+      });
+      if (!is_known) add_link_along_side(at(from), at(to), inner, label);
+    }
+  }
+
+  void add_link_along_side(const Point& from, const Point& to, Index inner, Index outer)
+  {
+    Bisector_arc link;
+    link.face = link.start_node = link.end_node = no_index;
+    link.left.label = inner;
+    link.right.label = outer;
+    link.start = from;
+    link.end = to;
+    link.is_link = true;
+    m_arcs.push_back(link);
+  }
+
+  bool is_along(const Voronoi_cell& cell, int k, const Bisector_arc& a) const
+  {
+    const Half_plane<double> side = cell.outside(k);
+    for (const Point& p : {a.start, a.middle(), a.end})
+      if (std::abs(side.value(p)) > 2 * m_tolerances.slack) return false;
+    return true;
   }
 
   // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors between
@@ -452,6 +485,7 @@ private:
   std::vector<Arc_end> m_ends;                      // two of each arc, then the gates
   std::vector<std::size_t> m_cluster;               // per end
   std::vector<std::vector<std::size_t>> m_clusters; // ends that meet
+  Label_changes m_changes;
   Arc_end_motion m_motion;
 };
 

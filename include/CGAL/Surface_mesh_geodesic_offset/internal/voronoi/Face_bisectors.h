@@ -64,7 +64,7 @@ public:
     }
     close_gaps();
     double magnitude = 0; // of the windows that may be nearest
-    prune(m_cell, m_all);
+    prune(m_cell, m_all, m_tolerances.joint);
     for (const unsigned i : m_all) magnitude = (std::max)(magnitude, m_windows[i].largest_at_chord());
     m_tolerances = Voronoi_tolerances(magnitude + CGAL::to_double(m_field.size()));
     return !has_one_label_at(m_cell, m_all);
@@ -129,7 +129,8 @@ public:
       std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
-      prune(part.cell, part.windows);
+      // windows along a side only are those of the neighbour
+      prune(part.cell, part.windows, -2 * m_tolerances.slack);
       if (part.cell.gates.empty() && has_one_label_at(part.cell, part.windows)) continue;
       const bool is_divisible = part.diameter > m_tolerances.smallest_cell;
       const bool has_many_windows = part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
@@ -267,8 +268,9 @@ private:
     return true;
   }
 
-  // Removes the windows that are nowhere nearest in a cell, or do not reach it. Distances are 1-Lipschitz.
-  void prune(const Voronoi_cell& cell, std::vector<unsigned>& windows) const
+  // Removes the windows that are nowhere nearest in a cell, or do not reach it: whose cone is farther than `outside` from it. Distances are
+  // 1-Lipschitz.
+  void prune(const Voronoi_cell& cell, std::vector<unsigned>& windows, double outside) const
   {
     const Point center = cell.center();
     const double radius = cell.radius();
@@ -279,7 +281,7 @@ private:
       for (int k = 0; k < w.number_of_bounds; ++k)
       {
         const Half_plane<double>& h = w.bound[std::size_t(k)];
-        if ((std::min)({h.value(cell.corner[0]), h.value(cell.corner[1]), h.value(cell.corner[2])}) > m_tolerances.joint)
+        if ((std::min)({h.value(cell.corner[0]), h.value(cell.corner[1]), h.value(cell.corner[2])}) > outside)
           return true;
       }
       return false;
