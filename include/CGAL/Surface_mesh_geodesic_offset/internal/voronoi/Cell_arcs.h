@@ -188,8 +188,9 @@ private:
     }
     else
     {
-      const bool rival_is_v = is_rival(conic, x, v, w, parts);
-      const double tie = precedes(c, rival_is_v ? a : b) ? m_tolerances.tie : -m_tolerances.tie;
+      const bool precedes_v = precedes(c, a), precedes_w = precedes(c, b);
+      const bool wins_ties = precedes_v == precedes_w || is_rival(conic, x, v, w, parts) ? precedes_v : precedes_w;
+      const double tie = wins_ties ? m_tolerances.tie : -m_tolerances.tie;
       if (x.is_parallel())
       {
         const Point n = x.image();

@@ -120,7 +120,22 @@ private:
     m_find_arcs(cell, candidates, margin, m_arcs);
     if (margin > 0) keep_arcs_along_sides(cell);
     if (m_arcs.empty() && cell.gates.empty()) return true;
-    add_links_along_sides(cell, candidates);
+    if (!fit_together(cell, joins_loose_ends))
+    {
+      const std::size_t found = m_arcs.size();
+      add_links_along_sides(cell, candidates);
+      if (m_arcs.size() == found || !fit_together(cell, joins_loose_ends)) return false;
+    }
+    for (const auto& members : m_clusters) set_nodes(cell, members, new_node);
+    for (const Bisector_arc& arc : m_arcs)
+      if (arc.start_node != no_index) out(arc);
+    for (const Bisector_arc& l : m_links) out(l);
+    return true;
+  }
+
+  // Sorts the ends of the arcs and the gates into clusters. Returns false if these do not fit together.
+  bool fit_together(const Voronoi_cell& cell, bool joins_loose_ends)
+  {
     m_ends.clear();
     for (std::size_t i = 0; i < m_arcs.size(); ++i)
     {
@@ -135,10 +150,6 @@ private:
     m_links.clear();
     for (auto& members : m_clusters)
       if (!fits(cell, members) && !(link_neighbours(cell, members) && fits(cell, members))) return false;
-    for (const auto& members : m_clusters) set_nodes(cell, members, new_node);
-    for (const Bisector_arc& arc : m_arcs)
-      if (arc.start_node != no_index) out(arc);
-    for (const Bisector_arc& l : m_links) out(l);
     return true;
   }
 
