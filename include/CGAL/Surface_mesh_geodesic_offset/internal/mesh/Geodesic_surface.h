@@ -143,10 +143,13 @@ struct Geodesic_surface
     return Face_location(face_of[face], exported(Face_frame<Number>(unfolded, face).barycentric_on_edge(edge, p)));
   }
 
-  // The same for a point that rounding may have moved out of the face: negative coordinates become 0.
+  // The same for a point that rounding may have moved out of the face: that is the nearest point of the edge that it has crossed. To
+  // set a negative coordinate to 0 would move it along this edge, too, and far if the face is thin.
   Face_location location_inside(Index face, const Point_in_face<Number>& p, int edge) const
   {
     Face_location l = location(face, p, edge);
+    if (edge == 3 && CGAL::is_negative((std::min)({l.second[0], l.second[1], l.second[2]})))
+      l = location(face, p, l.second[0] < FT(0) ? 1 : l.second[1] < FT(0) ? 2 : 0);
     for (FT& w : l.second) w = (std::max)(w, FT(0));
     const FT sum = l.second[0] + l.second[1] + l.second[2];
     for (FT& w : l.second) w = w / sum;

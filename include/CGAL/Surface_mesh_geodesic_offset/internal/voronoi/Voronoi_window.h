@@ -99,23 +99,29 @@ struct Voronoi_window
     return true;
   }
 
-  // A ray of two windows, and the half-plane on the left of it.
+  // A ray on which the distances of two windows are equal: behind a point that is in line with the other one, `apart` from it.
   struct Common_ray
   {
     Point start;
-    Half_plane<double> left;
+    Half_plane<double> left; // what is on the left of it
+    double apart;            // infinite for parallel rays
+
+    // How far beside the ray, at a distance from its start, the distances are equal within rounding.
+    double width(double along_ray, double tie) const { return Voronoi_tolerances::tied_width(along_ray * (1 + along_ray / apart), tie); }
   };
 
-  // The common ray of this window and of one on its right, rays from a point and parallel rays of two sources: if the point is on the
-  // line of the other source, the distances are equal on the ray from there, and differ by the square of the distance from it on
-  // both sides. So within rounding, the cones may end anywhere beside the ray.
+  // The common ray of this window and of one on its right, of two sources: the distances are equal on it, and differ by the square of the
+  // distance from it on both sides. So within rounding, the cones may end anywhere beside the ray.
   std::optional<Common_ray> common_ray(const Voronoi_window& right, double tie) const
   {
-    if (label == right.label || is_parallel() == right.is_parallel()) return std::nullopt;
-    const Voronoi_window &point = is_parallel() ? right : *this, &lines = is_parallel() ? *this : right;
-    const Point p = point.image(), n = quarter_turn(lines.image());
-    if (!(std::abs(lines.distance_at(p) - point.sigma()) <= tie)) return std::nullopt;
-    return Common_ray{p, {n, dot(n, p)}};
+    if (label == right.label || !ties_on_ray(right, tie)) return std::nullopt;
+    const bool starts_on_right = is_parallel() || (!right.is_parallel() && sigma() < right.sigma());
+    const Voronoi_window &point = starts_on_right ? right : *this, &other = starts_on_right ? *this : right;
+    const Point p = point.image(), back = other.is_parallel() ? other.image() : other.image() - p;
+    const double apart = length(back);
+    if (apart <= tie) return std::nullopt;
+    const Point n = (1 / apart) * quarter_turn(back);
+    return Common_ray{p, {n, dot(n, p)}, other.is_parallel() ? std::numeric_limits<double>::infinity() : apart};
   }
 
   // True if the distances are equal on a ray, were there no cones, and one of the windows is nearer everywhere else.
@@ -136,7 +142,7 @@ struct Voronoi_window
   bool is_bound(const Common_ray& ray, int k, double tie) const
   {
     const Point p = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
-    const double along_ray = length(p - ray.start), width = Voronoi_tolerances::tied_width(along_ray, tie);
+    const double along_ray = length(p - ray.start), width = ray.width(along_ray, tie);
     const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
     return std::abs(ray.left.value(p)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
   }
