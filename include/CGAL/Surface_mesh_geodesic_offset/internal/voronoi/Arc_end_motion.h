@@ -139,10 +139,13 @@ private:
   // Infinite if no window of the cell has the source.
   double distance_from(Index label, const Point& p) const
   {
-    return least_path_length_from(label, m_windows, *m_candidates, p);
+    double result = std::numeric_limits<double>::infinity();
+    for (const unsigned i : *m_candidates)
+      if (m_windows[i].label == label) result = (std::min)(result, m_windows[i].rays.path_length(p));
+    return result;
   }
 
-  // Sources without windows in the cell are left out, here and below.
+  // False if the windows of the cell do not explain an end.
   bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const
   {
     double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -150,18 +153,17 @@ private:
       for (const double d : distances_beside(m_ends[e], p))
       {
         least = (std::min)(least, d);
-        if (std::isfinite(d)) most = (std::max)(most, d);
+        most = (std::max)(most, d);
       }
-    return !(most - least > m_tolerances.loose_tie);
+    return most - least <= m_tolerances.loose_tie;
   }
 
   // True if the sources of an end tie at a point, and no other source is nearer.
   bool is_between_sources(const Point& p, const Arc_end& end) const
   {
     const std::array<double, 2> own = distances_beside(end, p);
-    if (std::isfinite(own[0]) && std::isfinite(own[1]) && !(std::abs(own[0] - own[1]) <= m_tolerances.loose_tie)) return false;
-    const double least = (std::min)(own[0], own[1]) - m_tolerances.loose_tie;
-    return !std::isfinite(least) || least_path_length(m_windows, *m_candidates, p) >= least;
+    return std::abs(own[0] - own[1]) <= m_tolerances.loose_tie &&
+           least_path_length(m_windows, *m_candidates, p) >= (std::min)(own[0], own[1]) - m_tolerances.loose_tie;
   }
 
   const std::vector<Voronoi_window>& m_windows;

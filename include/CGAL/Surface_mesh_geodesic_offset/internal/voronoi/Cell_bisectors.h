@@ -318,9 +318,13 @@ private:
   void add_links(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, int k, double begin, double end, Index label)
   {
     const auto at = [&](double t) { return cell.corner[k] + t * cell.direction[k]; };
-    const auto is_of_neighbour = [&](double t) {
-      const double least = least_path_length(m_windows, candidates, at(t));
-      return least_path_length_from(label, m_windows, candidates, at(t)) > least + 2 * m_tolerances.usual_tie;
+    const auto is_of_neighbour = [&](double t) { // no window of the cell has the label at t
+      const Point p = at(t);
+      const double most = least_path_length(m_windows, candidates, p) + 2 * m_tolerances.usual_tie;
+      return std::none_of(candidates.begin(), candidates.end(), [&](unsigned c) {
+        const Voronoi_window& w = m_windows[c];
+        return w.label == label && w.distance_at(p) <= most && w.contains(p, m_tolerances.slack);
+      });
     };
     if (end - begin <= m_tolerances.joint) return;
     if (candidates.empty())

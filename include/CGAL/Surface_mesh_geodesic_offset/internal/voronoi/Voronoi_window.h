@@ -261,16 +261,6 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
   return result;
 }
 
-// The same, of the windows with a label; infinite if there are none.
-inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
-                                     const Point_in_face<double>& p)
-{
-  double result = std::numeric_limits<double>::infinity();
-  for (const unsigned i : chosen)
-    if (windows[i].label == label) result = (std::min)(result, windows[i].rays.path_length(p));
-  return result;
-}
-
 } // namespace internal
 } // namespace Geodesic_offset
 } // namespace CGAL
