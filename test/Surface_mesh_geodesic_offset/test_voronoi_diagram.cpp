@@ -926,6 +926,131 @@ void vertex_and_edge()
         box_sides(1, uniform(random, 0.3, 2), std::pow(10, uniform(random, -5, -1))).triangulated(uniform_index(random, 3), uniform_index(random, 3), i), 5);
 }
 
+// Polylines that start at one vertex and run along parts of the edges there: bisectors run along other edges and along medians of faces,
+// on which windows of three sources tie, and touch them.
+void parts_of_edges_at_a_vertex()
+{
+  Random random(6);
+  const auto along_edge = [](const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, double from, double to) {
+    std::vector<Location> result;
+    for (const double t : {from, to})
+    {
+      Location l(mesh.face(h), {0, 0, 0});
+      auto k = mesh.halfedge(mesh.face(h));
+      for (double& w : l.second)
+      {
+        w = mesh.source(k) == mesh.source(h) ? 1 - t : mesh.source(k) == mesh.target(h) ? t : 0;
+        k = mesh.next(k);
+      }
+      result.push_back(l);
+    }
+    return [result](Geodesic& g) { g.add_source_polyline(result); };
+  };
+  std::vector<Surface_mesh> meshes;
+  Soup octahedron;
+  for (const double x : {1., -1.}) octahedron.points.push_back(Point_3(x, 0, 0));
+  for (const double y : {1., -1.}) octahedron.points.push_back(Point_3(0, y, 0));
+  for (const double z : {1., -1.}) octahedron.points.push_back(Point_3(0, 0, z));
+  for (const auto& t : std::vector<std::array<std::size_t, 3>>{
+         {{0, 2, 4}}, {{2, 0, 5}}, {{3, 0, 4}}, {{0, 3, 5}}, {{2, 1, 4}}, {{1, 2, 5}}, {{1, 3, 4}}, {{3, 1, 5}}})
+    octahedron.add_triangle(t);
+  for (const Soup& soup : {octahedron, cube_grid(1), cube_grid(2), icosphere(0), planar_grid(2, 2)})
+    meshes.push_back(Generated_mesh<Surface_mesh>(soup).mesh);
+  { // the bisector of two of them is a median of a face, and parabolas of the third one touch it
+    const Surface_mesh& mesh = meshes.front();
+    std::vector<Add_source> sources;
+    for (const auto h : halfedges_around_source(Vertex_index(1), mesh))
+      sources.push_back(along_edge(mesh, h, std::array<double, 4>{0.0052619506861588464, 0.092934787624367715, 0, 0.2}[sources.size()], 0.5));
+    for (int i = 0; i < 4; ++i)
+    {
+      compare("octahedron, parts of four edges", mesh, {sources[0], sources[1], sources[2]}, random, 100, true);
+      std::rotate(sources.begin(), sources.begin() + 1, sources.end());
+    }
+  }
+  for (int i = 0; i < number_of_cases(400, 4000); ++i)
+  {
+    const Surface_mesh& mesh = meshes[uniform_index(random, meshes.size())];
+    const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
+    const bool has_middles = uniform_index(random, 2) == 0;
+    std::vector<Add_source> sources;
+    for (const auto h : halfedges_around_source(v, mesh))
+      if (!mesh.is_border(h) && uniform_index(random, 3) > 0)
+      {
+        const double from = uniform_index(random, 3) > 0 ? 0 : uniform(random, 0, 0.1);
+        sources.push_back(along_edge(mesh, h, from, has_middles ? 0.5 : uniform(random, 0.15, 1)));
+      }
+    if (sources.size() >= 2) compare("parts of edges at a vertex", mesh, sources, random, 30, true);
+  }
+}
+
+// A source and a vertex whose start value is its distance from this source, so that they tie on the rays behind the vertex: along edges
+// of a box, and in faces.
+void start_value_of_distance()
+{
+  Random random(7);
+  for (int i = 0; i < number_of_cases(400, 4000); ++i)
+  {
+    Soup soup = cube_grid(1 + uniform_index(random, 2));
+    const double height = uniform(random, 0.3, 1);
+    for (Point_3& p : soup.points) p = Point_3(p.x(), p.y(), height * p.z());
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
+    const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
+    Add_source add;
+    if (uniform_index(random, 2) == 0)
+      add = [w = Vertex_index(unsigned(uniform_index(random, mesh.number_of_vertices())))](Geodesic& g) { g.add_source_point(w); };
+    else
+      add = [l = random_location(mesh, random)](Geodesic& g) { g.add_source_point(l); };
+    Geodesic alone(mesh);
+    add(alone);
+    const double start = alone.build().distance_to_sources(v);
+    if (start > 0)
+      compare("start value of the distance from another source", mesh,
+              {add, [v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); }}, random, 30, true);
+  }
+}
+
+// A vertex, and a polyline from another vertex into a face beside it.
+void vertex_and_polyline()
+{
+  Random random(8);
+  for (int i = 0; i < number_of_cases(200, 2000); ++i)
+  {
+    Surface_mesh mesh;
+    std::vector<Vertex_index> v;
+    for (const Point_3& p : {Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, -1, 0), Point_3(0, 0, 1), Point_3(0, 0, -1)})
+      v.push_back(mesh.add_vertex(p));
+    mesh.add_face(v[0], v[1], v[3]);
+    mesh.add_face(v[2], v[0], v[3]);
+    const Face_index f = mesh.add_face(v[0], v[2], v[4]);
+    std::vector<Location> polyline{Location(f, {0, 1, 0}), Location(f, {1. / 3, 1. / 3, 1. / 3})};
+    for (std::size_t k = uniform_index(random, 3); k > 0; --k) polyline.push_back(Location(f, random_barycentric(random)));
+    compare("vertex and polyline", mesh,
+            {[v](Geodesic& g) { g.add_source_point(v[0]); }, [polyline](Geodesic& g) { g.add_source_polyline(polyline); }}, random, 30,
+            true);
+  }
+}
+
+// In faces that are thin, a point that rounding has moved out of a face is put back on its edge without moving along it.
+void thin_boxes()
+{
+  Random random(9);
+  for (int i = 0; i < number_of_cases(60, 600); ++i)
+  {
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(
+      box_sides(uniform(random, 3, 8), 3, std::pow(10, uniform(random, -5, -3))).triangulated(2, 2, unsigned(i))).mesh;
+    const Geodesic::Mesh prepared(mesh);
+    std::vector<Add_source> sources;
+    for (std::size_t k = 2 + uniform_index(random, 3); k > 0; --k)
+    {
+      const auto path = prepared.join_polyline(std::vector<Location>{random_location(mesh, random), random_location(mesh, random)}).locations;
+      const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
+      if (k % 2 == 0) sources.push_back([v](Geodesic& g) { g.add_source_point(v); });
+      else sources.push_back([path](Geodesic& g) { g.add_source_polyline(path); });
+    }
+    compare("thin box", mesh, sources, random, 30, true);
+  }
+}
+
 void bad_input()
 {
   const Surface_mesh mesh = Generated_mesh<Surface_mesh>(icosphere(1)).mesh;
@@ -1006,6 +1131,10 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"ties on a ray", test_voronoi_diagram::ties_on_a_ray},
     {"tie at a center", test_voronoi_diagram::tie_at_a_center},
     {"vertex and edge", test_voronoi_diagram::vertex_and_edge},
+    {"parts of edges at a vertex", test_voronoi_diagram::parts_of_edges_at_a_vertex},
+    {"start value of a distance", test_voronoi_diagram::start_value_of_distance},
+    {"vertex and polyline", test_voronoi_diagram::vertex_and_polyline},
+    {"thin boxes", test_voronoi_diagram::thin_boxes},
     {"bad input", test_voronoi_diagram::bad_input},
     {"unreachable", test_voronoi_diagram::unreachable},
     {data_case, test_voronoi_diagram::data_meshes}};
