@@ -443,7 +443,9 @@ private:
       m_links.push_back(link(cell.gates[gates[0]], cell.gates[gates[1]]));
       return;
     }
-    const bool is_gate = members.size() == 2 && gates.size() == 1;
+    // the common end of loose ends may be that of the arc
+    const bool is_gate = members.size() == 2 && gates.size() == 1 &&
+                         length(m_ends[members[0]].point - cell.gates[gates[0]].point) <= m_tolerances.joint;
     const Index node = is_gate ? cell.gates[gates[0]].node : new_node();
     const Point point = is_gate ? cell.gates[gates[0]].point : m_ends[members[0]].point;
     for (const std::size_t e : members)
