@@ -649,11 +649,18 @@ void common_end_beside_edge()
   const Location end(f, {0.748936, 1.4e-12, 0.251064 - 1.4e-12});
   Random random(5);
   for (const double x : {1e-5, 1e-4, 1e-3})
-    compare("common end beside an edge", mesh,
-            {[&](Geodesic& g) { g.add_source_polyline(std::vector<Location>{end, Location(f, {0.696, 0, 0.304})}); },
-             [&](Geodesic& g) { g.add_source_point(Location(f, {0.9999995, 2.5e-7, 2.5e-7})); },
-             [&](Geodesic& g) { g.add_source_polyline(std::vector<Location>{end, Location(f, {1 - 1.2 * x, x, 0.2 * x})}); }},
-            random, 100, true);
+    compare(
+      "common end beside an edge", mesh,
+      {[&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{end, Location(f, {0.696, 0, 0.304})});
+       },
+       [&](Geodesic& g) {
+      g.add_source_point(Location(f, {0.9999995, 2.5e-7, 2.5e-7}));
+      },
+      [&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{end, Location(f, {1 - 1.2 * x, x, 0.2 * x})});
+      }},
+      random, 100, true);
 }
 
 // A polyline begins 1e-11 behind an edge, which it crosses aslant. On one side, points of the edge are nearest to the crossing,
@@ -683,12 +690,14 @@ void end_behind_edge()
                  slope = (i % 2 == 0 ? 1 : -1) * uniform(random, 0.4, 0.9), near = x + slope * uniform(random, 0.1, 0.2),
                  far = x - slope * uniform(random, 0, 0.1);
     compare("end behind an edge", mesh,
-            {[&](Geodesic& g) { g.add_source_polyline(std::vector<Location>{at(lower, near, depth), at(lower, far, depth)}); },
+            {[&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{at(lower, near, depth), at(lower, far, depth)});
+             },
              [&](Geodesic& g) {
-      g.add_source_polyline(
-        std::vector<Location>{at(upper, x + slope * y, y), at(lower, x, 0), at(lower, x - slope * 0.15, 0.15)});
-             }},
-            random, 20, true);
+      g.add_source_polyline(std::vector<Location>{at(upper, x + slope * y, y), at(lower, x, 0),
+                                                  at(lower, x - slope * 0.15, 0.15)});
+            }},
+      random, 20, true);
   }
 }
 
@@ -713,7 +722,8 @@ void end_beside_source()
     const double y = i == 0 ? 7.1994236424081837e-13 : 1e-12 * uniform(random, 0.2, 1),
                  z = i == 0 ? 4.7361568763684234e-13 : 1e-12 * uniform(random, 0.2, 1),
                  x = i < 2 ? 0.74281152372491965 : uniform(random, 0.6, 0.9);
-    const std::vector<Location> polyline{Location(f, {1 - x, x, 0}), Location(f, {0, 0.5, 0.5}), Location(f, {z, 1 - y - z, y})};
+    const std::vector<Location> polyline{Location(f, {1 - x, x, 0}), Location(f, {0, 0.5, 0.5}),
+                                         Location(f, {z, 1 - y - z, y})};
     compare("end beside a source", mesh,
             {[&](Geodesic& g) { g.add_source_polyline(polyline); }, [&](Geodesic& g) { g.add_source_point(v[0]); }}, random, 20,
             true);
@@ -749,9 +759,13 @@ void needle_strips()
     const Face_index first(0), last(unsigned(mesh.number_of_faces() - 1));
     const double s = uniform(random, 0.1, 0.4), t = uniform(random, 0.6, 0.9);
     compare("needle strip", mesh,
-            {[&](Geodesic& g) { g.add_source_point(Location(first, {s, 1 - s, 0})); },
-             [&](Geodesic& g) { g.add_source_point(Location(last, {0, t, 1 - t})); }},
-            random, 20, true);
+            {[&](Geodesic& g) {
+      g.add_source_point(Location(first, {s, 1 - s, 0}));
+             },
+             [&](Geodesic& g) {
+      g.add_source_point(Location(last, {0, t, 1 - t}));
+            }},
+      random, 20, true);
   }
 }
 
@@ -865,7 +879,8 @@ void tie_at_a_center()
 {
   Surface_mesh mesh;
   std::vector<Vertex_index> v{mesh.add_vertex(Point_3(0, 0, -1.3308796789576884))};
-  for (int k = 0; k < 5; ++k) v.push_back(mesh.add_vertex(Point_3(std::cos(0.4 * k * CGAL_PI), std::sin(0.4 * k * CGAL_PI), 0)));
+  for (int k = 0; k < 5; ++k)
+    v.push_back(mesh.add_vertex(Point_3(std::cos(0.4 * k * CGAL_PI), std::sin(0.4 * k * CGAL_PI), 0)));
   for (std::size_t k = 0; k < 5; ++k) mesh.add_face(v[0], v[k + 1], v[(k + 1) % 5 + 1]);
   const Location apex(Face_index(1), {1, 0, 0}), center(Face_index(1), {1. / 3, 1. / 3, 1. / 3});
   const auto add_edge = [](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{Edge_index(7)}); };
@@ -876,11 +891,11 @@ void tie_at_a_center()
   {
     const double start = field.distance_to_sources(center) + rounding;
     const Diagram diagram = diagram_of(
-      mesh, {add_edge,
-             [&](Geodesic& g) { g.add_source_point(apex, CGAL::parameters::start_value(field.distance_to_sources(apex))); },
-             [&](Geodesic& g) {
-               g.add_source_polyline(std::vector<Location>{apex, center}, false, CGAL::parameters::start_value(start));
-             }});
+      mesh,
+      {add_edge, [&](Geodesic& g) { g.add_source_point(apex, CGAL::parameters::start_value(field.distance_to_sources(apex))); },
+       [&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{apex, center}, false, CGAL::parameters::start_value(start));
+       }});
     for (const Face_index f : mesh.faces()) CHECK(diagram.source_at_face(f) != 2);
   }
 }
@@ -891,8 +906,7 @@ void tie_at_a_center()
 void vertex_and_edge()
 {
   Random random(4);
-  const auto run = [&](const std::string& name, const Soup& soup, std::size_t cases)
-  {
+  const auto run = [&](const std::string& name, const Soup& soup, std::size_t cases) {
     const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
     for (std::size_t i = 0; i < cases; ++i)
     {
@@ -912,7 +926,8 @@ void vertex_and_edge()
     {
       const double turn = (k + uniform(random, -0.4, 0.4)) * CGAL_PI / 2;
       octahedron.points.push_back(k < 4 ? Point_3(std::cos(turn), std::sin(turn), thickness * uniform(random, -0.2, 0.2))
-                                        : Point_3(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2), k == 4 ? thickness : -thickness));
+                                        : Point_3(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2),
+                                                  k == 4 ? thickness : -thickness));
     }
     for (std::size_t k = 0; k < 4; ++k)
     {
@@ -923,7 +938,9 @@ void vertex_and_edge()
   }
   for (unsigned i = 0; i < number_of_cases(60u, 600u); ++i)
     run("thin box, a vertex and an edge",
-        box_sides(1, uniform(random, 0.3, 2), std::pow(10, uniform(random, -5, -1))).triangulated(uniform_index(random, 3), uniform_index(random, 3), i), 5);
+        box_sides(1, uniform(random, 0.3, 2), std::pow(10, uniform(random, -5, -1)))
+          .triangulated(uniform_index(random, 3), uniform_index(random, 3), i),
+        5);
 }
 
 // Polylines that start at one vertex and run along parts of the edges there: bisectors run along other edges and along medians of faces,
@@ -960,7 +977,8 @@ void parts_of_edges_at_a_vertex()
     const Surface_mesh& mesh = meshes.front();
     std::vector<Add_source> sources;
     for (const auto h : halfedges_around_source(Vertex_index(1), mesh))
-      sources.push_back(along_edge(mesh, h, std::array<double, 4>{0.0052619506861588464, 0.092934787624367715, 0, 0.2}[sources.size()], 0.5));
+      sources.push_back(
+        along_edge(mesh, h, std::array<double, 4>{0.0052619506861588464, 0.092934787624367715, 0, 0.2}[sources.size()], 0.5));
     for (int i = 0; i < 4; ++i)
     {
       compare("octahedron, parts of four edges", mesh, {sources[0], sources[1], sources[2]}, random, 100, true);
@@ -997,15 +1015,17 @@ void start_value_of_distance()
     const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
     Add_source add;
     if (uniform_index(random, 2) == 0)
-      add = [w = Vertex_index(unsigned(uniform_index(random, mesh.number_of_vertices())))](Geodesic& g) { g.add_source_point(w); };
-    else
-      add = [l = random_location(mesh, random)](Geodesic& g) { g.add_source_point(l); };
+      add = [w = Vertex_index(unsigned(uniform_index(random, mesh.number_of_vertices())))](Geodesic& g) {
+        g.add_source_point(w);
+      };
+    else add = [l = random_location(mesh, random)](Geodesic& g) { g.add_source_point(l); };
     Geodesic alone(mesh);
     add(alone);
     const double start = alone.build().distance_to_sources(v);
     if (start > 0)
       compare("start value of the distance from another source", mesh,
-              {add, [v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); }}, random, 30, true);
+              {add, [v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); }}, random, 30,
+              true);
   }
 }
 
@@ -1025,8 +1045,8 @@ void vertex_and_polyline()
     std::vector<Location> polyline{Location(f, {0, 1, 0}), Location(f, {1. / 3, 1. / 3, 1. / 3})};
     for (std::size_t k = uniform_index(random, 3); k > 0; --k) polyline.push_back(Location(f, random_barycentric(random)));
     compare("vertex and polyline", mesh,
-            {[v](Geodesic& g) { g.add_source_point(v[0]); }, [polyline](Geodesic& g) { g.add_source_polyline(polyline); }}, random, 30,
-            true);
+            {[v](Geodesic& g) { g.add_source_point(v[0]); }, [polyline](Geodesic& g) { g.add_source_polyline(polyline); }},
+            random, 30, true);
   }
 }
 
@@ -1036,13 +1056,16 @@ void thin_boxes()
   Random random(9);
   for (int i = 0; i < number_of_cases(60, 600); ++i)
   {
-    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(
-      box_sides(uniform(random, 3, 8), 3, std::pow(10, uniform(random, -5, -3))).triangulated(2, 2, unsigned(i))).mesh;
+    const Surface_mesh mesh =
+      Generated_mesh<Surface_mesh>(
+        box_sides(uniform(random, 3, 8), 3, std::pow(10, uniform(random, -5, -3))).triangulated(2, 2, unsigned(i)))
+        .mesh;
     const Geodesic::Mesh prepared(mesh);
     std::vector<Add_source> sources;
     for (std::size_t k = 2 + uniform_index(random, 3); k > 0; --k)
     {
-      const auto path = prepared.join_polyline(std::vector<Location>{random_location(mesh, random), random_location(mesh, random)}).locations;
+      const auto path =
+        prepared.join_polyline(std::vector<Location>{random_location(mesh, random), random_location(mesh, random)}).locations;
       const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
       if (k % 2 == 0) sources.push_back([v](Geodesic& g) { g.add_source_point(v); });
       else sources.push_back([path](Geodesic& g) { g.add_source_polyline(path); });

@@ -107,8 +107,7 @@ private:
     if (has_conic(end))
     {
       const Bisector_arc& a = m_arcs[end.arc];
-      const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from,
-                   after = parameter_towards(end, p);
+      const double other = end.is_end ? a.from : a.to, before = end.is_end ? a.to : a.from, after = parameter_towards(end, p);
       if ((other < before) != (other < after) || !(after > a.conic.lowest_parameter())) return std::nullopt;
       q = a.conic.at(after).point();
       const Point middle = a.conic.at(a.conic.between(before, after, 0.5)).point();

@@ -9,9 +9,9 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arc_end_motion.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arcs_along_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_arcs.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Label_changes.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
@@ -39,7 +39,7 @@ public:
   Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
                  double radius)
     : m_windows(windows), m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius),
-      m_motion(windows, m_tolerances, m_arcs, m_ends)
+      m_along_sides(windows, m_tolerances), m_motion(windows, m_tolerances, m_arcs, m_ends)
   {
   }
 
@@ -118,12 +118,12 @@ private:
     m_motion.set_cell(cell, candidates);
     m_arcs.clear();
     m_find_arcs(cell, candidates, margin, m_arcs);
-    if (margin > 0) keep_arcs_along_sides(cell);
+    if (margin > 0) m_along_sides.keep_own(cell, m_arcs);
     if (m_arcs.empty() && cell.gates.empty()) return true;
     if (!fit_together(cell, joins_loose_ends))
     {
       const std::size_t found = m_arcs.size();
-      add_links_along_sides(cell, candidates);
+      m_along_sides.add_links(cell, candidates, m_arcs);
       if (m_arcs.size() == found || !fit_together(cell, joins_loose_ends)) return false;
     }
     for (const auto& members : m_clusters) set_nodes(cell, members, new_node);
@@ -240,133 +240,6 @@ private:
     if (m_cluster[2 * arc] != m_cluster[2 * arc + 1]) return false;
     const Bisector_arc& a = m_arcs[arc];
     return length(a.middle() - a.start) <= 2 * m_tolerances.joint;
-  }
-
-  // An arc along a side of the cell belongs to the cell where the side has not the label on the inner side of the arc, and else to the
-  // other cell: divides such arcs at the gates of the side, and keeps those parts that belong to the cell.
-  void keep_arcs_along_sides(const Voronoi_cell& cell)
-  {
-    std::vector<Bisector_arc> found;
-    found.swap(m_arcs);
-    for (const Bisector_arc& a : found)
-    {
-      int k = 0;
-      while (k < 3 && !is_along(cell, k, a)) ++k;
-      if (k == 3)
-      {
-        m_arcs.push_back(a);
-        continue;
-      }
-      const Point u = cell.direction[k];
-      const auto position = [&](const Point& p) { return dot(p - cell.corner[k], u); };
-      const bool is_forward = position(a.end) > position(a.start);
-      const Index inner = is_forward ? a.left.label : a.right.label;
-      std::vector<double> ends{a.from};
-      const auto add_end = [&](const Voronoi_gate& g) {
-        if (g.side != k) return;
-        const double t = a.conic.parameter_near(g.point, a.conic.between(a.from, a.to, 0.5));
-        if (a.from < t && t < a.to) ends.push_back(t);
-      };
-      for (const Voronoi_gate& g : cell.gates) add_end(g);
-      ends.push_back(a.to);
-      std::sort(ends.begin(), ends.end());
-      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-      {
-        Bisector_arc part(a);
-        part.from = ends[i];
-        part.to = ends[i + 1];
-        part.start = part.conic.at(part.from).point();
-        part.end = part.conic.at(part.to).point();
-        Index label = cell.label[k];
-        for (const Voronoi_gate& g : cell.gates)
-          if (g.side == k && position(g.point) <= position(part.middle())) label = g.to;
-        if (label == inner) continue;
-        Bisector_side& beyond = is_forward ? part.right : part.left;
-        if (label != beyond.label)
-        { // a third source that ties along the side
-          part.is_link = true;
-          part.left.window = part.right.window = no_index;
-          beyond = Bisector_side();
-          beyond.label = label;
-        }
-        m_arcs.push_back(part);
-      }
-    }
-  }
-
-  // Where a side of the cell ties, its points may have a label that no window of the cell has there, but one beyond the side. Then the
-  // bisector runs along the side: adds links there, between this label and that of the cell beside the side.
-  void add_links_along_sides(const Voronoi_cell& cell, const std::vector<unsigned>& candidates)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      double begin = 0;
-      Index label = cell.label[k];
-      for (const Voronoi_gate& g : cell.gates)
-      {
-        if (g.side != k) continue;
-        const double end = dot(g.point - cell.corner[k], cell.direction[k]);
-        add_links(cell, candidates, k, begin, end, label);
-        begin = end;
-        label = g.to;
-      }
-      add_links(cell, candidates, k, begin, cell.side_length(k), label);
-    }
-  }
-
-  // For the part of side k from `begin` to `end`, with a label.
-  void add_links(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, int k, double begin, double end, Index label)
-  {
-    const auto at = [&](double t) { return cell.corner[k] + t * cell.direction[k]; };
-    const auto is_of_neighbour = [&](double t) { // no window of the cell has the label at t
-      const Point p = at(t);
-      const double most = least_path_length(m_windows, candidates, p) + 2 * m_tolerances.usual_tie;
-      return std::none_of(candidates.begin(), candidates.end(), [&](unsigned c) {
-        const Voronoi_window& w = m_windows[c];
-        return w.label == label && w.distance_at(p) <= most && w.contains(p, m_tolerances.slack);
-      });
-    };
-    if (end - begin <= m_tolerances.joint) return;
-    if (candidates.empty())
-    { // the face has the label of its first corner
-      if (label != cell.label[0]) add_link_along_side(at(begin), at(end), cell.label[0], label);
-      return;
-    }
-    if (!is_of_neighbour(begin) && !is_of_neighbour((begin + end) / 2) && !is_of_neighbour(end)) return;
-    std::vector<Label_change> changes;
-    m_changes(at(begin), cell.direction[k], end - begin, label, label, m_windows, candidates, m_tolerances,
-              [&](const Label_change& c) { changes.push_back(c); });
-    for (std::size_t i = 0; i + 1 < changes.size(); ++i)
-    {
-      const Index inner = changes[i].to;
-      const double from = begin + changes[i].t, to = begin + changes[i + 1].t, middle = (from + to) / 2;
-      if (inner == label || to - from <= m_tolerances.joint || !is_of_neighbour(middle)) continue;
-      const Point p = at(middle);
-      const bool is_known = std::any_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) {
-        return is_along(cell, k, a) && dot(p - a.start, cell.direction[k]) * dot(p - a.end, cell.direction[k]) <= 0;
-      });
-      if (!is_known) add_link_along_side(at(from), at(to), inner, label);
-    }
-  }
-
-  void add_link_along_side(const Point& from, const Point& to, Index inner, Index outer)
-  {
-    Bisector_arc link;
-    link.face = link.start_node = link.end_node = no_index;
-    link.left.label = inner;
-    link.right.label = outer;
-    link.start = from;
-    link.end = to;
-    link.is_link = true;
-    m_arcs.push_back(link);
-  }
-
-  bool is_along(const Voronoi_cell& cell, int k, const Bisector_arc& a) const
-  {
-    const Half_plane<double> side = cell.outside(k);
-    for (const Point& p : {a.start, a.middle(), a.end})
-      if (std::abs(side.value(p)) > 2 * m_tolerances.slack) return false;
-    return true;
   }
 
   // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors between
@@ -498,11 +371,11 @@ private:
   const std::vector<Voronoi_window>& m_windows;
   Voronoi_tolerances m_tolerances;
   const Cell_arcs m_find_arcs;
+  Arcs_along_sides m_along_sides;
   std::vector<Bisector_arc> m_arcs, m_links;
   std::vector<Arc_end> m_ends;                      // two of each arc, then the gates
   std::vector<std::size_t> m_cluster;               // per end
   std::vector<std::vector<std::size_t>> m_clusters; // ends that meet
-  Label_changes m_changes;
   Arc_end_motion m_motion;
 };
 

@@ -130,7 +130,7 @@ public:
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
       // windows along a side only are those of the neighbour
-      prune(part.cell, part.windows, -2 * m_tolerances.slack);
+      prune(part.cell, part.windows, -m_tolerances.along_side());
       if (part.cell.gates.empty() && has_one_label_at(part.cell, part.windows)) continue;
       const bool is_divisible = part.diameter > m_tolerances.smallest_cell;
       const bool has_many_windows = part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
@@ -232,7 +232,8 @@ private:
       return has_neighbor[i][0] && has_neighbor[i][1] &&
              this->m_windows[i].is_one_ray(CGAL::to_double(this->m_field.size()), this->m_tolerances.tie);
     };
-    m_all.erase(std::remove_if(m_all.begin(), m_all.end(), [&](unsigned i) { return i < has_neighbor.size() && has_no_cone(i); }),
+    m_all.erase(std::remove_if(m_all.begin(), m_all.end(),
+                               [&](unsigned i) { return i < has_neighbor.size() && has_no_cone(i); }),
                 m_all.end());
   }
 
@@ -281,8 +282,7 @@ private:
       for (int k = 0; k < w.number_of_bounds; ++k)
       {
         const Half_plane<double>& h = w.bound[std::size_t(k)];
-        if ((std::min)({h.value(cell.corner[0]), h.value(cell.corner[1]), h.value(cell.corner[2])}) > outside)
-          return true;
+        if ((std::min)({h.value(cell.corner[0]), h.value(cell.corner[1]), h.value(cell.corner[2])}) > outside) return true;
       }
       return false;
     };

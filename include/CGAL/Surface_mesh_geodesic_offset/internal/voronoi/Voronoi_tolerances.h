@@ -46,6 +46,14 @@ struct Voronoi_tolerances
   // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
   double smallest_cell;
 
+  // An arc is along a side of a cell if its ends and its middle are this near to it; and a window is only along a side if the corners
+  // of the cell are no farther inside its cone. Two slacks, as arcs and cones reach one slack beyond their bounds. Binding test:
+  // test_voronoi_diagram, parts of edges at a vertex.
+  double along_side() const { return 2 * slack; }
+  // A side of a cell has the label of a neighbour where all windows of the cell with this label are farther than the nearest one by
+  // more than this: two ties, one for each of the two distances. Binding test: as before.
+  double of_neighbour() const { return 2 * usual_tie; }
+
   static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
   void use_tie(double factor)
   {
@@ -58,9 +66,9 @@ struct Voronoi_tolerances
   static double same_source(double magnitude) { return unit(9) * magnitude; }
 
   explicit Voronoi_tolerances(double magnitude = 0)
-    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(8 * tie), shortest_interval(unit(8) * magnitude),
-      joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)), loose_tie(unit(9) * magnitude),
-      smallest_loop(unit(29) * magnitude), smallest_cell(unit(15) * magnitude)
+    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(8 * tie),
+      shortest_interval(unit(8) * magnitude), joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)),
+      loose_tie(unit(9) * magnitude), smallest_loop(unit(29) * magnitude), smallest_cell(unit(15) * magnitude)
   {
   }
 

@@ -107,7 +107,10 @@ struct Voronoi_window
     double apart;            // infinite for parallel rays
 
     // How far beside the ray, at a distance from its start, the distances are equal within rounding.
-    double width(double along_ray, double tie) const { return Voronoi_tolerances::tied_width(along_ray * (1 + along_ray / apart), tie); }
+    double width(double along_ray, double tie) const
+    {
+      return Voronoi_tolerances::tied_width(along_ray * (1 + along_ray / apart), tie);
+    }
   };
 
   // The common ray of this window and of one on its right, of two sources: the distances are equal on it, and differ by the square of the
