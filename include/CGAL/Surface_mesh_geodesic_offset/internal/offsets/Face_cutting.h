@@ -210,16 +210,15 @@ private:
   // Bounds of the distances in a face up to `maximum`; distances of vertices up to `maximum` are final.
   void range_of(Index face, const FT& maximum, FT& near, FT& far) const
   {
-    FT longest(0);
+    FT longest(0), highest(0);
     far = far_end_of(face, maximum);
-    near = FT(0);
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) longest = (std::max)(longest, m_mesh[h].length);
-    longest += Offset_tolerances<FT>::edge_rounding(longest);
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
     { // a vertex without a distance is beyond the maximum
+      longest = (std::max)(longest, m_mesh[h].length);
       const FT lowest = (std::min)(m_field.distance[m_mesh.source(h)], maximum);
-      if (Number_policy<FT>::is_finite(lowest)) near = (std::max)(near, FT(m_tolerance.least_of(lowest) - longest));
+      if (Number_policy<FT>::is_finite(lowest)) highest = (std::max)(highest, lowest);
     }
+    near = (std::max)(FT(0), FT(m_tolerance.least_of(highest) - longest - Offset_tolerances<FT>::edge_rounding(longest)));
     if (!Number_policy<FT>::is_finite(far)) far = FT(0);
     else
     { // the distances of two vertices may differ by the tolerance more than the length of the edge between them
