@@ -17,6 +17,7 @@
 #endif
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Merging_groups.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ public:
     : m_mesh(mesh), m_keep(keep_lists), m_partition(mesh, !tolerance.is_zero()),
       m_state(mesh, maximum_distance, keep_lists || consumer_reads_lists, field, m_partition.parts()),
       m_start_values(initial.start_values), m_passing(m_state, tolerance), m_spreading(m_state, initial, traits),
-      m_front(m_state, initial.source_of, traits, tolerance)
+      m_groups(keep_lists ? merging_groups(mesh, initial) : initial.source_of), m_front(m_state, m_groups, traits, tolerance)
   {
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
@@ -237,6 +238,7 @@ private:
   const Start_values<FT>& m_start_values;
   const Face_finalizer<FT> m_passing;
   Ray_spreading<Traits> m_spreading;
+  const std::vector<Index> m_groups; // per primitive: windows of one group may become one
   Front m_front;
   Passed_faces m_passed; // not yet passed to the consumer
   bool m_is_update = false;

@@ -10,8 +10,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Coinciding_places.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Initial_windows.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Coinciding_places.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
 #include <CGAL/number_utils.h>
