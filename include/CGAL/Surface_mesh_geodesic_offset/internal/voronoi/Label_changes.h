@@ -56,8 +56,10 @@ public:
       {
         if (q.end - p.begin <= tolerances.shortest_interval) continue;
         // In a gap between cones that rounding has left, only the function of a corner is known.
-        const double middle = (p.begin + q.end) / 2;
-        if (distance_at(middle, begin, i) > least_path_length(windows, candidates, o + middle * u) + tolerances.loose_tie) continue;
+        const Piece& widest = *std::max_element(&p, &q + 1, [](const Piece& a, const Piece& b) { return a.end - a.begin < b.end - b.begin; });
+        const double middle = (widest.begin + widest.end) / 2;
+        const double least = least_path_length(windows, candidates, o + middle * u);
+        if (widest.window.distance_at(middle) > least + tolerances.loose_tie) continue;
         const double t = (end + p.begin) / 2; // in a gap, if there is one
         out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, p.label});
         label = p.label;
@@ -68,13 +70,6 @@ public:
   }
 
 private:
-  // The distance in the pieces from `begin` to `end`, without `end`.
-  double distance_at(double t, std::size_t begin, std::size_t end) const
-  {
-    while (begin + 1 < end && m_pieces[begin].end < t) ++begin;
-    return m_pieces[begin].window.distance_at(t);
-  }
-
   struct Distances // traits of Window_bisector
   {
     typedef double FT;
