@@ -250,8 +250,8 @@ private:
     const double radius = m_cell.radius();
     for (Voronoi_window& w : m_windows)
     {
-      if (w.is_same_function(on_left, center, radius, tie)) w.end_at(*ray, 1, tie);
-      if (w.is_same_function(on_right, center, radius, tie)) w.end_at(*ray, 0, tie);
+      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie)) w.end_at(*ray, 1, tie);
+      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie)) w.end_at(*ray, 0, tie);
     }
     return true;
   }

@@ -56,7 +56,7 @@ struct Voronoi_window
     bound[1] = {nr, dot(nr, rays.right)};
     start = starts_at_image() ? rays.sigma : is_strip() ? rays.start_value : least_at_chord();
     number_of_bounds = is_parallel() ? 3 : 2;
-    if (is_parallel()) bound[2] = {rays.image(), rays.sigma - start};
+    if (is_parallel()) start_at(start);
   }
 
   bool is_parallel() const { return rays.is_parallel(); }
@@ -139,7 +139,14 @@ struct Voronoi_window
   // Ends the cone at a common ray on its left (0) or right (1), if its bounding ray there is this ray up to rounding.
   void end_at(const Common_ray& ray, int k, double tie)
   {
-    if (is_bound(ray, k, tie)) bound[std::size_t(k)] = k == 0 ? ray.left.opposite() : ray.left;
+    if (!is_bound(ray, k, tie)) return;
+    bound[std::size_t(k)] = k == 0 ? ray.left.opposite() : ray.left;
+    if (!is_parallel()) return;
+    // the line of the chord meets the ray at q
+    const Point chord = rays.right - rays.left;
+    const double slope = dot(ray.left.n, chord);
+    const Point q = rays.left - (ray.left.value(rays.left) / slope) * chord;
+    if (length(q - start_of_bound(k)) <= length(chord)) start_at((std::min)(start, distance_at(q)));
   }
 
   bool is_bound(const Common_ray& ray, int k, double tie) const
@@ -206,6 +213,13 @@ struct Voronoi_window
   }
 
 private:
+  // Sets where parallel rays start.
+  void start_at(double distance)
+  {
+    start = distance;
+    bound[2] = {rays.image(), rays.sigma - start};
+  }
+
   bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
 
   // Unit vector along the left (0) or right (1) bounding ray.
