@@ -60,7 +60,7 @@ public:
     {
       add(w);
       if (w.origin == STARTS_AT_CORNER && w.sigma == m_results.distance[m_mesh.source(3 * face + Index(w.edge))])
-        add(whole_corner(w));
+        add(whole_corner(w), true);
     }
     close_gaps();
     double magnitude = 0; // of the windows that may be nearest
@@ -181,10 +181,11 @@ private:
 
   static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
 
-  void add(const Face_window<FT>& w)
+  void add(const Face_window<FT>& w, bool is_whole_corner = false)
   {
     if (w.is_empty()) return;
-    const Voronoi_window v(w, m_labels.of_window(w));
+    Voronoi_window v(w, m_labels.of_window(w));
+    v.is_whole_corner = is_whole_corner;
     if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) return;
     m_all.push_back(unsigned(m_windows.size()));
     m_windows.push_back(v);
@@ -250,6 +251,7 @@ private:
     const double radius = m_cell.radius();
     for (Voronoi_window& w : m_windows)
     {
+      if (w.is_whole_corner) continue;
       if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie)) w.end_at(*ray, 1, tie);
       if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie)) w.end_at(*ray, 0, tie);
     }

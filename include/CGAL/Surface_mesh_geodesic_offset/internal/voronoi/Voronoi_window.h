@@ -35,6 +35,7 @@ struct Voronoi_window
   std::array<Half_plane<double>, 3> bound; // the cone; the third one is where parallel rays start
   int number_of_bounds;
   double start; // least distance of the rays: at their chord, or at their image in the face
+  bool is_whole_corner = false; // an upper bound of the distances in the whole face; see Face_bisectors
 
   template <class FT>
   Voronoi_window(const Face_window<FT>& w, Index label_) : label(label_)
