@@ -157,6 +157,50 @@ void ends_beside_edges()
     }
 }
 
+// Rays of a source near the tip of a cone of needles cross thousands of faces around it, but only the first round of them is of
+// shortest paths.
+void beside_the_tip_of_a_narrow_cone()
+{
+  for (const std::size_t n : {std::size_t(3), std::size_t(5), std::size_t(40)})
+    for (const double radius : {1e-3, 1e-4, 1e-6})
+      for (const double part : {1e-3, 1e-5, 1e-8})
+      {
+        Surface_mesh mesh;
+        const auto tip = mesh.add_vertex(Point_3(0, 0, 0));
+        std::vector<Surface_mesh::Vertex_index> rim;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+          const double angle = 2 * pi * double(i) / double(n);
+          rim.push_back(mesh.add_vertex(Point_3(radius * std::cos(angle), radius * std::sin(angle), 1)));
+        }
+        for (std::size_t i = 0; i < n; ++i) mesh.add_face(tip, rim[(i + 1) % n], rim[i]);
+        Face_location l(Surface_mesh::Face_index(0), {part / 2, part / 2, part / 2});
+        auto h = mesh.halfedge(l.first);
+        for (double& w : l.second)
+        {
+          if (mesh.source(h) == tip) w = 1 - part;
+          h = mesh.next(h);
+        }
+        Geodesic geodesic(mesh);
+        geodesic.add_source_point(l);
+        const auto field = geodesic.build(CGAL::parameters::keep_windows(true));
+        const Point_3 source = CGAL::barycenter(mesh.point(mesh.source(mesh.halfedge(l.first))), l.second[0], mesh.point(mesh.target(mesh.halfedge(l.first))),
+                                                l.second[1], mesh.point(mesh.target(mesh.next(mesh.halfedge(l.first)))), l.second[2]);
+        for (const Surface_mesh::Vertex_index v : {tip, rim[0], rim[1]}) // in the face of the source, so the path is straight
+        {
+          const double d = std::sqrt(CGAL::squared_distance(source, mesh.point(v)));
+          CHECK_DETAIL(std::abs(field.distance_to_sources(v) - d) <= 1e-14, values(field.distance_to_sources(v), d));
+        }
+        // elsewhere, it is at most the way over the tip
+        const double over_tip = std::sqrt(CGAL::squared_distance(source, mesh.point(tip)));
+        for (const Surface_mesh::Vertex_index v : rim)
+        {
+          const double d = field.distance_to_sources(v), length = std::sqrt(1 + radius * radius);
+          CHECK_DETAIL(d <= length + over_tip + 1e-14 && d >= length - over_tip - 1e-14, values(d, length));
+        }
+      }
+}
+
 } // namespace test_degenerate_sources
 
 GEODESIC_OFFSET_TEST(test_degenerate_sources)
@@ -164,6 +208,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_sources)
   sources_that_meet();
   segments_between_edges();
   ends_beside_edges();
+  beside_the_tip_of_a_narrow_cone();
   print_level_totals();
   return Report::instance().finish("test_degenerate_sources");
 }

@@ -164,7 +164,11 @@ public:
   // to `to`, in the frame of the point's face or halfedge. Null pointers mean all directions.
   void add_flat_sector(const Surface_point_& p, const Point* from, const Point* to, Source_ref source_ref)
   {
-    if (p.kind == Surface_point_::FACE) return add_sector_in_face(p.element, {p.x, p.y}, from, to, source_ref, -1, local);
+    if (p.kind == Surface_point_::FACE)
+    {
+      add_sector_in_face(Sector(p.element, {p.x, p.y}, from, to, -1), source_ref, local);
+      return add_sectors_beyond(source_ref);
+    }
     for (const Index h : {p.element, m_mesh.twin(p.element)})
     {
       if (h == no_index) continue;
@@ -175,8 +179,9 @@ public:
       Point f, t;
       if (from) f = frame.vector_from_halfedge(k, turned ? FT(-1) * *from : *from);
       if (to) t = frame.vector_from_halfedge(k, turned ? FT(-1) * *to : *to);
-      add_sector_in_face(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, source_ref, k, local);
+      add_sector_in_face(Sector(m_mesh.face(h), position, from ? &f : nullptr, to ? &t : nullptr, k), source_ref, local);
     }
+    add_sectors_beyond(source_ref);
   }
 
   // Uncertainty of the direction of a segment of the given length, an angle, from the rounding of its ends in a face. Zero if
@@ -223,20 +228,39 @@ public:
     const auto direction = [&](const Ray* r, const Point& end) {
       return r ? frame.vector_from_halfedge(k, Point{r->x, r->y}) : end - p;
     };
-    add_sector_beyond(m_mesh.face(h), frame, (k + 1) % 3, p, direction(lower, frame.corner((k + 1) % 3)),
-                      direction(upper, frame.corner((k + 2) % 3)), source_ref);
+    const Point from = direction(lower, frame.corner((k + 1) % 3)), to = direction(upper, frame.corner((k + 2) % 3));
+    cross_edge(Sector(m_mesh.face(h), p, &from, &to, k), frame, (k + 1) % 3, source_ref);
+    add_sectors_beyond(source_ref);
   }
 
 private:
-  // Appends the rays of a sector in a face to `out`. The point p lies inside the face (entry -1), on its halfedge `entry`, or
-  // behind that halfedge.
+  // Rays from a point inside a face (entry -1), on its halfedge `entry`, or behind that halfedge, counterclockwise from `from` to `to`.
+  struct Sector
+  {
+    Index face;
+    Point p, from, to;
+    bool has_from, has_to; // otherwise in all directions
+    int entry;
+    Index known; // a face that the rays have crossed
+    unsigned steps = 0, next_known = 1; // edges crossed; when `known` becomes the face
+
+    Sector(Index face_, const Point& p_, const Point* from_, const Point* to_, int entry_)
+      : face(face_), p(p_), from(from_ ? *from_ : p_), to(to_ ? *to_ : p_), has_from(from_), has_to(to_), entry(entry_), known(face_)
+    {
+    }
+  };
+
+  // Appends the rays of a sector in a face to `out`.
   //
   // Near the image, the ends of a window on an edge are too coarse for the directions of its bounding rays. So rays that cross
   // an edge near the image start a second time, in the face beyond the edge. A sector narrower on the edge than rounding starts
   // only there.
-  void add_sector_in_face(Index face, const Point& p, const Point* from, const Point* to, Source_ref source_ref, int entry,
-                          std::vector<Local_window>& out)
+  void add_sector_in_face(const Sector& sector, Source_ref source_ref, std::vector<Local_window>& out)
   {
+    const Index face = sector.face;
+    const Point& p = sector.p;
+    const Point *const from = sector.has_from ? &sector.from : nullptr, *const to = sector.has_to ? &sector.to : nullptr;
+    const int entry = sector.entry;
     const Face_frame<FT> frame(m_mesh, face);
     for (int k = 0; k < 3; ++k)
     {
@@ -257,7 +281,12 @@ private:
       // Rounding may reverse the ends of a narrow sector on the edge.
       if (!is_clipped && !(is_fan && from_is_inside && to_is_inside)) continue;
       if (is_fan || loses_rays_beyond(frame, k, p, from_is_inside ? &right : nullptr, to_is_inside ? &left : nullptr, right, left))
-        add_sector_beyond(face, frame, k, p, from_is_inside ? *from : source - p, to_is_inside ? *to : target - p, source_ref);
+      {
+        Sector part(sector);
+        part.from = from_is_inside ? *from : source - p;
+        part.to = to_is_inside ? *to : target - p;
+        cross_edge(part, frame, k, source_ref);
+      }
       if (is_narrow) continue;
       out.push_back({face,
                      Face_window<FT>{p.x, p.y, m_start_value, left, right, source_ref, Window<FT>::make_bits(false, no_index),
@@ -275,23 +304,44 @@ private:
     else return height > -rounding_of_height(frame);
   }
 
-  // Adds the rays from p, in the frame of a face, that cross its halfedge k between the directions `from` and `to`, and a seed at
-  // the vertex behind the edge if they reach it.
-  void add_sector_beyond(Index face, const Face_frame<FT>& frame, int k, const Point& p, const Point& from, const Point& to, Source_ref source_ref)
+  // Adds the sector beyond halfedge k of its face to the pending ones, and a seed at the vertex behind the edge if the rays reach it. Rays
+  // that come to a face again, as around the tip of a narrow cone, are no shortest paths there: ends them, after one round or two.
+  void cross_edge(const Sector& sector, const Face_frame<FT>& frame, int k, Source_ref source_ref)
   {
-    const Index g = m_mesh.twin(3 * face + Index(k));
+    const Index g = m_mesh.twin(3 * sector.face + Index(k));
+    const Point &from = sector.from, &to = sector.to;
     if (g == no_index || !(cross(from, to) > FT(least_angle_of_sector) * (length(from) * length(to)))) return;
     const int entry = int(g % 3);
     const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
     const auto turned = [&](const Point& u) {
       return beyond.vector_from_halfedge(entry, FT(-1) * frame.vector_to_halfedge(k, u));
     };
-    const Point first = turned(from), last = turned(to), image = beyond.from_halfedge(entry, frame.to_twin(k, p));
+    const Point first = turned(from), last = turned(to), image = beyond.from_halfedge(entry, frame.to_twin(k, sector.p));
+    Sector next(m_mesh.face(g), image, &first, &last, entry);
+    if (next.face == sector.known) return;
+    next.known = sector.known;
+    next.steps = sector.steps + 1;
+    next.next_known = sector.next_known;
+    if (next.steps == next.next_known)
+    {
+      next.known = next.face;
+      next.next_known *= 2;
+    }
     const int apex = (entry + 2) % 3;
     const Point back = image - beyond.corner(apex);
     if (!CGAL::is_positive(cross(first, back)) && !CGAL::is_negative(cross(last, back)))
-      seed_corner(m_mesh.face(g), beyond, apex, length(back), back, source_ref);
-    add_sector_in_face(m_mesh.face(g), image, &first, &last, source_ref, entry, beyond_edges);
+      seed_corner(next.face, beyond, apex, length(back), back, source_ref);
+    m_sectors.push_back(next);
+  }
+
+  void add_sectors_beyond(Source_ref source_ref)
+  {
+    while (!m_sectors.empty())
+    {
+      const Sector sector = m_sectors.back();
+      m_sectors.pop_back();
+      add_sector_in_face(sector, source_ref, beyond_edges);
+    }
   }
 
   // True if rays from p that cross edge k between `right` and `left` must start beyond the edge, since Lower_envelope may not
@@ -372,6 +422,7 @@ private:
 
   const Unfolded_mesh<FT>& m_mesh;
   FT m_start_value = FT(0);
+  std::vector<Sector> m_sectors; // beyond edges, pending
 };
 
 } // namespace internal
