@@ -76,13 +76,15 @@ public:
   // The left or right bounding ray of a window.
   void make_bound(const Voronoi_window& w, bool is_left)
   {
-    const Point &end = is_left ? w.rays.left : w.rays.right, u = w.rays.ray_direction(end);
+    const Half_plane<double>& bound = w.bound[is_left ? 0 : 1]; // may be beside the end of the chord, as at a common ray
+    const Point start = is_left ? w.rays.left : w.rays.right, end = start - bound.value(start) * bound.n,
+                u = (is_left ? -1. : 1.) * quarter_turn(bound.n);
     m_kind = SEGMENT;
     m_is_ray = true;
     m_has_inverse = false;
     m_low = -std::numeric_limits<double>::infinity();
     m_c0 = {end.x, end.y, w.distance_at(end)};
-    m_c1 = {u.x / length(u), u.y / length(u), 1};
+    m_c1 = {u.x, u.y, 1};
     m_c2 = {0, 0, 0};
   }
 
