@@ -138,10 +138,7 @@ private:
   // Infinite if no window of the cell has the source.
   double distance_from(Index label, const Point& p) const
   {
-    double result = std::numeric_limits<double>::infinity();
-    for (const unsigned i : *m_candidates)
-      if (m_windows[i].label == label) result = (std::min)(result, m_windows[i].rays.path_length(p));
-    return result;
+    return least_path_length_from(label, m_windows, *m_candidates, p);
   }
 
   // False if the windows of the cell do not explain an end.

@@ -245,17 +245,29 @@ private:
     const double distance = (std::max)(m_windows[left].largest_at_chord(), m_windows[right].largest_at_chord());
     const double tie = Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie_of_rays;
     const auto ray = m_windows[left].common_ray(m_windows[right], tie);
-    if (!ray || !m_windows[left].is_bound(*ray, 1, tie) || !m_windows[right].is_bound(*ray, 0, tie)) return false;
+    if (!ray) return false;
+    // A chord that ends at a corner is not longer than it seems.
+    const auto may_end = [&](const Voronoi_window& w, int k) {
+      const Point p = w.start_of_bound(k);
+      const bool is_inside = (k == 0 ? -1 : 1) * ray->left.value(p) >= -tie;
+      return w.is_bound(*ray, k, tie) && (is_inside || !this->is_corner(p));
+    };
+    if (!may_end(m_windows[left], 1) || !may_end(m_windows[right], 0)) return false;
     const Voronoi_window on_left(m_windows[left]), on_right(m_windows[right]);
     const Point center = m_cell.center();
     const double radius = m_cell.radius();
     for (Voronoi_window& w : m_windows)
     {
       if (w.is_whole_corner) continue;
-      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie)) w.end_at(*ray, 1, tie);
-      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie)) w.end_at(*ray, 0, tie);
+      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1)) w.end_at(*ray, 1);
+      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0)) w.end_at(*ray, 0);
     }
     return true;
+  }
+
+  bool is_corner(const Point& p) const
+  {
+    return std::any_of(m_cell.corner.begin(), m_cell.corner.end(), [&](const Point& c) { return length(p - c) <= m_tolerances.joint; });
   }
 
   bool add_fan(unsigned i, unsigned next)

@@ -60,7 +60,9 @@ public:
         const double middle = (widest.begin + widest.end) / 2;
         const double least = least_path_length(windows, candidates, o + middle * u);
         if (widest.window.distance_at(middle) > least + tolerances.loose_tie) continue;
-        const double t = (end + p.begin) / 2; // in a gap, if there is one
+        const double t = p.begin - end <= tolerances.shortest_interval
+                           ? (end + p.begin) / 2
+                           : change_in_gap(end, p.begin, label, p.label, o, u, windows, candidates);
         out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, p.label});
         label = p.label;
       }
@@ -70,6 +72,20 @@ public:
   }
 
 private:
+  // The change between two labels in a gap between cones, by the paths around the ends of chords.
+  static double change_in_gap(double low, double high, Index first, Index second, const Point& o, const Point& u,
+                              const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates)
+  {
+    for (double middle = (low + high) / 2; low < middle && middle < high; middle = (low + high) / 2)
+    {
+      const Point p = o + middle * u;
+      const bool is_first =
+        least_path_length_from(first, windows, candidates, p) <= least_path_length_from(second, windows, candidates, p);
+      (is_first ? low : high) = middle;
+    }
+    return low;
+  }
+
   struct Distances // traits of Window_bisector
   {
     typedef double FT;

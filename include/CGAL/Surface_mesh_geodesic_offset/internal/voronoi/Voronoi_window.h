@@ -137,10 +137,9 @@ struct Voronoi_window
     return std::abs(length(image() - other.image()) - std::abs(sigma() - other.sigma())) <= tie;
   }
 
-  // Ends the cone at a common ray on its left (0) or right (1), if its bounding ray there is this ray up to rounding.
-  void end_at(const Common_ray& ray, int k, double tie)
+  // Ends the cone at a common ray on its left (0) or right (1). Precondition: is_bound().
+  void end_at(const Common_ray& ray, int k)
   {
-    if (!is_bound(ray, k, tie)) return;
     bound[std::size_t(k)] = k == 0 ? ray.left.opposite() : ray.left;
     if (!is_parallel()) return;
     // the line of the chord meets the ray at q
@@ -150,6 +149,7 @@ struct Voronoi_window
     if (length(q - start_of_bound(k)) <= length(chord)) start_at((std::min)(start, distance_at(q)));
   }
 
+  // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
   bool is_bound(const Common_ray& ray, int k, double tie) const
   {
     const Point p = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
@@ -276,6 +276,16 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
 {
   double result = std::numeric_limits<double>::infinity();
   for (const unsigned i : chosen) result = (std::min)(result, windows[i].rays.path_length(p));
+  return result;
+}
+
+// The same, of the windows with a label; infinite if there are none.
+inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
+                                     const Point_in_face<double>& p)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const unsigned i : chosen)
+    if (windows[i].label == label) result = (std::min)(result, windows[i].rays.path_length(p));
   return result;
 }
 
