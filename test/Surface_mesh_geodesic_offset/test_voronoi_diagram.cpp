@@ -943,27 +943,33 @@ void vertex_and_edge()
         5);
 }
 
-// Polylines that start at one vertex and run along parts of the edges there: bisectors run along other edges and along medians of faces,
-// on which windows of three sources tie, and touch them.
-void parts_of_edges_at_a_vertex()
+// A polyline along a part of an edge.
+Add_source along_edge(const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, double from, double to, double start_value = 0)
 {
-  Random random(6);
-  const auto along_edge = [](const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, double from, double to) {
-    std::vector<Location> result;
-    for (const double t : {from, to})
+  if (mesh.is_border(h))
+  {
+    h = mesh.opposite(h);
+    from = 1 - from;
+    to = 1 - to;
+  }
+  std::vector<Location> result;
+  for (const double t : {from, to})
+  {
+    Location l(mesh.face(h), {0, 0, 0});
+    auto k = mesh.halfedge(mesh.face(h));
+    for (double& w : l.second)
     {
-      Location l(mesh.face(h), {0, 0, 0});
-      auto k = mesh.halfedge(mesh.face(h));
-      for (double& w : l.second)
-      {
-        w = mesh.source(k) == mesh.source(h) ? 1 - t : mesh.source(k) == mesh.target(h) ? t : 0;
-        k = mesh.next(k);
-      }
-      result.push_back(l);
+      w = mesh.source(k) == mesh.source(h) ? 1 - t : mesh.source(k) == mesh.target(h) ? t : 0;
+      k = mesh.next(k);
     }
-    return [result](Geodesic& g) { g.add_source_polyline(result); };
-  };
-  std::vector<Surface_mesh> meshes;
+    result.push_back(l);
+  }
+  return
+    [result, start_value](Geodesic& g) { g.add_source_polyline(result, false, CGAL::parameters::start_value(start_value)); };
+}
+
+std::vector<Soup> symmetric_soups()
+{
   Soup octahedron;
   for (const double x : {1., -1.}) octahedron.points.push_back(Point_3(x, 0, 0));
   for (const double y : {1., -1.}) octahedron.points.push_back(Point_3(0, y, 0));
@@ -971,8 +977,16 @@ void parts_of_edges_at_a_vertex()
   for (const auto& t : std::vector<std::array<std::size_t, 3>>{
          {{0, 2, 4}}, {{2, 0, 5}}, {{3, 0, 4}}, {{0, 3, 5}}, {{2, 1, 4}}, {{1, 2, 5}}, {{1, 3, 4}}, {{3, 1, 5}}})
     octahedron.add_triangle(t);
-  for (const Soup& soup : {octahedron, cube_grid(1), cube_grid(2), icosphere(0), planar_grid(2, 2)})
-    meshes.push_back(Generated_mesh<Surface_mesh>(soup).mesh);
+  return {octahedron, cube_grid(1), cube_grid(2), icosphere(0), planar_grid(2, 2)};
+}
+
+// Polylines that start at one vertex and run along parts of the edges there: bisectors run along other edges and along medians of faces,
+// on which windows of three sources tie, and touch them.
+void parts_of_edges_at_a_vertex()
+{
+  Random random(6);
+  std::vector<Surface_mesh> meshes;
+  for (const Soup& soup : symmetric_soups()) meshes.push_back(Generated_mesh<Surface_mesh>(soup).mesh);
   { // the bisector of two of them is a median of a face, and parabolas of the third one touch it
     const Surface_mesh& mesh = meshes.front();
     std::vector<Add_source> sources;
@@ -998,6 +1012,61 @@ void parts_of_edges_at_a_vertex()
         sources.push_back(along_edge(mesh, h, from, has_middles ? 0.5 : uniform(random, 0.15, 1)));
       }
     if (sources.size() >= 2) compare("parts of edges at a vertex", mesh, sources, random, 30, true);
+  }
+}
+
+// Sources that share edges, or parts of them, and go on along other ones, in line or not; with start values that differ by rounding, and on
+// meshes perturbed by rounding.
+void shared_segments()
+{
+  { // an edge of a source that another one has, too, and its next edge in line with it
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(symmetric_soups().front()).mesh;
+    const auto edge = [&](unsigned from, unsigned to) {
+      return mesh.edge(mesh.halfedge(Vertex_index(from), Vertex_index(to)));
+    };
+    Random random(1);
+    compare("octahedron, shared edge", mesh,
+            {along_edge(mesh, mesh.halfedge(Vertex_index(4), Vertex_index(3)), 1. / 3, 0),
+             [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>{edge(4, 3)}); },
+             [&](Geodesic& g) {
+      g.add_source_edges(std::vector<Edge_index>{edge(4, 3), edge(3, 5)});
+             }},
+            random, 100, true);
+  }
+  Random random(10);
+  const std::vector<Soup> soups = symmetric_soups();
+  for (int i = 0; i < number_of_cases(600, 6000); ++i)
+  {
+    Soup soup = soups[uniform_index(random, soups.size())];
+    const double noise = uniform_index(random, 2) == 0 ? 0 : std::pow(10, uniform(random, -14, -7));
+    for (Point_3& p : soup.points)
+      p = Point_3(p.x() + uniform(random, -noise, noise), p.y() + uniform(random, -noise, noise),
+                  p.z() + uniform(random, -noise, noise));
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
+    const Vertex_index v(unsigned(uniform_index(random, mesh.number_of_vertices())));
+    std::vector<Surface_mesh::Halfedge_index> around;
+    for (const auto h : halfedges_around_source(v, mesh)) around.push_back(h);
+    const auto any = [&] { return around[uniform_index(random, around.size())]; };
+    const Edge_index shared = mesh.edge(any());
+    std::vector<Add_source> sources;
+    for (std::size_t k = 2 + uniform_index(random, 3); k > 0; --k)
+    {
+      const double start = uniform_index(random, 3) > 0 ? 0 : std::pow(10, uniform(random, -16, -12));
+      switch (uniform_index(random, 4))
+      {
+      case 0:
+        sources.push_back([v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); });
+        break;
+      case 1:
+        sources.push_back(along_edge(mesh, any(), 0, uniform_index(random, 2) == 0 ? 0.5 : uniform(random, 0.1, 1), start));
+        break;
+      default:
+        sources.push_back([edges = std::vector<Edge_index>{shared, mesh.edge(any())}, start](Geodesic& g) {
+          g.add_source_edges(edges, CGAL::parameters::start_value(start));
+        });
+      }
+    }
+    compare("shared segments", mesh, sources, random, 30, true);
   }
 }
 
@@ -1155,6 +1224,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"tie at a center", test_voronoi_diagram::tie_at_a_center},
     {"vertex and edge", test_voronoi_diagram::vertex_and_edge},
     {"parts of edges at a vertex", test_voronoi_diagram::parts_of_edges_at_a_vertex},
+    {"shared segments", test_voronoi_diagram::shared_segments},
     {"start value of a distance", test_voronoi_diagram::start_value_of_distance},
     {"vertex and polyline", test_voronoi_diagram::vertex_and_polyline},
     {"thin boxes", test_voronoi_diagram::thin_boxes},

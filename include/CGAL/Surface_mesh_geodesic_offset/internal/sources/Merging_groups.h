@@ -35,7 +35,8 @@ std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_w
 {
   std::vector<Index> group(initial.source_of);
   const std::size_t n = group.size();
-  const bool has_two_sources = std::adjacent_find(group.begin(), group.end(), [](Index a, Index b) { return a != b; }) != group.end();
+  const bool has_two_sources =
+    std::adjacent_find(group.begin(), group.end(), [](Index a, Index b) { return a != b; }) != group.end();
   if (!has_two_sources) return group;
   const double longest = CGAL::to_double(mesh.longest_edge()) * double(mesh.number_of_faces() + 1);
   double latest = 0;

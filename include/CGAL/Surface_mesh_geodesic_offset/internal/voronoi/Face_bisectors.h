@@ -267,7 +267,8 @@ private:
 
   bool is_corner(const Point& p) const
   {
-    return std::any_of(m_cell.corner.begin(), m_cell.corner.end(), [&](const Point& c) { return length(p - c) <= m_tolerances.joint; });
+    return std::any_of(m_cell.corner.begin(), m_cell.corner.end(),
+                       [&](const Point& c) { return length(p - c) <= m_tolerances.joint; });
   }
 
   bool add_fan(unsigned i, unsigned next)

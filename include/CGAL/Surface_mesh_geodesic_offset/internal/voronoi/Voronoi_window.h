@@ -34,7 +34,7 @@ struct Voronoi_window
   Index label;                             // id of the source, or of another source with which it coincides
   std::array<Half_plane<double>, 3> bound; // the cone; the third one is where parallel rays start
   int number_of_bounds;
-  double start; // least distance of the rays: at their chord, or at their image in the face
+  double start;                 // least distance of the rays: at their chord, or at their image in the face
   bool is_whole_corner = false; // an upper bound of the distances in the whole face; see Face_bisectors
 
   template <class FT>
@@ -280,8 +280,8 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
 }
 
 // The same, of the windows with a label; infinite if there are none.
-inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
-                                     const Point_in_face<double>& p)
+inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows,
+                                     const std::vector<unsigned>& chosen, const Point_in_face<double>& p)
 {
   double result = std::numeric_limits<double>::infinity();
   for (const unsigned i : chosen)
