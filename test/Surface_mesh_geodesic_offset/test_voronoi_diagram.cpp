@@ -1196,6 +1196,18 @@ void data_meshes()
     Random random(7);
     compare(name, mesh, random_sources(mesh, number_of_cases(6, 50), int(totals.diagrams % 4), random), random, 500);
   }
+  Surface_mesh mesh;
+  if (!read_data_mesh(std::filesystem::path(data_directory()) / "rotor_small.off", 20000, mesh).empty()) return;
+  // Behind saddle vertices where the sum of angles is larger than a full turn by 1e-6 only, cones part by this angle.
+  Random random(7);
+  compare("rotor_small, cones that part", mesh,
+          {[](Geodesic& g) {
+    g.add_source_point(Location(Face_index(1958), {0.25, 0.25, 0.5}));
+           },
+           [](Geodesic& g) {
+    g.add_source_point(Location(Face_index(2718), {0.1308263138, 0.8617041370, 0.0074695492}));
+          }},
+    random, 100);
 }
 
 } // namespace test_voronoi_diagram

@@ -238,12 +238,17 @@ private:
                 m_all.end());
   }
 
+  double tie_of_rays(unsigned i, unsigned j) const
+  {
+    const double distance = (std::max)(m_windows[i].largest_at_chord(), m_windows[j].largest_at_chord());
+    return Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie_of_rays;
+  }
+
   // Ends the cones of two windows at their common ray, if there is one; and those of other windows with the same functions that end
   // there up to rounding.
   bool meet_at_common_ray(unsigned left, unsigned right)
   {
-    const double distance = (std::max)(m_windows[left].largest_at_chord(), m_windows[right].largest_at_chord());
-    const double tie = Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie_of_rays;
+    const double tie = tie_of_rays(left, right);
     const auto ray = m_windows[left].common_ray(m_windows[right], tie);
     if (!ray) return false;
     // A chord that ends at a corner is not longer than it seems.
@@ -273,7 +278,7 @@ private:
 
   bool add_fan(unsigned i, unsigned next)
   {
-    auto fan = m_windows[i].fan_between(m_windows[next], m_tolerances.tie);
+    auto fan = m_windows[i].fan_between(m_windows[next], tie_of_rays(i, next));
     if (!fan) return false;
     const auto same = std::find_if(m_windows.begin(), m_windows.end(), [&](const Voronoi_window& w) {
       return w.is_same_function(*fan, fan->image(), 0, m_tolerances.tie);
