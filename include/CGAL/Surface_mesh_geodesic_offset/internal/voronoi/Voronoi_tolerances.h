@@ -28,8 +28,8 @@ struct Voronoi_tolerances
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
   double slack;
   double usual_tie;
-  // Between a window and the ray at which it ends: eight ties, as both may come over many edges. Binding test: test_voronoi_diagram,
-  // vertex and edge.
+  // Between a window and the ray at which it ends, and between two windows where the rays of a vertex between them are missing: eight
+  // ties, as both may come over many edges. Binding test: test_voronoi_diagram, vertex and edge, and rotor_small.
   double tie_of_rays;
   // Intervals of an edge up to this length are nowhere certainly nearest to their source: 2^8 u, two slacks.
   double shortest_interval;
