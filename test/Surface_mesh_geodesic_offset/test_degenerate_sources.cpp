@@ -5,6 +5,7 @@
 // ties are exact.
 
 #include "level_check.h"
+#include "locations.h"
 
 #include <vector>
 
@@ -184,8 +185,7 @@ void beside_the_tip_of_a_narrow_cone()
         Geodesic geodesic(mesh);
         geodesic.add_source_point(l);
         const auto field = geodesic.build(CGAL::parameters::keep_windows(true));
-        const Point_3 source = CGAL::barycenter(mesh.point(mesh.source(mesh.halfedge(l.first))), l.second[0], mesh.point(mesh.target(mesh.halfedge(l.first))),
-                                                l.second[1], mesh.point(mesh.target(mesh.next(mesh.halfedge(l.first)))), l.second[2]);
+        const Point_3 source = Locations<Surface_mesh>(mesh).point(l);
         for (const Surface_mesh::Vertex_index v : {tip, rim[0], rim[1]}) // in the face of the source, so the path is straight
         {
           const double d = std::sqrt(CGAL::squared_distance(source, mesh.point(v)));

@@ -952,20 +952,10 @@ Add_source along_edge(const Surface_mesh& mesh, Surface_mesh::Halfedge_index h, 
     from = 1 - from;
     to = 1 - to;
   }
-  std::vector<Location> result;
-  for (const double t : {from, to})
-  {
-    Location l(mesh.face(h), {0, 0, 0});
-    auto k = mesh.halfedge(mesh.face(h));
-    for (double& w : l.second)
-    {
-      w = mesh.source(k) == mesh.source(h) ? 1 - t : mesh.source(k) == mesh.target(h) ? t : 0;
-      k = mesh.next(k);
-    }
-    result.push_back(l);
-  }
-  return
-    [result, start_value](Geodesic& g) { g.add_source_polyline(result, false, CGAL::parameters::start_value(start_value)); };
+  const Locations<Surface_mesh> locations(mesh);
+  return [polyline = std::vector<Location>{locations.on_edge(h, from), locations.on_edge(h, to)}, start_value](Geodesic& g) {
+    g.add_source_polyline(polyline, false, CGAL::parameters::start_value(start_value));
+  };
 }
 
 std::vector<Soup> symmetric_soups()

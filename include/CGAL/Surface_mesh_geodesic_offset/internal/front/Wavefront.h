@@ -17,8 +17,8 @@
 #endif
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Merging_groups.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Merging_groups.h>
 
 #include <algorithm>
 #include <vector>

@@ -37,7 +37,9 @@ std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_w
   const std::size_t n = group.size();
   const bool has_two_sources =
     std::adjacent_find(group.begin(), group.end(), [](Index a, Index b) { return a != b; }) != group.end();
-  if (!has_two_sources) return group;
+  const bool has_segments =
+    std::any_of(initial.primitives.begin(), initial.primitives.end(), [](const auto& p) { return p.is_segment; });
+  if (!has_two_sources || !has_segments) return group;
   const double longest = CGAL::to_double(mesh.longest_edge()) * double(mesh.number_of_faces() + 1);
   double latest = 0;
   for (std::size_t i = 0; i < n; ++i)

@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -72,9 +71,7 @@ public:
 private:
   bool is_along(const Voronoi_cell& cell, int k, const Bisector_arc& a) const
   {
-    const Half_plane<double> side = cell.outside(k);
-    const auto is_on_side = [&](const Point& p) { return std::abs(side.value(p)) <= m_tolerances.along_side(); };
-    return is_on_side(a.start) && is_on_side(a.middle()) && is_on_side(a.end);
+    return a.is_on(cell.outside(k), m_tolerances.along_side());
   }
 
   static void add_own_parts(const Voronoi_cell& cell, int k, const Bisector_arc& a, std::vector<Bisector_arc>& own)
@@ -128,7 +125,7 @@ private:
     if (end - begin <= m_tolerances.joint) return;
     if (candidates.empty())
     { // the face has the label of its first corner
-      if (label != cell.label[0]) arcs.push_back(link(at(begin), at(end), cell.label[0], label));
+      if (label != cell.label[0]) arcs.push_back(Bisector_arc::link(at(begin), at(end), cell.label[0], label));
       return;
     }
     if (!is_of_neighbour(begin) && !is_of_neighbour((begin + end) / 2) && !is_of_neighbour(end)) return;
@@ -144,20 +141,8 @@ private:
       const bool is_known = std::any_of(arcs.begin(), arcs.end(), [&](const Bisector_arc& a) {
         return is_along(cell, k, a) && dot(p - a.start, cell.direction[k]) * dot(p - a.end, cell.direction[k]) <= 0;
       });
-      if (!is_known) arcs.push_back(link(at(from), at(to), inner, label));
+      if (!is_known) arcs.push_back(Bisector_arc::link(at(from), at(to), inner, label));
     }
-  }
-
-  static Bisector_arc link(const Point& from, const Point& to, Index inner, Index outer)
-  {
-    Bisector_arc link;
-    link.face = link.start_node = link.end_node = no_index;
-    link.left.label = inner;
-    link.right.label = outer;
-    link.start = from;
-    link.end = to;
-    link.is_link = true;
-    return link;
   }
 
   const std::vector<Voronoi_window>& m_windows;

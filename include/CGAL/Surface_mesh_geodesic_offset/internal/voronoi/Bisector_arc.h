@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_conic.h>
 
+#include <cmath>
 #include <utility>
 
 namespace CGAL {
@@ -29,8 +30,8 @@ struct Bisector_arc
 {
   typedef Point_in_face<double> Point;
 
-  Index face;
-  Index start_node, end_node;
+  Index face = no_index;
+  Index start_node = no_index, end_node = no_index;
   Bisector_side left, right;
   Point start, end;
   unsigned char start_edge = 3, end_edge = 3; // halfedge of the face that has the point; 3: none
@@ -40,6 +41,25 @@ struct Bisector_arc
   Index edge = no_index;                      // smaller halfedge of the edge on which the whole arc lies
   double along_edge = 0;                      // length in the direction of this halfedge
   bool is_link = false; // straight between two nodes that rounding does not tell apart, or leaves without an arc
+
+  // A straight arc without windows.
+  static Bisector_arc link(const Point& from, const Point& to, Index left, Index right)
+  {
+    Bisector_arc arc;
+    arc.start = from;
+    arc.end = to;
+    arc.left.label = left;
+    arc.right.label = right;
+    arc.is_link = true;
+    return arc;
+  }
+
+  // True if the ends and the middle are on a line.
+  bool is_on(const Half_plane<double>& line, double tolerance) const
+  {
+    const auto is_near = [&](const Point& p) { return std::abs(line.value(p)) <= tolerance; };
+    return is_near(start) && is_near(middle()) && is_near(end);
+  }
 
   bool is_straight() const { return is_link || conic.kind() == Bisector_conic::SEGMENT; }
 

@@ -132,8 +132,6 @@ private:
   Bisector_arc arc(const Bisector_conic& conic, unsigned a, unsigned b, double from, double to, bool a_is_on_left) const
   {
     Bisector_arc arc;
-    arc.face = no_index;
-    arc.start_node = arc.end_node = no_index;
     arc.conic = conic;
     arc.from = from;
     arc.to = to;

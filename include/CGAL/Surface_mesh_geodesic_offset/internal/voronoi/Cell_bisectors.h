@@ -99,15 +99,9 @@ private:
   // The straight arc from a gate to another one.
   static Bisector_arc link(const Voronoi_gate& from, const Voronoi_gate& to)
   {
-    Bisector_arc arc;
-    arc.face = no_index;
+    Bisector_arc arc = Bisector_arc::link(from.point, to.point, from.from, from.to);
     arc.start_node = from.node;
     arc.end_node = to.node;
-    arc.left.label = from.from;
-    arc.right.label = from.to;
-    arc.start = from.point;
-    arc.end = to.point;
-    arc.is_link = true;
     return arc;
   }
 

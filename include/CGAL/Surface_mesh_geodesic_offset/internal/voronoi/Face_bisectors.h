@@ -111,9 +111,7 @@ public:
       }
       for (int k = 0; k < 3; ++k)
       {
-        const Half_plane<double> side = m_cell.outside(k);
-        const auto is_on_side = [&](const Point& p) { return std::abs(side.value(p)) <= arc.negligible; };
-        if (!is_on_side(arc.start) || !is_on_side(arc.end) || !is_on_side(arc.middle())) continue;
+        if (!arc.is_on(m_cell.outside(k), arc.negligible)) continue;
         const Index h = 3 * arc.face + Index(k);
         arc.edge = (std::min)(h, m_mesh.twin(h));
         arc.along_edge = (arc.edge == h ? 1 : -1) * dot(arc.end - arc.start, m_cell.direction[k]);

@@ -56,13 +56,14 @@ public:
       {
         if (q.end - p.begin <= tolerances.shortest_interval) continue;
         // In a gap between cones that rounding has left, only the function of a corner is known.
-        const Piece& widest = *std::max_element(&p, &q + 1, [](const Piece& a, const Piece& b) { return a.end - a.begin < b.end - b.begin; });
+        const Piece& widest =
+          *std::max_element(&p, &q + 1, [](const Piece& a, const Piece& b) { return a.end - a.begin < b.end - b.begin; });
         const double middle = (widest.begin + widest.end) / 2;
         const double least = least_path_length(windows, candidates, o + middle * u);
         if (widest.window.distance_at(middle) > least + tolerances.loose_tie) continue;
         const double t = p.begin - end <= tolerances.shortest_interval
-                           ? (end + p.begin) / 2
-                           : change_in_gap(end, p.begin, label, p.label, o, u, windows, candidates);
+                         ? (end + p.begin) / 2
+                         : change_in_gap(end, p.begin, label, p.label, o, u, windows, candidates);
         out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, p.label});
         label = p.label;
       }
