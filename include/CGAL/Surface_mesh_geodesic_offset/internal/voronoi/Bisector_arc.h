@@ -24,6 +24,18 @@ struct Bisector_side
   Index window = no_index; // in the face; no_index for a link
   Source_ref source_ref;
   Index pseudo_source = no_index;
+
+  // `number`: of the window in the face.
+  static Bisector_side of(const Voronoi_window& w, Index number)
+  {
+    Bisector_side s;
+    s.label = w.label;
+    s.window = number;
+    s.source_ref = w.rays.source_ref;
+    const Index v = w.rays.pseudo_source();
+    if (!Merge_error_code::is_merged(v)) s.pseudo_source = v;
+    return s;
+  }
 };
 
 struct Bisector_arc
@@ -63,7 +75,15 @@ struct Bisector_arc
 
   bool is_straight() const { return is_link || conic.kind() == Bisector_conic::SEGMENT; }
 
-  Point middle() const { return is_link ? 0.5 * (start + end) : conic.at(conic.between(from, to, 0.5)).point(); }
+  Point middle() const { return at(0.5); }
+
+  // The point between the start (0) and the end (1).
+  Point at(double part) const
+  {
+    return is_link ? start + part * (end - start) : conic.at(conic.between(from, to, part)).point();
+  }
+
+  double chord_length() const { return length(middle() - start) + length(end - middle()); }
 
   // True if rounding does not tell the arc from a point.
   bool is_negligible() const { return length(end - start) <= negligible && length(middle() - start) <= negligible; }

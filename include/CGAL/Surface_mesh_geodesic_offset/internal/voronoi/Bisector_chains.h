@@ -97,11 +97,12 @@ public:
 
 private:
   // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the mesh. Ends
-  // on the border remain what they are.
+  // on the border remain what they are. The arcs of a node are no longer together than `largest_node` of them.
   void contract(const std::vector<Bisector_arc>& arcs, std::size_t number_of_nodes)
   {
     std::vector<std::size_t> number_at(number_of_nodes, 0);
     std::vector<Index> same(number_of_nodes);
+    std::vector<double> length_at(number_of_nodes, 0);
     for (Index n = 0; n < number_of_nodes; ++n) same[n] = n;
     const auto representative = [&](Index n) {
       while (same[n] != n) n = same[n] = same[same[n]];
@@ -113,16 +114,21 @@ private:
       ++number_at[a.end_node];
     }
     const auto is_contracted = [&](const Bisector_arc& a) {
-      return a.is_negligible() && number_at[a.start_node] != 1 && number_at[a.end_node] != 1;
+      if (!a.is_negligible() || number_at[a.start_node] == 1 || number_at[a.end_node] == 1) return false;
+      const Index from = representative(a.start_node), to = representative(a.end_node);
+      if (from == to) return true;
+      const double length = length_at[from] + a.chord_length() + length_at[to];
+      if (length > largest_node * a.negligible) return false;
+      same[from] = to;
+      length_at[to] = length;
+      return true;
     };
     for (const Bisector_arc& a : arcs)
-      if (is_contracted(a)) same[representative(a.start_node)] = representative(a.end_node);
-    for (const Bisector_arc& a : arcs)
+      if (!is_contracted(a)) m_arcs.push_back(a);
+    for (Bisector_arc& a : m_arcs)
     {
-      if (is_contracted(a)) continue;
-      m_arcs.push_back(a);
-      m_arcs.back().start_node = representative(a.start_node);
-      m_arcs.back().end_node = representative(a.end_node);
+      a.start_node = representative(a.start_node);
+      a.end_node = representative(a.end_node);
     }
   }
 
@@ -182,7 +188,7 @@ private:
     for (const Bisector_arc& a : arcs)
     {
       const auto start = a.start - origin, middle = a.middle() - origin, end = a.end - origin;
-      length += internal::length(middle - start) + internal::length(end - middle);
+      length += a.chord_length();
       area += (cross(start, middle) + cross(middle, end)) / 2;
       is_in_face = is_in_face && a.face == arcs.front().face;
       longest = (std::max)(longest, a.smallest_loop);
@@ -211,16 +217,23 @@ private:
       if (has_vertex) chain.arcs.push_back(arcs[longest]);
       return;
     }
-    // but an end on the border remains there
+    // but an end on the border remains there, and arcs that are left out in a row are not longer than one of them
+    double left_out = 0;
     const auto is_left_out = [&](std::size_t i) {
       const bool ends_at_border = (i == 0 && chain.start_vertex == Bisector_chain::no_vertex) ||
                                   (i + 1 == arcs.size() && chain.end_vertex == Bisector_chain::no_vertex);
-      return arcs[i].is_negligible() && !(ends_at_border && !chain.is_closed);
+      return arcs[i].is_negligible() && !(ends_at_border && !chain.is_closed) &&
+             left_out + arcs[i].chord_length() <= arcs[i].negligible;
     };
     for (std::size_t i = 0; i < arcs.size(); ++i)
     {
-      if (is_left_out(i)) continue;
       const Bisector_arc& a = arcs[i];
+      if (is_left_out(i))
+      {
+        left_out += a.chord_length();
+        continue;
+      }
+      left_out = 0;
       if (!chain.arcs.empty() && chain.arcs.back().continues_in(a)) chain.arcs.back().append(a);
       else chain.arcs.push_back(a);
     }
@@ -231,6 +244,8 @@ private:
       chain.arcs.pop_back();
     }
   }
+
+  static constexpr int largest_node = 8; // as a multiple of the length of a negligible arc
 
   std::vector<Bisector_arc> m_arcs;
   std::vector<std::size_t> m_begin, m_incident; // per node, its arcs

@@ -121,6 +121,14 @@ public:
     return t;
   }
 
+  // The parameter of a point on the conic: from its component across the axis.
+  double parameter_of(const Point& p) const
+  {
+    const Point c1 = m_c1.point(), across = m_has_inverse ? c1 - m_c2.point() : c1;
+    const double t = dot(p - m_c0.point(), across) / dot(across, across);
+    return m_has_inverse ? std::exp(std::asinh(t)) : t;
+  }
+
   // For a line: the parameter of the point nearest to c.
   double nearest_parameter(const Point& c) const
   {

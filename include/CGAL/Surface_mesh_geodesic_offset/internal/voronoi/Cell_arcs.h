@@ -137,20 +137,10 @@ private:
     arc.to = to;
     arc.start = conic.at(from).point();
     arc.end = conic.at(to).point();
-    arc.left = side(a_is_on_left ? a : b);
-    arc.right = side(a_is_on_left ? b : a);
+    const unsigned left = a_is_on_left ? a : b, right = a_is_on_left ? b : a;
+    arc.left = Bisector_side::of(m_windows[left], left);
+    arc.right = Bisector_side::of(m_windows[right], right);
     return arc;
-  }
-
-  Bisector_side side(unsigned a) const
-  {
-    const Voronoi_window& w = m_windows[a];
-    Bisector_side s;
-    s.label = w.label;
-    s.window = a;
-    s.source_ref = w.rays.source_ref;
-    s.pseudo_source = Merge_error_code::is_merged(w.rays.pseudo_source()) ? no_index : w.rays.pseudo_source();
-    return s;
   }
 
   static Point gradient(const Voronoi_window& w, const Point& p)

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Arcs_along_sides.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Cell_arcs.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Gate_links.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
@@ -62,49 +63,7 @@ public:
     return false;
   }
 
-  // Connects the gates with straight links. Neighbours between the same sources form pairs; the others meet in one point.
-  template <class New_node, class OutputFunction>
-  static void connect_straight(const Voronoi_cell& cell, const New_node& new_node, const OutputFunction& out)
-  {
-    std::vector<const Voronoi_gate*> open;
-    for (const Voronoi_gate& g : cell.gates)
-    {
-      if (!open.empty() && open.back()->from == g.to)
-      {
-        out(link(*open.back(), g));
-        open.pop_back();
-      }
-      else open.push_back(&g);
-    }
-    std::size_t begin = 0; // also across the first corner
-    while (open.size() >= begin + 2 && open.back()->from == open[begin]->to && open.back()->to == open[begin]->from)
-    {
-      out(link(*open.back(), *open[begin++]));
-      open.pop_back();
-    }
-    if (begin == open.size()) return;
-    Point middle{0, 0};
-    for (std::size_t i = begin; i < open.size(); ++i) middle = middle + (1. / double(open.size() - begin)) * open[i]->point;
-    const Index node = new_node();
-    for (std::size_t i = begin; i < open.size(); ++i)
-    {
-      Bisector_arc arc = link(*open[i], *open[i]);
-      arc.end_node = node;
-      arc.end = middle;
-      out(arc);
-    }
-  }
-
 private:
-  // The straight arc from a gate to another one.
-  static Bisector_arc link(const Voronoi_gate& from, const Voronoi_gate& to)
-  {
-    Bisector_arc arc = Bisector_arc::link(from.point, to.point, from.from, from.to);
-    arc.start_node = from.node;
-    arc.end_node = to.node;
-    return arc;
-  }
-
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, bool joins_loose_ends,
                const New_node& new_node, const OutputFunction& out)
@@ -291,7 +250,7 @@ private:
       if (cell.gates[i].from != cell.gates[j].to || cell.gates[i].to != cell.gates[j].from) continue;
       members.erase(at_i);
       members.erase(place_of(j));
-      m_links.push_back(link(cell.gates[i], cell.gates[j]));
+      m_links.push_back(Gate_links::link(cell.gates[i], cell.gates[j]));
       has_links = true;
     }
     return has_links;
@@ -307,7 +266,7 @@ private:
       if (m_ends[e].is_gate) gates.push_back(m_ends[e].arc);
     if (members.size() == 2 && gates.size() == 2)
     {
-      m_links.push_back(link(cell.gates[gates[0]], cell.gates[gates[1]]));
+      m_links.push_back(Gate_links::link(cell.gates[gates[0]], cell.gates[gates[1]]));
       return;
     }
     // the common end of loose ends may be that of the arc
@@ -321,7 +280,7 @@ private:
       if (end.is_gate)
       {
         if (is_gate) continue;
-        Bisector_arc l = link(cell.gates[end.arc], cell.gates[end.arc]);
+        Bisector_arc l = Gate_links::link(cell.gates[end.arc], cell.gates[end.arc]);
         l.end_node = node;
         l.end = point;
         m_links.push_back(l);

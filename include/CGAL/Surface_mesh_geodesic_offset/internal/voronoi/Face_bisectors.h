@@ -119,9 +119,10 @@ public:
       out(arc);
     };
     Cell_bisectors bisectors(m_windows, m_tolerances, m_cell.center(), m_cell.radius());
+    Gate_links links(m_windows, m_tolerances, m_cell.center());
     int divisions = 0, divisions_for_windows = 0;
     m_pending.clear();
-    add_pending(m_cell, m_all);
+    add_pending({m_cell, m_all, m_all.size() + 1, 0, 0});
     while (!m_pending.empty())
     {
       std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
@@ -131,15 +132,19 @@ public:
       prune(part.cell, part.windows, -m_tolerances.along_side());
       if (part.cell.gates.empty() && has_one_label_at(part.cell, part.windows)) continue;
       const bool is_divisible = part.diameter > m_tolerances.smallest_cell;
+      part.divisions_in_vain = part.windows.size() < part.windows_before ? 0 : part.divisions_in_vain + 1;
+      part.windows_before = part.windows.size();
       const bool has_many_windows = part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
+                                    part.divisions_in_vain < Voronoi_tolerances::most_divisions_in_vain &&
                                     divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows;
       if (has_many_windows) ++divisions_for_windows;
       else
       {
         if (bisectors.connect(part.cell, part.windows, new_node, write)) continue;
+        if (part.diameter < m_cell.diameter() / 16 && links.connect(part.cell, part.windows, new_node, write)) continue;
         if (!is_divisible || divisions == Voronoi_tolerances::most_divisions)
         {
-          bisectors.connect_straight(part.cell, new_node, write);
+          links.connect_straight(part.cell, new_node, write);
           ++m_number_of_forced_cells;
           continue;
         }
@@ -150,8 +155,11 @@ public:
         m_changes(o, u, size, first, last, m_windows, part.windows, m_tolerances, add);
         },
         new_node);
-      add_pending(std::move(halves.first), part.windows);
-      add_pending(std::move(halves.second), std::move(part.windows));
+      Part second = part;
+      part.cell = std::move(halves.first);
+      second.cell = std::move(halves.second);
+      add_pending(std::move(part));
+      add_pending(std::move(second));
     }
     m_number_of_divisions += std::size_t(divisions);
   }
@@ -165,15 +173,17 @@ private:
   {
     Voronoi_cell cell;
     std::vector<unsigned> windows;
+    std::size_t windows_before; // the last division
+    int divisions_in_vain;      // in a row, which left all windows
     double diameter;
   };
   static bool is_smaller(const Part& a, const Part& b) { return a.diameter < b.diameter; }
 
   // The largest cells are divided first, so that those left when the divisions are used up are small.
-  void add_pending(Voronoi_cell cell, std::vector<unsigned> windows)
+  void add_pending(Part part)
   {
-    const double diameter = cell.diameter();
-    m_pending.push_back({std::move(cell), std::move(windows), diameter});
+    part.diameter = part.cell.diameter();
+    m_pending.push_back(std::move(part));
     std::push_heap(m_pending.begin(), m_pending.end(), is_smaller);
   }
 

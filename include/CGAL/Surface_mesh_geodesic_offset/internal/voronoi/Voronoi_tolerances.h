@@ -54,6 +54,10 @@ struct Voronoi_tolerances
   // more than this: two ties, one for each of the two distances. Binding test: as before.
   double of_neighbour() const { return 2 * usual_tie; }
 
+  // On a curve from gate to gate where bisectors do not fit together, the two least path lengths differ by no more than this, nor is
+  // another one less by more: as in the smallest cells, where the difference may be twice their diameter.
+  double of_link() const { return smallest_cell; }
+
   static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
   void use_tie(double factor)
   {
@@ -87,6 +91,8 @@ struct Voronoi_tolerances
   // But after this many divisions of a face only to have less windows, not for this reason any more: many windows may meet at a
   // vertex.
   static constexpr int most_divisions_for_windows = 1 << 12;
+  // Nor if so many divisions of a cell, to an eighth of its diameter, have left all its windows.
+  static constexpr int most_divisions_in_vain = 6;
   // Limit of the other divisions of a face. A bisector that rounding leaves without its ends costs at most this.
   static constexpr int most_divisions = 1 << 10;
 

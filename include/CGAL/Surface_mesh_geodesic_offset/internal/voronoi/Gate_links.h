@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curves from gate to gate of a cell whose bisectors do not fit together.
+
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_GATE_LINKS_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_GATE_LINKS_H
+
+#include <CGAL/license/Surface_mesh_geodesic_offset.h>
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Geodesic_offset {
+namespace internal {
+
+// Where rounding decides which windows are nearest, the intervals of bisectors may contradict each other. The distances themselves do
+// not: from each source, the least path length through a window of the cell is a continuous function. So gates between the same
+// sources are connected by a curve along which these functions agree, and no other one is less.
+class Gate_links
+{
+public:
+  typedef Point_in_face<double> Point;
+
+  // The tolerances may change between calls. `center`: a point of the face.
+  Gate_links(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center)
+    : m_windows(windows), m_tolerances(tolerances), m_center(center)
+  {
+  }
+
+  // Connects the gates, and passes the curves to out(arc), with new_node() for a point in which several meet. Returns false, without
+  // output, if distances differ on one of them. A cell without gates must have the label of its corners at its center, and between
+  // that and its corners and sides.
+  template <class New_node, class OutputFunction>
+  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
+               const OutputFunction& out)
+  {
+    m_candidates = &candidates;
+    if (cell.gates.empty()) return is_of_one_source(cell);
+    for (const std::size_t first : {std::size_t(0), std::size_t(1)})
+    {
+      pair_up(cell, first);
+      if (!std::all_of(m_arcs.begin(), m_arcs.end(), [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a); }))
+        continue;
+      write(new_node, out);
+      return true;
+    }
+    return false;
+  }
+
+  // Connects the gates with straight links, whatever the distances.
+  template <class New_node, class OutputFunction>
+  void connect_straight(const Voronoi_cell& cell, const New_node& new_node, const OutputFunction& out)
+  {
+    pair_up(cell, 0);
+    write(new_node, out);
+  }
+
+  // The straight arc from a gate to another one.
+  static Bisector_arc link(const Voronoi_gate& from, const Voronoi_gate& to)
+  {
+    Bisector_arc arc = Bisector_arc::link(from.point, to.point, from.from, from.to);
+    arc.start_node = from.node;
+    arc.end_node = to.node;
+    return arc;
+  }
+
+private:
+  // Makes straight links. Neighbours between the same sources, from the given gate on, form pairs; the others meet in one point.
+  void pair_up(const Voronoi_cell& cell, std::size_t first)
+  {
+    m_arcs.clear();
+    std::vector<const Voronoi_gate*> open;
+    for (std::size_t i = 0; i < cell.gates.size(); ++i)
+    {
+      const Voronoi_gate& g = cell.gates[(first + i) % cell.gates.size()];
+      if (!open.empty() && open.back()->from == g.to)
+      {
+        m_arcs.push_back(link(*open.back(), g));
+        open.pop_back();
+      }
+      else open.push_back(&g);
+    }
+    std::size_t begin = 0; // also across the first gate
+    while (open.size() >= begin + 2 && open.back()->from == open[begin]->to && open.back()->to == open[begin]->from)
+    {
+      m_arcs.push_back(link(*open.back(), *open[begin++]));
+      open.pop_back();
+    }
+    Point middle{0, 0};
+    for (std::size_t i = begin; i < open.size(); ++i) middle = middle + (1. / double(open.size() - begin)) * open[i]->point;
+    for (std::size_t i = begin; i < open.size(); ++i)
+    {
+      m_arcs.push_back(link(*open[i], *open[i]));
+      m_arcs.back().end_node = no_index;
+      m_arcs.back().end = middle;
+    }
+  }
+
+  template <class New_node, class OutputFunction>
+  void write(const New_node& new_node, const OutputFunction& out)
+  {
+    const bool has_common_end = !m_arcs.empty() && m_arcs.back().end_node == no_index;
+    const Index node = has_common_end ? new_node() : no_index;
+    for (Bisector_arc& a : m_arcs)
+    {
+      if (a.end_node == no_index) a.end_node = node;
+      out(a);
+    }
+  }
+
+  // Makes a straight arc part of the bisector of the windows that are nearest to its middle. Returns false if there is no such part.
+  bool set_conic(Bisector_arc& arc) const
+  {
+    const unsigned a = nearest_window(arc.left.label, arc.middle()), b = nearest_window(arc.right.label, arc.middle());
+    if (a == none || b == none) return false;
+    const bool swaps = m_windows[a].is_parallel();
+    Bisector_arc curve = arc;
+    curve.is_link = false;
+    if (!curve.conic.make(m_windows[swaps ? b : a], m_windows[swaps ? a : b], m_tolerances.tie, m_center)) return false;
+    if (curve.conic.is_ray()) return false;
+    curve.from = curve.conic.parameter_of(arc.start);
+    curve.to = curve.conic.parameter_of(arc.end);
+    if (length(curve.conic.at(curve.from).point() - arc.start) > m_tolerances.joint) return false;
+    if (length(curve.conic.at(curve.to).point() - arc.end) > m_tolerances.joint) return false;
+    if (!is_bisector(curve)) return false;
+    curve.left = Bisector_side::of(m_windows[a], a);
+    curve.right = Bisector_side::of(m_windows[b], b);
+    arc = curve;
+    return true;
+  }
+
+  bool is_bisector(const Bisector_arc& arc) const
+  {
+    for (const double part : {0.25, 0.5, 0.75})
+    {
+      const Point p = arc.at(part);
+      if (!is_nearest(arc.left.label, p) || !is_nearest(arc.right.label, p)) return false;
+    }
+    return true;
+  }
+
+  bool is_of_one_source(const Voronoi_cell& cell) const
+  {
+    const Point c = cell.center();
+    bool result = is_nearest(cell.label[0], c);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point middle = 0.5 * (cell.corner[k] + cell.corner[(k + 1) % 3]);
+      result = result && is_nearest(cell.label[0], 0.5 * (c + cell.corner[k])) && is_nearest(cell.label[0], 0.5 * (c + middle));
+    }
+    return result;
+  }
+
+  bool is_nearest(Index label, const Point& p) const
+  {
+    double least = std::numeric_limits<double>::infinity(), own = least;
+    for (const unsigned c : *m_candidates)
+    {
+      const double d = distance_through(m_windows[c], p);
+      least = (std::min)(least, d);
+      if (m_windows[c].label == label) own = (std::min)(own, d);
+    }
+    return own <= least + m_tolerances.of_link();
+  }
+
+  unsigned nearest_window(Index label, const Point& p) const
+  {
+    unsigned result = none;
+    double least = std::numeric_limits<double>::infinity();
+    for (const unsigned c : *m_candidates)
+    {
+      const double d = m_windows[c].label == label ? distance_through(m_windows[c], p) : least;
+      if (!(d < least)) continue;
+      least = d;
+      result = c;
+    }
+    return result;
+  }
+
+  // Beyond the cone, around the end of the chord. A cone that ends at a common ray may reach beyond the chord.
+  double distance_through(const Voronoi_window& w, const Point& p) const
+  {
+    return w.contains(p, m_tolerances.slack) ? w.distance_at(p) : w.rays.path_length(p);
+  }
+
+  static constexpr unsigned none = ~0u;
+
+  const std::vector<Voronoi_window>& m_windows;
+  const Voronoi_tolerances& m_tolerances;
+  const Point m_center;
+  const std::vector<unsigned>* m_candidates = nullptr;
+  std::vector<Bisector_arc> m_arcs;
+};
+
+} // namespace internal
+} // namespace Geodesic_offset
+} // namespace CGAL
+
+#endif
