@@ -1133,6 +1133,92 @@ void thin_boxes()
   }
 }
 
+// Cells in which rounding decides which windows are nearest: bisectors do not fit together there, and gates are linked.
+void links()
+{
+  { // Two strips of parallel rays, whose directions differ by 4e-8, overlap, and the rays of a vertex between them are lost.
+    Surface_mesh mesh;
+    std::vector<Vertex_index> v;
+    for (const Point_3& p :
+         {Point_3(-0.001454, -0.001, 0), Point_3(-0.001454021926611353, -0.00099999999945423932, 0.001),
+          Point_3(-0.0014540219267582494, 7.2085165848015279e-14, 0.001), Point_3(-0.001454, 0, 0), Point_3(-0.0005, 0, 0),
+          Point_3(-0.00045402192529399668, 1.6590902112596596e-13, 0.001), Point_3(-0.0014540219266057778, 0.001, 0.001),
+          Point_3(0, 0.001, 0), Point_3(-0.0005, 0.001, 0), Point_3(-0.000454022, 0.001, 0.001)})
+      v.push_back(mesh.add_vertex(p));
+    for (const auto& f : std::vector<std::array<unsigned, 3>>{
+           {{0, 1, 2}}, {{0, 2, 3}}, {{1, 5, 2}}, {{3, 2, 6}}, {{3, 6, 7}}, {{3, 7, 8}}, {{3, 8, 4}}, {{2, 9, 6}}})
+      mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
+    const auto edge = [&](unsigned a, unsigned b, double start) {
+      return [e = mesh.edge(mesh.halfedge(v[a], v[b])), start](Geodesic& g) {
+        g.add_source_edges(std::vector<Edge_index>{e}, CGAL::parameters::start_value(start));
+      };
+    };
+    Random random(1);
+    compare("overlapping strips", mesh,
+            {[&](Geodesic& g) { g.add_source_point(v[4]); }, edge(5, 1, 0), edge(9, 2, 0.00070710678155543342)}, random, 100,
+            true);
+  }
+  Random random(11);
+  for (int i = 0; i < number_of_cases(200, 2000); ++i)
+  { // points no farther apart than 1e-8, and two edges, on a bent fan
+    Surface_mesh mesh;
+    const Vertex_index center = mesh.add_vertex(Point_3(0, 0, 0));
+    std::vector<Vertex_index> ring;
+    for (int k = 0; k < 9; ++k)
+    {
+      const double angle = k * CGAL_PI / 4.5, radius = uniform(random, 0.3, 1.5);
+      ring.push_back(mesh.add_vertex(Point_3(radius * std::cos(angle), radius * std::sin(angle), uniform(random, 0, 0.5))));
+    }
+    for (std::size_t k = 0; k + 1 < ring.size(); ++k) mesh.add_face(center, ring[k], ring[k + 1]);
+    const auto edge = [&] {
+      const std::size_t k = uniform_index(random, 8);
+      const auto h = uniform_index(random, 2) == 0 ? mesh.halfedge(center, ring[k]) : mesh.halfedge(ring[k], ring[k + 1]);
+      return mesh.edge(h);
+    };
+    std::vector<Add_source> sources{[edges = std::vector<Edge_index>{edge(), edge()}](Geodesic& g) {
+      g.add_source_edges(edges);
+    }};
+    const Location l = random_location(mesh, random);
+    for (std::size_t k = 2 + uniform_index(random, 2); k > 0; --k)
+    {
+      Location beside(l);
+      const double step = std::pow(10, uniform(random, -13, -8)) * beside.second[0];
+      beside.second[0] -= step;
+      beside.second[1] += step;
+      sources.push_back([beside](Geodesic& g) { g.add_source_point(beside); });
+    }
+    compare("cluster and edges on a fan", mesh, sources, random, 30, true);
+  }
+  const std::vector<Soup> soups = symmetric_soups();
+  for (int i = 0; i < number_of_cases(300, 3000); ++i)
+  { // edges and vertices that start with the length of an edge, or with half of it, on perturbed meshes
+    Soup soup = soups[uniform_index(random, soups.size())];
+    const double noise = std::pow(10, uniform(random, -12, -8));
+    for (Point_3& p : soup.points)
+      p = Point_3(p.x() + uniform(random, -noise, noise), p.y() + uniform(random, -noise, noise),
+                  p.z() + uniform(random, -noise, noise));
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(soup).mesh;
+    std::vector<Add_source> sources;
+    for (std::size_t k = 2 + uniform_index(random, 2); k > 0; --k)
+    {
+      const Edge_index e(unsigned(uniform_index(random, mesh.number_of_edges()))),
+        other(unsigned(uniform_index(random, mesh.number_of_edges())));
+      const Vertex_index v = mesh.vertex(e, 0);
+      const double size =
+        std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(other, 0)), mesh.point(mesh.vertex(other, 1))));
+      const double start = std::array<double, 4>{0, 0, size / 2, size}[uniform_index(random, 4)];
+      if (uniform_index(random, 3) == 0)
+        sources.push_back([v, start](Geodesic& g) { g.add_source_point(v, CGAL::parameters::start_value(start)); });
+      else
+        sources.push_back([e, start](Geodesic& g) {
+          g.add_source_edges(std::vector<Edge_index>{e}, CGAL::parameters::start_value(start));
+        });
+    }
+    compare("edges that start later, perturbed", mesh, sources, random, 30, true);
+  }
+  CHECK(totals.forced == 0);
+}
+
 void bad_input()
 {
   const Surface_mesh mesh = Generated_mesh<Surface_mesh>(icosphere(1)).mesh;
@@ -1230,6 +1316,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"start value of a distance", test_voronoi_diagram::start_value_of_distance},
     {"vertex and polyline", test_voronoi_diagram::vertex_and_polyline},
     {"thin boxes", test_voronoi_diagram::thin_boxes},
+    {"links", test_voronoi_diagram::links},
     {"bad input", test_voronoi_diagram::bad_input},
     {"unreachable", test_voronoi_diagram::unreachable},
     {data_case, test_voronoi_diagram::data_meshes}};

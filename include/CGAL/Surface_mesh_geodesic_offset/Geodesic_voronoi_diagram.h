@@ -352,8 +352,8 @@ public:
   /// \name Diagnosis
   /// @{
 
-  /// the number of parts of faces in which rounding left curves that do not fit together. They are crossed straight. A few of them
-  /// are of the size of rounding, as where sources nearly coincide; if they are hundreds, a curve may be wrong there. 0 in general.
+  /// the number of parts of faces, larger than rounding, in which curves do not fit together. They are crossed straight, so a curve may
+  /// be wrong there. 0 in general.
   std::size_t number_of_forced_cells() const { return diagram().forced_cells; }
   /// @}
 

@@ -136,10 +136,7 @@ private:
   }
 
   // Infinite if no window of the cell has the source.
-  double distance_from(Index label, const Point& p) const
-  {
-    return least_path_length_from(label, m_windows, *m_candidates, p);
-  }
+  double distance_from(Index label, const Point& p) const { return least_path_length_from(label, m_windows, *m_candidates, p); }
 
   // False if the windows of the cell do not explain an end.
   bool all_tie_at(const Point& p, const std::vector<std::size_t>& members) const

@@ -134,18 +134,21 @@ public:
       const bool is_divisible = part.diameter > m_tolerances.smallest_cell;
       part.divisions_in_vain = part.windows.size() < part.windows_before ? 0 : part.divisions_in_vain + 1;
       part.windows_before = part.windows.size();
-      const bool has_many_windows = part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
-                                    part.divisions_in_vain < Voronoi_tolerances::most_divisions_in_vain &&
-                                    divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows;
+      const bool has_many_windows =
+        part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
+        part.divisions_in_vain < Voronoi_tolerances::most_divisions_in_vain &&
+        divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows;
       if (has_many_windows) ++divisions_for_windows;
       else
       {
         if (bisectors.connect(part.cell, part.windows, new_node, write)) continue;
-        if (part.diameter < m_cell.diameter() / 16 && links.connect(part.cell, part.windows, new_node, write)) continue;
-        if (!is_divisible || divisions == Voronoi_tolerances::most_divisions)
+        const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions;
+        const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
+        if (may_link && links.connect(part.cell, part.windows, new_node, write)) continue;
+        if (!may_divide)
         {
           links.connect_straight(part.cell, new_node, write);
-          ++m_number_of_forced_cells;
+          if (is_divisible) ++m_number_of_forced_cells;
           continue;
         }
         ++divisions;
@@ -166,7 +169,7 @@ public:
 
   const Voronoi_tolerances& tolerances() const { return m_tolerances; }
   std::size_t number_of_divisions() const { return m_number_of_divisions; }       // of cells that did not fit together
-  std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // connected by straight links
+  std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // larger than rounding
 
 private:
   struct Part

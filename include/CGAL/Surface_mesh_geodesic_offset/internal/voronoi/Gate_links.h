@@ -48,7 +48,8 @@ public:
     for (const std::size_t first : {std::size_t(0), std::size_t(1)})
     {
       pair_up(cell, first);
-      if (!std::all_of(m_arcs.begin(), m_arcs.end(), [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a); }))
+      if (!std::all_of(m_arcs.begin(), m_arcs.end(),
+                       [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a); }))
         continue;
       write(new_node, out);
       return true;

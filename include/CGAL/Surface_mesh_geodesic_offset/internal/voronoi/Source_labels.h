@@ -49,8 +49,8 @@ public:
                   second = initial.primitives[i].is_segment ? places.number_of(initial.places[i].second) : first;
       std::vector<Entry>& known = entries[std::minmax(first, second)];
       const double start = CGAL::to_double(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
-      auto entry = std::find_if(known.begin(), known.end(),
-                                [&](const Entry& e) { return std::abs(e.start_value - start) <= tolerance; });
+      auto entry =
+        std::find_if(known.begin(), known.end(), [&](const Entry& e) { return std::abs(e.start_value - start) <= tolerance; });
       if (entry == known.end()) entry = known.insert(entry, {start, initial.source_of[i]});
       entry->smallest = (std::min)(entry->smallest, initial.source_of[i]);
       entry_of.emplace_back(&known, std::size_t(entry - known.begin()));

@@ -55,8 +55,11 @@ struct Voronoi_tolerances
   double of_neighbour() const { return 2 * usual_tie; }
 
   // On a curve from gate to gate where bisectors do not fit together, the two least path lengths differ by no more than this, nor is
-  // another one less by more: as in the smallest cells, where the difference may be twice their diameter.
-  double of_link() const { return smallest_cell; }
+  // another one less by more: two loose ties, as that of a whole corner has one of them.
+  double of_link() const { return 2 * loose_tie; }
+  // Only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the points
+  // at which it is examined. Binding test: test_voronoi_diagram, links.
+  static constexpr double part_of_linked_cell = 1. / 16;
 
   static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
   void use_tie(double factor)
