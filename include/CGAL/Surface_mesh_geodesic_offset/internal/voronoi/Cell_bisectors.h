@@ -39,8 +39,8 @@ public:
   // `center`, `radius`: a disk around the face.
   Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
                  double radius)
-    : m_windows(windows), m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius),
-      m_along_sides(windows, m_tolerances), m_motion(windows, m_tolerances, m_arcs, m_ends)
+    : m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius), m_along_sides(windows, m_tolerances),
+      m_motion(windows, m_tolerances, m_arcs, m_ends)
   {
   }
 
@@ -321,7 +321,6 @@ private:
     end_point = point;
   }
 
-  const std::vector<Voronoi_window>& m_windows;
   Voronoi_tolerances m_tolerances;
   const Cell_arcs m_find_arcs;
   Arcs_along_sides m_along_sides;

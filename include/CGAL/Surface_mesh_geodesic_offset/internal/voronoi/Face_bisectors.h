@@ -144,7 +144,7 @@ public:
         if (bisectors.connect(part.cell, part.windows, new_node, write)) continue;
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions;
         const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
-        if (may_link && links.connect(part.cell, part.windows, new_node, write)) continue;
+        if (may_link && links.connect(part.cell, m_all, new_node, write)) continue;
         if (!may_divide)
         {
           links.connect_straight(part.cell, new_node, write);

@@ -166,7 +166,7 @@ private:
     double least = std::numeric_limits<double>::infinity(), own = least;
     for (const unsigned c : *m_candidates)
     {
-      const double d = distance_through(m_windows[c], p);
+      const double d = distance_through(m_windows[c], p, m_tolerances.slack);
       least = (std::min)(least, d);
       if (m_windows[c].label == label) own = (std::min)(own, d);
     }
@@ -179,18 +179,12 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for (const unsigned c : *m_candidates)
     {
-      const double d = m_windows[c].label == label ? distance_through(m_windows[c], p) : least;
+      const double d = m_windows[c].label == label ? distance_through(m_windows[c], p, m_tolerances.slack) : least;
       if (!(d < least)) continue;
       least = d;
       result = c;
     }
     return result;
-  }
-
-  // Beyond the cone, around the end of the chord. A cone that ends at a common ray may reach beyond the chord.
-  double distance_through(const Voronoi_window& w, const Point& p) const
-  {
-    return w.contains(p, m_tolerances.slack) ? w.distance_at(p) : w.rays.path_length(p);
   }
 
   static constexpr unsigned none = ~0u;

@@ -46,44 +46,54 @@ public:
     m_pieces.clear();
     for (const unsigned i : candidates) insert(o, u, size, windows[i], tolerances);
     Index label = first;
-    double end = 0;
+    double end = 0, inside = 0; // of the interval with this label: its end, and a point of it
     for (std::size_t i = 0; i < m_pieces.size();)
     {
-      const std::size_t begin = i;
-      while (i < m_pieces.size() && m_pieces[i].label == m_pieces[begin].label) ++i;
-      const Piece &p = m_pieces[begin], &q = m_pieces[i - 1];
-      if (p.label != label)
+      const Index next = m_pieces[i].label;
+      const Piece *begins = nullptr, *ends = nullptr;
+      for (; i < m_pieces.size() && m_pieces[i].label == next; ++i)
       {
-        if (q.end - p.begin <= tolerances.shortest_interval) continue;
-        // In a gap between cones that rounding has left, only the function of a corner is known.
-        const Piece& widest =
-          *std::max_element(&p, &q + 1, [](const Piece& a, const Piece& b) { return a.end - a.begin < b.end - b.begin; });
-        const double middle = (widest.begin + widest.end) / 2;
-        const double least = least_path_length(windows, candidates, o + middle * u);
-        if (widest.window.distance_at(middle) > least + tolerances.loose_tie) continue;
-        const double t = p.begin - end <= tolerances.shortest_interval
-                         ? (end + p.begin) / 2
-                         : change_in_gap(end, p.begin, label, p.label, o, u, windows, candidates);
-        out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, p.label});
-        label = p.label;
+        // In a gap between cones that rounding has left, only the function of a corner, or of a farther window, is known.
+        const Piece& p = m_pieces[i];
+        if (p.window.distance_at(p.middle()) >
+            least_path_length(windows, candidates, o + p.middle() * u) + tolerances.loose_tie)
+          continue;
+        if (!begins) begins = &p;
+        ends = &p;
       }
-      end = q.end;
+      if (!begins) continue;
+      if (next != label)
+      {
+        if (ends->end - begins->begin <= tolerances.shortest_interval) continue;
+        const auto excess = [&](double t) { return excess_of_first(label, next, o + t * u, windows, candidates, tolerances); };
+        double t = begins->begin - end <= tolerances.shortest_interval
+                   ? (end + begins->begin) / 2
+                   : change_between(end, begins->begin, excess);
+        if (std::abs(excess(t)) > tolerances.of_link()) t = change_between(inside, begins->middle(), excess);
+        out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, next});
+        label = next;
+      }
+      end = ends->end;
+      inside = ends->middle();
     }
     if (label != last) out(Label_change{size, label, last});
   }
 
 private:
-  // The change between two labels in a gap between cones, by the paths around the ends of chords.
-  static double change_in_gap(double low, double high, Index first, Index second, const Point& o, const Point& u,
-                              const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates)
+  // The difference of the least distances of a point from two sources.
+  static double excess_of_first(Index first, Index second, const Point& p, const std::vector<Voronoi_window>& windows,
+                                const std::vector<unsigned>& candidates, const Voronoi_tolerances& tolerances)
+  {
+    return least_distance_from(first, windows, candidates, p, tolerances.slack) -
+           least_distance_from(second, windows, candidates, p, tolerances.slack);
+  }
+
+  // A change of the sign of a function between two points.
+  template <class Function>
+  static double change_between(double low, double high, const Function& excess)
   {
     for (double middle = (low + high) / 2; low < middle && middle < high; middle = (low + high) / 2)
-    {
-      const Point p = o + middle * u;
-      const bool is_first =
-        least_path_length_from(first, windows, candidates, p) <= least_path_length_from(second, windows, candidates, p);
-      (is_first ? low : high) = middle;
-    }
+      (excess(middle) <= 0 ? low : high) = middle;
     return low;
   }
 
@@ -115,6 +125,8 @@ private:
     double begin, end;
     Index label;
     Window<double> window; // in the frame of the segment
+
+    double middle() const { return (begin + end) / 2; }
   };
 
   void insert(const Point& o, const Point& u, double size, const Voronoi_window& w, const Voronoi_tolerances& tolerances)

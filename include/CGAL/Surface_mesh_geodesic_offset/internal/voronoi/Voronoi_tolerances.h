@@ -86,6 +86,9 @@ struct Voronoi_tolerances
   // The largest angle by which a cone is widened, in radians: that of an image within a tie of the start of its ray, which has no
   // direction. Binding test of these angles: test_voronoi_diagram, beside vertices.
   static constexpr double widest_turn = 1;
+  // Sine of the smallest angle of a chord to parallel rays at which it is extended to a common ray. Rounding moves the end of the extended
+  // chord, and with it the start of the rays, by its error over this.
+  static constexpr double least_slope = 1. / (1 << 10);
   // How far from a ray the distance through a point on it is equal, up to `tie` and errors of the windows, to that from a line through
   // the point across the ray, at this distance from the point: the square of the result, over twice the distance, is four ties.
   static double tied_width(double along_ray, double tie) { return tie + std::sqrt(8 * tie * along_ray); }

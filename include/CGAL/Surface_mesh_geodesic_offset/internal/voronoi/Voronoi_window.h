@@ -144,9 +144,10 @@ struct Voronoi_window
     if (!is_parallel()) return;
     // the line of the chord meets the ray at q
     const Point chord = rays.right - rays.left;
-    const double slope = dot(ray.left.n, chord);
+    const double slope = dot(ray.left.n, chord), size = length(chord);
+    if (std::abs(slope) <= Voronoi_tolerances::least_slope * size) return;
     const Point q = rays.left - (ray.left.value(rays.left) / slope) * chord;
-    if (length(q - start_of_bound(k)) <= length(chord)) start_at((std::min)(start, distance_at(q)));
+    if (length(q - start_of_bound(k)) <= size) start_at((std::min)(start, distance_at(q)));
   }
 
   // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
@@ -280,6 +281,22 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
 }
 
 // The same, of the windows with a label; infinite if there are none.
+// Through the window where the cone has the point, else around the end of its chord: a cone that ends at a common ray may reach beyond the
+// chord.
+inline double distance_through(const Voronoi_window& w, const Point_in_face<double>& p, double slack)
+{
+  return w.contains(p, slack) ? w.distance_at(p) : w.rays.path_length(p);
+}
+
+inline double least_distance_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
+                                  const Point_in_face<double>& p, double slack)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const unsigned i : chosen)
+    if (windows[i].label == label) result = (std::min)(result, distance_through(windows[i], p, slack));
+  return result;
+}
+
 inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows,
                                      const std::vector<unsigned>& chosen, const Point_in_face<double>& p)
 {
