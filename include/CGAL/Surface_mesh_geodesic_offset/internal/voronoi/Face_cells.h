@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -37,8 +39,7 @@ public:
   // `within`, the nearest first.
   std::vector<Index> labels(const std::array<double, 3>& weights, double within) const
   {
-    Point p{0, 0};
-    for (int k = 0; k < 3; ++k) p = p + weights[std::size_t(k)] * m_corner[k];
+    const Point p = at(weights);
     std::vector<double> distance;
     for (const Voronoi_window& w : m_windows) distance.push_back(w.rays.path_length(p));
     const double least = *std::min_element(distance.begin(), distance.end());
@@ -55,7 +56,40 @@ public:
     return result;
   }
 
+  Index label_of_center() const { return labels({1. / 3, 1. / 3, 1. / 3}, 0).front(); }
+
+  // The label of a face that no curve crosses: of the source that is the least farther than the nearest one at points in the middle and
+  // towards the corners. One point does not tell: several sources may tie there, and the center may be the only point of another cell,
+  // whose loop is too small to be kept.
+  Index label_without_curves() const
+  {
+    std::map<Index, double> excess;
+    for (const Voronoi_window& w : m_windows) excess[w.label] = 0;
+    for (const std::array<double, 3>& weights :
+         {std::array<double, 3>{0.37, 0.32, 0.31}, {0.9, 0.06, 0.04}, {0.04, 0.9, 0.06}, {0.06, 0.04, 0.9}})
+    {
+      std::map<Index, double> distance;
+      double least = std::numeric_limits<double>::infinity();
+      for (const Voronoi_window& w : m_windows)
+      {
+        const double d = w.rays.path_length(at(weights));
+        double& own = distance.emplace(w.label, d).first->second;
+        own = (std::min)(own, d);
+        least = (std::min)(least, d);
+      }
+      for (auto& [label, most] : excess) most = (std::max)(most, distance[label] - least);
+    }
+    const auto best =
+      std::min_element(excess.begin(), excess.end(), [&](const auto& a, const auto& b) { return a.second < b.second - m_tie; });
+    return best->first;
+  }
+
 private:
+  Point at(const std::array<double, 3>& weights) const
+  {
+    return weights[0] * m_corner[0] + weights[1] * m_corner[1] + weights[2] * m_corner[2];
+  }
+
   Per_corner<Point> m_corner;
   double m_tie;
   std::vector<Voronoi_window> m_windows;

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_chains.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_bisectors.h>
 
-#include <array>
 #include <cstddef>
 #include <unordered_map>
 #include <unordered_set>
@@ -79,14 +78,11 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
-  // Of a face that no curve crosses, the center may be the only point of another cell: its loop was too small to be kept. So its
-  // label is that of another inner point.
-  constexpr std::array<double, 3> center{1. / 3, 1. / 3, 1. / 3}, beside_center{0.37, 0.32, 0.31};
   std::unordered_set<Index> crossed;
   for (const Bisector_chain& chain : diagram.chains)
     for (const Bisector_arc& a : chain.arcs) crossed.insert(a.face);
   for (const auto& [face, cells] : diagram.cells)
-    diagram.label_of_face[face] = cells.labels(crossed.count(face) ? center : beside_center, 0).front();
+    diagram.label_of_face[face] = crossed.count(face) ? cells.label_of_center() : cells.label_without_curves();
   return diagram;
 }
 
