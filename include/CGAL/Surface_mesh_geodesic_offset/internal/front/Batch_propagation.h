@@ -57,33 +57,19 @@ public:
     m_best = split_distance;
     m_entry = split_entry;
     m_known = m_state.field.distance[m_apex];
-    sort_by_exit(h, face, w, n);
+    const FT dp = m_state.field.distance[m_mesh.source(h)], dq = m_state.field.distance[m_mesh.target(h)];
+    const FT along_edge = (std::min)(FT(dp + face.left_length), FT(dq + face.right_length));
+    find_exits(h, face, w, n, along_edge);
     split_distance = m_best;
     split_entry = m_entry;
-    const FT dp = m_state.field.distance[m_mesh.source(h)], dq = m_state.field.distance[m_mesh.target(h)], dr = m_known;
+    const FT dr = m_known;
     const Estimate across = estimate(face.left_length) + estimate(face.right_length) + estimate(face.length);
     const Estimate allowance = pruning_allowance<FT>(estimate(m_farthest) + across);
-    const FT maximum = m_state.maximum;
-    Left left{Window_pruning<FT>(face.left_length, dp, dr, allowance),
-              m_left.start(beyond_left, m_state.takes_windows(beyond_left), n), maximum};
-    Right right{Window_pruning<FT>(face.right_length, dr, dq, allowance),
-                m_right.start(beyond_right, m_state.takes_windows(beyond_right), n), maximum};
-    // The far vertices in the frames of the exits: q seen from p -> r, p seen from r -> q.
-    left.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, dq, allowance);
-    right.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, dp, allowance);
-    const Exit* const exit = m_exit.data();
-    for (std::size_t i = 0; i < n;)
-    {
-      if (exit[i] == LEFT) i = leave_whole(face, w, i, n, left);
-      else if (exit[i] == RIGHT) i = leave_whole(face, w, i, n, right);
-      else
-      {
-        if (exit[i] != NONE) split(face, w[i], exit[i], m_apex_distance[i], left, right);
-        ++i;
-      }
-    }
-    m_left.finish(left.output);
-    m_right.finish(right.output);
+    m_left.clear();
+    m_right.clear();
+    if (m_left_end != 0 && m_state.takes_windows(beyond_left)) leave<true>(face, w, n, beyond_left, dp, dr, dq, allowance);
+    if (m_right_begin != n && m_state.takes_windows(beyond_right))
+      leave<false>(face, w, n, beyond_right, dr, dq, dp, allowance);
   }
 
   // Result: updates for the apex, and windows on the twins of the two other halfedges.
@@ -96,77 +82,80 @@ public:
 private:
   typedef typename Interval_filter<FT>::Estimate Estimate;
 
-  typedef Child_window_writer<Traits, true> Left;
-  typedef Child_window_writer<Traits, false> Right;
-
   // The sides of the apex that the rays of a window pass. Windows with the apex on a bounding ray are distinguished only if
   // side tests are exact for all rays.
   enum Exit : int { NONE, LEFT, UP_TO_APEX, BOTH, FROM_APEX, RIGHT };
   static constexpr bool is_exact = !Number_policy<FT>::is_inexact;
 
-  // Propagates the windows from i on that leave with all rays through one edge. Returns their end.
-  template <class Way>
-  BOOST_NOINLINE std::size_t leave_whole(const Window_propagation<Traits>& face, const Window* w, std::size_t i,
-                                         std::size_t n, Way& way) const
+  // Ray of a window to the apex: the distance of the apex along it, and its entry into the face.
+  struct Apex_ray
   {
-    const Exit* const exit = m_exit.data();
-    const Exit whole = Way::is_left ? LEFT : RIGHT;
-    if (!way.is_open())
-    {
-      while (i < n && exit[i] == whole) ++i;
-      return i;
-    }
-    const Simd_edge_exit<Traits, Way::is_left> edge(face, m_traits);
-    for (; i < n && exit[i] == whole; ++i)
-    {
-      if (w[i].is_parallel())
-        way.template take_whole<true>(face, edge, w[i]);
-      else
-        way.template take_whole<false>(face, edge, w[i]);
-    }
-    return i;
-  }
+    FT distance, entry;
+  };
 
-  void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex, Left& left,
-             Right& right)
+  // Propagates all windows through the left or the right edge, the halfedge `beyond` of the next face, as far as they leave
+  // through it. Distances: ds and dt of the ends of the edge, d_far of the far vertex.
+  template <bool is_left>
+  BOOST_NOINLINE void leave(const Window_propagation<Traits>& face, const Window* w, std::size_t n, Index beyond, const FT& ds,
+                            const FT& dt, const FT& d_far, const Estimate& allowance)
   {
-    if (w.is_parallel())
-      split<true>(face, w, exit, d_apex, left, right);
-    else
-      split<false>(face, w, exit, d_apex, left, right);
+    const Exit whole = is_left ? LEFT : RIGHT;
+    Output& output = is_left ? m_left : m_right;
+    const std::size_t end = is_left ? m_left_end : n;
+    Child_window_writer<Traits, is_left> way{
+      Window_pruning<FT>(is_left ? face.left_length : face.right_length, ds, dt, allowance), output.start(beyond, true, n),
+      m_state.maximum};
+    // The far vertex in the frame of the exit: q seen from p -> r, or p seen from r -> q.
+    if constexpr (is_left) way.pruning.set_far_vertex(face.cl * face.length, -face.sl * face.length, d_far, allowance);
+    else way.pruning.set_far_vertex(face.right_length - face.cr * face.length, -face.sr * face.length, d_far, allowance);
+    const Simd_edge_exit<Traits, is_left> edge(face, m_traits);
+    const Exit* const exit = m_exit.data();
+    for (std::size_t i = is_left ? 0 : m_right_begin; i < end; ++i)
+    {
+      if (exit[i] == whole)
+      {
+        if (w[i].is_parallel()) way.template take_whole<true>(face, edge, w[i]);
+        else way.template take_whole<false>(face, edge, w[i]);
+      }
+      else if (exit[i] == BOTH || exit[i] == (is_left ? UP_TO_APEX : FROM_APEX))
+      {
+        if (w[i].is_parallel()) split<true>(face, w[i], m_apex_ray[i], way);
+        else split<false>(face, w[i], m_apex_ray[i], way);
+      }
+    }
+    output.finish(way.output);
   }
 
   // One angle, one split: only the window nearest to the apex keeps all its rays. The others keep, on the side of the nearest
   // ray's entry, the rays that enter before it.
-  template <bool is_parallel>
-  BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, Exit exit, const FT& d_apex,
-                            Left& left, Right& right)
+  template <bool is_parallel, class Way>
+  BOOST_NOINLINE void split(const Window_propagation<Traits>& face, const Window& w, const Apex_ray& ray, Way& way) const
   {
-    const FT split = face.entry_of_apex(w);
-    const Estimate at_split = estimate(split), at_entry = estimate(m_entry);
-    const bool may_be_best = CGAL::possibly(estimate(d_apex) <= estimate(m_best));
-    const bool to_apex = may_be_best || CGAL::possibly(at_split <= at_entry);
-    const bool from_apex = may_be_best || CGAL::possibly(at_split >= at_entry);
-    const FT end = to_apex ? split : FT(Interval_filter<FT>::upper_cut(at_entry));
-    const FT begin = from_apex ? split : FT(Interval_filter<FT>::lower_cut(at_entry));
-    if (exit != FROM_APEX && CGAL::possibly(estimate(end) > estimate(w.b0)))
-      left.template take<is_parallel>(face, w, end, to_apex ? w.d1 : w.distance_at(end), to_apex, d_apex);
-    if (exit != UP_TO_APEX && CGAL::possibly(estimate(begin) < estimate(w.b1)))
-      right.template take<is_parallel>(face, w, begin, from_apex ? w.d0 : w.distance_at(begin), from_apex, d_apex);
+    const Estimate at_split = estimate(ray.entry), at_entry = estimate(m_entry);
+    const bool may_be_best = CGAL::possibly(estimate(ray.distance) <= estimate(m_best));
+    const bool at_apex = may_be_best || CGAL::possibly(Way::is_left ? at_split <= at_entry : at_split >= at_entry);
+    const FT bound = at_apex      ? ray.entry
+                   : Way::is_left ? FT(Interval_filter<FT>::upper_cut(at_entry))
+                                  : FT(Interval_filter<FT>::lower_cut(at_entry));
+    const FT d_bound = !at_apex ? w.distance_at(bound) : Way::is_left ? w.d1 : w.d0;
+    if (CGAL::possibly(Way::is_left ? estimate(bound) > estimate(w.b0) : estimate(bound) < estimate(w.b1)))
+      way.template take<is_parallel>(face, w, bound, d_bound, at_apex, ray.distance);
   }
 
   // Finds the exits of the windows, and updates the apex by the nearest window that covers it. With inexact numbers, rounding
   // may leave the apex between two windows. So a window that misses the apex closely updates it around its end, which is a
   // valid path; if no window covers the apex, so do the two neighbours of the apex. Also finds the smallest distance of the
   // apex through h so far, and the entry of its ray.
-  void sort_by_exit(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n)
+  BOOST_FORCEINLINE void find_exits(Index h, const Window_propagation<Traits>& face, const Window* windows, std::size_t n,
+                                    const FT& along_edge)
   {
     if (m_exit.size() < n)
     {
       m_exit.resize(n);
-      m_apex_distance.resize(n);
+      m_apex_ray.resize(n);
     }
-    const Window *nearest = nullptr, *last_left = nullptr, *first_right = nullptr;
+    const Window* nearest = nullptr;
+    std::size_t left_end = 0, right_begin = n;
     bool covered = false;
     Exit* const exits = m_exit.data();
     std::size_t number = n;
@@ -182,39 +171,46 @@ private:
       }
       if constexpr (!is_exact) farthest = (std::max)(farthest, w.d1);
       const Exit exit = exits[i] = exit_of(h, face, w);
-      if (exit == LEFT)
-        last_left = &w;
-      else if (exit == RIGHT)
-      {
-        if (!first_right) first_right = &w;
-      }
-      else
+      if (exit != RIGHT) left_end = i + 1;
+      if (exit != LEFT && right_begin == n) right_begin = i;
+      if (exit != LEFT && exit != RIGHT)
       {
         covered = true;
-        const FT& d = m_apex_distance[i] = face.distance_at_apex(w);
-        if (d < m_best)
+        const Apex_ray& ray = m_apex_ray[i] = {face.distance_at_apex(w), face.entry_of_apex(w)};
+        if (ray.distance < m_best)
         {
-          m_best = d;
+          m_best = ray.distance;
+          m_entry = ray.entry;
           nearest = &w;
         }
       }
     }
     m_number = number;
+    m_left_end = left_end;
+    m_right_begin = right_begin;
     m_farthest = farthest;
     if (nearest)
     {
       const Window& w = *nearest;
-      m_entry = face.entry_of_apex(w);
       const FT bx = w.is_parallel() ? w.x : FT(w.x - face.apex_x), by = w.is_parallel() ? w.y : FT(w.y - face.apex_y);
       update_apex(h, face, m_best, bx, by, w, false, face.is_beside_end(w));
     }
     if (is_exact) return;
-    if (last_left && !covered) update_apex_around_end(h, face, *last_left, last_left->b1, last_left->d1);
-    if (first_right && !covered) update_apex_around_end(h, face, *first_right, first_right->b0, first_right->d0);
+    if (!covered)
+    {
+      if (left_end != 0)
+      {
+        const Window& last_left = windows[left_end - 1];
+        update_apex_around_end(h, face, last_left, last_left.b1, last_left.d1);
+      }
+      if (right_begin != n)
+      {
+        const Window& first_right = windows[right_begin];
+        update_apex_around_end(h, face, first_right, first_right.b0, first_right.d0);
+      }
+    }
     // The path to the apex along an edge of the face is shorter only in needles, where windows have the rounding error of much
     // longer edges.
-    const FT along_edge = (std::min)(FT(m_state.field.distance[m_mesh.source(h)] + face.left_length),
-                                     FT(m_state.field.distance[m_mesh.target(h)] + face.right_length));
     if (!Number_policy<FT>::is_finite(m_known) || !m_state.is_shorter(along_edge, m_known)) return;
     const Source_ref source_ref = m_updates.empty() ? m_state.field.source_ref[m_apex] : m_updates.back().source_ref;
     m_updates.push_back(m_state.along_edge(m_mesh.previous(h), source_ref));
@@ -226,8 +222,8 @@ private:
     if constexpr (!is_exact)
     {
       bool is_clear;
-      const int side = w.is_parallel() ? face.template clear_side<true>(w, is_clear)
-                                       : face.template clear_side<false>(w, is_clear);
+      const int side =
+        w.is_parallel() ? face.template clear_side<true>(w, is_clear) : face.template clear_side<false>(w, is_clear);
       if (BOOST_LIKELY(is_clear)) return side < 0 ? LEFT : side > 0 ? RIGHT : BOTH;
     }
     return exit_near_apex(h, face, w);
@@ -262,7 +258,8 @@ private:
     const FT bx = b - face.apex_x, by = -face.apex_y;
     const FT length = square_root<FT>(bx * bx + by * by);
     const FT around = d + length;
-    if (around > m_known + Number_policy<FT>::rounding(roundings_of_useless_path) * (m_known + face.left_length + face.right_length))
+    if (around >
+        m_known + Number_policy<FT>::rounding(roundings_of_useless_path) * (m_known + face.left_length + face.right_length))
       return;
     if (around - face.distance_at_apex(w) > Number_policy<FT>::rounding(roundings_of_straight_path) * around)
       return update_apex(h, face, around + detour_surcharge(), bx, by, w, true);
@@ -287,8 +284,8 @@ private:
   FT detour_surcharge() const { return Number_policy<FT>::rounding(8) * m_mesh.longest_edge(); }
 
   // (bx, by): vector from the apex toward the source, in the frame of h.
-  void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by,
-                   const Window& w, bool is_bent = false, bool is_beside_end = false)
+  void update_apex(Index h, const Window_propagation<Traits>& face, const FT& d, const FT& bx, const FT& by, const Window& w,
+                   bool is_bent = false, bool is_beside_end = false)
   {
     const Ray_at_vertex<FT> back{m_mesh.previous(h), -(face.cl * bx + face.sl * by), face.sl * bx - face.cl * by};
     m_updates.push_back({d, back, w.source_ref, w.pseudo_source(), is_bent, is_beside_end});
@@ -301,10 +298,11 @@ private:
   Output m_left, m_right;
   std::vector<Update> m_updates;
   std::size_t m_number = 0;
+  std::size_t m_left_end, m_right_begin; // end of the windows that leave to the left, begin of those to the right
   Index m_apex;
   FT m_known, m_best, m_entry, m_farthest; // of the apex: its distance, the smallest through the halfedge, its entry
   std::vector<Exit> m_exit;
-  std::vector<FT> m_apex_distance; // of windows that leave through both edges
+  std::vector<Apex_ray> m_apex_ray; // of windows that cover the apex
 };
 
 } // namespace internal

@@ -26,15 +26,12 @@ struct Child_window_writer
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
   static constexpr bool is_left = is_left_;
 
-  bool is_open() const { return output.is_open(); }
-
   // Adds the rays of a window on one side of `bound`, where its distance is d_bound. at_apex: the rays up to the apex, where
   // the distance is d_apex.
   template <bool is_parallel>
   BOOST_FORCEINLINE void take(const Window_propagation<Traits>& face, const Window& w, const FT& bound, const FT& d_bound,
                               bool at_apex, const FT& d_apex)
   {
-    if (!is_open()) return;
     Window& child = output.next();
     if constexpr (is_left)
     {

@@ -62,6 +62,8 @@ public:
     m_nearest = cursor.m_nearest;
   }
 
+  void clear() { m_size = 0; } // the halfedge stays
+
   Index halfedge() const { return m_halfedge; }
   const FT& nearest() const { return m_nearest; }
   const Window* begin() const { return m_windows.data(); }
