@@ -47,6 +47,11 @@ public:
     // The angle at q comes from the vectors at q: length - apex_x would lose all digits on a tiny edge.
     const auto& n = mesh[mesh.next(h)];
     (Number_pair<FT>::of(n.apex_x, n.apex_y) / Number_pair<FT>(length)).put(cr, sr);
+    if constexpr (Number_policy<FT>::is_inexact)
+    {
+      m_reach = length + apex_y;
+      m_clear_margin = closeness() * (m_reach + CGAL::abs(apex_x));
+    }
   }
 
   // Distance at the apex, which must lie in the cone of the window.
@@ -66,13 +71,13 @@ public:
   template <bool is_parallel>
   BOOST_FORCEINLINE int clear_side(const Window& w, bool& is_clear) const
   {
-    const FT slope = is_parallel ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x, r = r0 - r1;
-    const FT margin = closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
-    const FT v0 = w.b0 * slope - r, v1 = w.b1 * slope - r;
+    const FT slope = is_parallel ? FT(-w.y) : FT(apex_y - w.y), r = w.x * apex_y - w.y * apex_x;
+    const FT margin = is_parallel ? m_clear_margin : FT(m_clear_margin * (w.d1 + m_reach));
+    const FT left = r - w.b1 * slope, right = w.b0 * slope - r;
     is_clear = true;
-    if (v1 < -margin) return -1;
-    if (v0 > margin) return 1;
-    is_clear = v0 < -margin && v1 > margin;
+    if (left > margin) return -1;
+    if (right > margin) return 1;
+    is_clear = left < -margin && right < -margin;
     return 0;
   }
 
@@ -80,8 +85,7 @@ public:
   bool passes_apex_closely(const Window& w, const FT& b) const
   {
     const FT slope = w.is_parallel() ? FT(-w.y) : FT(apex_y - w.y), r0 = w.x * apex_y, r1 = w.y * apex_x;
-    return CGAL::abs(FT(b * slope - (r0 - r1))) <=
-           closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
+    return CGAL::abs(FT(b * slope - (r0 - r1))) <= closeness() * (length * slope + CGAL::abs(r0) + CGAL::abs(r1));
   }
 
   // True if a bounding ray of a window that covers the apex passes it by less than eight times the square root of 2^-46, the
@@ -153,6 +157,11 @@ public:
   FT cr, sr; // direction of q -> r, mirrored
 
 private:
+  // Margin of clear_side(): `closeness` times a bound of the terms of a side test. With L = length and (a, b) the apex, they are
+  // at most L + |a| + b for parallel rays. A point image has |x| <= L + d1 and |y| <= d1, so they are at most
+  // L (b + |y|) + |x| b + |y| |a| <= (L + |a| + b) (d1 + L + b).
+  FT m_reach, m_clear_margin;
+
   FT distance_at(const Window& w, const FT& px, const FT& py) const
   {
     return m_traits.compute_distance_2_object()(w.x, w.y, w.sigma, w.is_parallel(), px, py);
