@@ -96,11 +96,7 @@ public:
   {
     if (Window_list<FT>* const known = lists.find(h)) return *known;
     Window_list<FT>& list = lists.create(h);
-    if (!m_before) return list;
-    kept.for_each(h, m_before->distance, m_before->source_ref, [&](const Window& w) {
-      lists.append(h, list, &w, 1, arena);
-      list.data[list.processed++].set_propagated();
-    });
+    if (BOOST_UNLIKELY(m_before != nullptr)) add_earlier_windows(h, list, arena);
     return list;
   }
 
@@ -149,6 +145,15 @@ public:
   }
 
 private:
+  // Out of line: its window on the stack would align the stack frame of every append.
+  BOOST_NOINLINE void add_earlier_windows(Index h, Window_list<FT>& list, Window_arena<Window>& arena)
+  {
+    kept.for_each(h, m_before->distance, m_before->source_ref, [&](const Window& w) {
+      lists.append(h, list, &w, 1, arena);
+      list.data[list.processed++].set_propagated();
+    });
+  }
+
   void set_start_values(const Start_values<FT>& starts)
   {
     start_values = starts;

@@ -12,6 +12,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -38,20 +40,7 @@ public:
       free_blocks.pop_back();
       return block;
     }
-    const std::size_t n = capacity(size_class);
-    if (m_left < n)
-    {
-      const std::size_t page = (std::max)(n, std::size_t(page_size));
-      std::unique_ptr<Window[]> fresh(new Window[page]);
-      m_pages.push_back(std::move(fresh));
-      m_top = m_pages.back().get();
-      m_left = page;
-    }
-    CGAL_assertion(n <= m_left);
-    Window* block = m_top;
-    m_top += n;
-    m_left -= n;
-    return block;
+    return new_block(capacity(size_class));
   }
 
   void release(Window* block, Index size_class)
@@ -81,6 +70,25 @@ public:
 
 private:
   enum { page_size = 8192 };
+
+  // Block of n windows from the current page or a new one.
+  BOOST_NOINLINE Window* new_block(std::size_t n)
+  {
+    if (m_left < n)
+    {
+      const std::size_t page = (std::max)(n, std::size_t(page_size));
+      std::unique_ptr<Window[]> fresh(new Window[page]);
+      m_pages.push_back(std::move(fresh));
+      m_top = m_pages.back().get();
+      m_left = page;
+    }
+    CGAL_assertion(n <= m_left);
+    Window* block = m_top;
+    m_top += n;
+    m_left -= n;
+    return block;
+  }
+
   std::vector<std::unique_ptr<Window[]>> m_pages;
   Window* m_top = nullptr;
   std::size_t m_left = 0;

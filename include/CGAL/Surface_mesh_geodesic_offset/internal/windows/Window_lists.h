@@ -87,12 +87,7 @@ public:
   {
     CGAL_precondition(!has(h));
     Part& part = part_of(h);
-    if (part.free.empty())
-    {
-      m_place[h] = Index(part.lists.size());
-      part.lists.emplace_back();
-      return part.lists.back();
-    }
+    if (part.free.empty()) add_list(part);
     m_place[h] = part.free.back();
     part.free.pop_back();
     return part.lists[m_place[h]] = List();
@@ -143,9 +138,12 @@ public:
   void release_faces(const std::vector<Index>& faces, Arena& arena)
   {
     for (Index f : faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) prefetch_list(h);
-    for (Index f : faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) release(h, arena);
+    {
+      const Part& part = m_part[m_parts.of_face(f)];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (m_place[h] != no_index) internal::prefetch(&part.lists[m_place[h]]);
+    }
+    for (Index f : faces) release_face(f, m_part[m_parts.of_face(f)], arena);
   }
 
   void set_number_of_arenas(std::size_t n) { m_arenas.resize(n); }
@@ -196,12 +194,26 @@ public:
   }
 
 private:
+  struct alignas(64) Part
+  {
+    std::vector<List> lists;
+    std::vector<Index> free;
+    std::ptrdiff_t live = 0, peak = 0;
+  };
+
+  // Adds a free list.
+  BOOST_NOINLINE static void add_list(Part& part)
+  {
+    part.free.push_back(Index(part.lists.size()));
+    part.lists.emplace_back();
+  }
+
   // Longer lists on small meshes come from faces so thin that no window is certainly nearer than another; then the number of
   // windows doubles in every face.
   void reserve(List& list, std::size_t n, Arena& arena) const
   {
     if (list.data && n <= Arena::capacity(list.size_class)) return;
-    if (n > longest + 4 * (m_place.size() + m_number_of_primitives))
+    if (BOOST_UNLIKELY(n > longest) && n > longest + 4 * (m_place.size() + m_number_of_primitives))
       throw std::runtime_error("Surface_mesh_geodesic_offset: " + std::to_string(n) +
                                " windows on an edge: faces are so thin that rounding does not let windows be told apart");
     const Index c = Arena::size_class(n, list.size_class);
@@ -221,17 +233,20 @@ private:
     list.size += Index(n);
   }
 
-  void release(Index h, Arena& arena)
+  // `part`: that of the face.
+  void release_face(Index f, Part& part, Arena& arena)
   {
-    if (m_place[h] == no_index) return;
-    Part& part = part_of(h);
-    List& list = part.lists[m_place[h]];
-    part.live -= list.size + list.waiting.size;
-    CGAL_assertion(part.live >= 0);
-    drop_waiting(list, arena);
-    if (list.data) arena.release(list.data, list.size_class);
-    part.free.push_back(m_place[h]);
-    m_place[h] = no_index;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (m_place[h] == no_index) continue;
+      List& list = part.lists[m_place[h]];
+      part.live -= list.size + list.waiting.size;
+      CGAL_assertion(part.live >= 0);
+      drop_waiting(list, arena);
+      if (list.data) arena.release(list.data, list.size_class);
+      part.free.push_back(m_place[h]);
+      m_place[h] = no_index;
+    }
     CGAL_assertion(part.free.size() <= part.lists.size());
     if (part.free.size() < part.lists.size()) return;
     CGAL_assertion(part.live == 0);
@@ -269,13 +284,6 @@ private:
     arena.release(list.waiting.data, list.waiting.size_class);
     list.waiting = Window_block<Window>();
   }
-
-  struct alignas(64) Part
-  {
-    std::vector<List> lists;
-    std::vector<Index> free;
-    std::ptrdiff_t live = 0, peak = 0;
-  };
 
   Part& part_of(Index h) { return m_part[m_parts.of_halfedge(h)]; }
   const Part& part_of(Index h) const { return m_part[m_parts.of_halfedge(h)]; }
