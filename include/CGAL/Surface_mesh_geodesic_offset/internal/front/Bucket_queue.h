@@ -33,7 +33,10 @@ public:
     bool empty() const { return faces.empty() && halfedges.empty() && vertices.empty(); }
   };
 
-  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(16) { CGAL_precondition(width > 0); }
+  explicit Bucket_queue(double width) : m_width(width), m_scale(1 / width), m_ring(16), m_mask(m_ring.size() - 1)
+  {
+    CGAL_precondition(width > 0);
+  }
 
   template <class FT>
   std::size_t bucket_of(const FT& distance) const
@@ -76,14 +79,14 @@ public:
   std::size_t first() const
   {
     for (std::size_t i = 0; i < m_ring.size(); ++i)
-      if (!m_ring[(m_begin + i) & (m_ring.size() - 1)].empty()) return m_current + i;
+      if (!m_ring[(m_begin + i) & m_mask].empty()) return m_current + i;
     return none;
   }
 
   void move_to(std::size_t bucket)
   {
     CGAL_precondition(bucket == m_current || (bucket > m_current && bucket <= first()));
-    m_begin = (m_begin + (bucket - m_current)) & (m_ring.size() - 1);
+    m_begin = (m_begin + (bucket - m_current)) & m_mask;
     m_current = bucket;
   }
 
@@ -142,8 +145,8 @@ private:
   Bucket& at(std::size_t bucket)
   {
     const std::size_t i = bucket > m_current ? bucket - m_current : 0;
-    if (i >= m_ring.size()) grow(i);
-    return m_ring[(m_begin + i) & (m_ring.size() - 1)];
+    if (BOOST_UNLIKELY(i > m_mask)) grow(i);
+    return m_ring[(m_begin + i) & m_mask];
   }
 
   BOOST_NOINLINE void grow(std::size_t i)
@@ -153,6 +156,7 @@ private:
     std::rotate(m_ring.begin(), m_ring.begin() + std::ptrdiff_t(m_begin), m_ring.end());
     m_begin = 0;
     m_ring.resize(size);
+    m_mask = size - 1;
     CGAL_postcondition(i < size && (size & (size - 1)) == 0);
   }
 
@@ -160,6 +164,7 @@ private:
   std::size_t m_current = 0;
   std::size_t m_events = 0;   // pending halfedges and vertices
   std::vector<Bucket> m_ring; // size: a power of two; current bucket: m_begin
+  std::size_t m_mask;         // size of the ring minus one
   std::size_t m_begin = 0;
 };
 

@@ -98,13 +98,12 @@ public:
   FT largest_distance(Index f) const
   {
     const Unfolded_mesh<FT>& mesh = m_state.mesh;
-    FT bound = Number_policy<FT>::infinity();
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const FT &a = mesh[h].length, &b = mesh[mesh.previous(h)].length;
-      bound = lesser(bound, FT(m_state.field.distance[mesh.source(h)] + (certainly_less(a, b) ? b : a)));
-    }
-    return bound;
+    const auto* const edge = &mesh[3 * f];
+    const auto by_corner = [&](Index k, Index previous) {
+      const FT &a = edge[k].length, &b = edge[previous].length;
+      return FT(m_state.field.distance[edge[k].origin] + (certainly_less(a, b) ? b : a));
+    };
+    return lesser(lesser(by_corner(0, 2), by_corner(1, 0)), by_corner(2, 1));
   }
 
 private:
