@@ -31,10 +31,7 @@ struct Backtrace
   FT x = FT(0), y = FT(0);
 
   Backtrace() = default;
-  Backtrace(const Ray_at_vertex<FT>& ray, Index vertex)
-    : corner(ray.corner), pseudo_source(vertex), x(ray.x), y(ray.y)
-  {
-  }
+  Backtrace(const Ray_at_vertex<FT>& ray, Index vertex) : corner(ray.corner), pseudo_source(vertex), x(ray.x), y(ray.y) {}
   Ray_at_vertex<FT> ray() const { return {corner, x, y}; }
 };
 
@@ -44,17 +41,17 @@ class Geodesic_field
 public:
   typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
 
-  FT maximum = Number_policy<FT>::infinity(); // distances up to this value are final after the build
-  std::vector<FT> distance;       // per vertex
-  std::vector<Backtrace<FT>> back; // per vertex
+  FT maximum = Number_policy<FT>::infinity();    // distances up to this value are final after the build
+  std::vector<FT> distance;                      // per vertex
+  std::vector<Backtrace<FT>> back;               // per vertex
   std::map<Index, Backtrace<FT>> back_of_sector; // of pseudo-sources whose backtrace changed after the build
-  std::map<Index, FT> path_length; // of vertices near sources, see Near_path.h
-  std::vector<Source_ref> source_ref;         // per vertex
-  std::vector<char> has_margins;  // per vertex: true if rays start in the margins of its sectors
-  std::vector<double> error;      // per vertex, with bounded error: largest excess of the true distance
-  Window_lists<FT> lists;         // of halfedges in the front
-  Kept_windows<FT> kept;          // of finalized faces, if kept
-  Start_values<FT> start_values;  // of the source primitives
+  std::map<Index, FT> path_length;               // of vertices near sources, see Near_path.h
+  std::vector<Source_ref> source_ref;            // per vertex
+  std::vector<char> has_margins;                 // per vertex: true if rays start in the margins of its sectors
+  std::vector<double> error;                     // per vertex, with bounded error: largest excess of the true distance
+  Window_lists<FT> lists;                        // of halfedges in the front
+  Kept_windows<FT> kept;                         // of finalized faces, if kept
+  Start_values<FT> start_values;                 // of the source primitives
 
   // Initializes from another field and its windows. `other` must stay valid until release_front().
   void start_from(const Geodesic_field& other, const Start_values<FT>& starts)
@@ -128,7 +125,9 @@ public:
   Source_ref source_ref_via(Index v, Source_ref known) const
   {
     const bool is_corner = source_ref[v].is_lateral() && distance[v] == start_values.of(source_ref[v]);
-    return is_corner && known.is_valid() && known.is_lateral() ? Source_ref(source_ref[v].primitive(), known.side()) : source_ref[v];
+    return is_corner && known.is_valid() && known.is_lateral()
+           ? Source_ref(source_ref[v].primitive(), known.side())
+           : source_ref[v];
   }
 
   // Calls f(window) for each final window of a halfedge, in order.
@@ -140,8 +139,7 @@ public:
       const Window_list<FT>& list = lists.get(h);
       for (Index i = 0; i < list.processed; ++i) f(list.data[i]);
     }
-    else
-      kept.for_each(h, distance, source_ref, f);
+    else kept.for_each(h, distance, source_ref, f);
   }
 
 private:

@@ -54,13 +54,10 @@ struct Child_window_writer
     if constexpr (Pairs_ends<Traits>::value)
     {
       Window_pairs<FT> p(w);
-      if (BOOST_LIKELY(edge.template child<is_parallel>(p)))
-        take_child<is_parallel>(w, p);
-      else
-        take_by_parts<is_parallel>(face, w);
+      if (BOOST_LIKELY(edge.template child<is_parallel>(p))) take_child<is_parallel>(w, p);
+      else take_by_parts<is_parallel>(face, w);
     }
-    else
-      take_by_parts<is_parallel>(face, w);
+    else take_by_parts<is_parallel>(face, w);
   }
 
   Window_pruning<FT> pruning;
@@ -103,10 +100,8 @@ private:
   template <bool is_parallel>
   BOOST_NOINLINE void take_by_parts(const Window_propagation<Traits>& face, const Window& w)
   {
-    if constexpr (is_left)
-      take<is_parallel>(face, w, w.b1, w.d1, false, w.d1);
-    else
-      take<is_parallel>(face, w, w.b0, w.d0, false, w.d0);
+    if constexpr (is_left) take<is_parallel>(face, w, w.b1, w.d1, false, w.d1);
+    else take<is_parallel>(face, w, w.b0, w.d0, false, w.d0);
   }
 };
 
