@@ -55,13 +55,17 @@ public:
     set_face(face);
   }
 
-  void set_face(Index face)
+  // `limit`: windows that enter the face or start at a corner are left out if they have no smaller distance.
+  void set_face(Index face, const FT& limit = Number_policy<FT>::infinity())
   {
     start(face);
     for (int k = 0; k < 3; ++k)
-      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) { add_window(w, k); });
+      m_field.for_each_window(3 * face + Index(k), [&](const Window<FT>& w) {
+        if (const FT lowest = minimum(w); may_be_less(lowest, limit)) add_window(w, k, lowest);
+      });
     add_local_windows();
-    for (int k = 0; k < 3; ++k) add_corner(k);
+    for (int k = 0; k < 3; ++k)
+      if (may_be_less(m_field.distance[m_mesh.source(3 * face + Index(k))], limit)) add_corner(k);
   }
 
   // Overload for one point: of the kept windows, only windows whose distance at p is the given one up to rounding.
@@ -74,7 +78,7 @@ public:
     {
       const Point q = m_frame.vector_to_halfedge(k, p - m_frame.corner(k));
       m_field.kept.for_each_within(3 * face + Index(k), m_field.distance, m_field.source_ref, q, limit,
-                                   [&](const Window<FT>& w) { add_window(w, k); });
+                                   [&](const Window<FT>& w) { add_window(w, k, minimum(w)); });
       if (m_field.distance[m_mesh.source(3 * face + Index(k))] + length(p - m_frame.corner(k)) <= limit) add_corner(k);
     }
   }
@@ -85,15 +89,6 @@ public:
   const std::vector<Window_in_face>& windows() const { return m_windows; }
   const FT& lowest(std::size_t i) const { return m_lowest[i]; } // smallest distance on the window's chord
   bool has_local_sources() const { return m_has_local_sources; }
-
-  // Lower bound of the distances in the face; for exact numbers, reduced by the error of the estimate.
-  FT lower_bound() const
-  {
-    typedef Interval_filter<FT> Estimates;
-    typename Estimates::Bound low = Estimates::lower_bound(estimate(Number_policy<FT>::infinity()));
-    for (const FT& l : m_lowest) low = (std::min)(low, typename Estimates::Bound(Estimates::lower_bound(estimate(l))));
-    return FT(low);
-  }
 
   // Distance of p, and a window that attains it. Of windows equal up to rounding, one whose rays reach p comes first, then one
   // of a side of a segment before one of a cap. A path around a chord is valid too, so a point between two cones has a finite
@@ -153,6 +148,8 @@ private:
       if (!is_dominated(it->window)) add(it->window, it->window.start_value);
     m_has_local_sources = range.first != range.second;
   }
+
+  static bool may_be_less(const FT& a, const FT& b) { return CGAL::possibly(estimate(a) < estimate(b)); }
 
   // True for a fan of a source vertex with a shorter path to another source.
   bool is_dominated(const Window_in_face& w) const
@@ -220,7 +217,7 @@ private:
         d);
   }
 
-  void add_window(const Window<FT>& w, int k)
+  void add_window(const Window<FT>& w, int k, const FT& lowest)
   {
     Window_in_face f;
     const Point s = w.is_parallel() ? m_frame.vector_from_halfedge(k, {w.x, w.y}) : m_frame.from_halfedge(k, {w.x, w.y});
@@ -233,7 +230,7 @@ private:
     f.bits = w.bits & ~2u;
     f.origin = Face_window_origin(k);
     f.edge = (unsigned char)(k);
-    add(f, minimum(w));
+    add(f, lowest);
   }
 
   const Unfolded_mesh<FT>& m_mesh;

@@ -44,11 +44,6 @@ struct Face_cut
 {
   typedef Level_piece<FT> Piece;
 
-  struct Gate
-  {
-    std::size_t level;
-    Level_gate<FT> gate;
-  };
   struct Chain
   {
     std::size_t level;
@@ -61,27 +56,13 @@ struct Face_cut
   {
   }
 
-  // Adds crossings with halfedge k, given along it or, `reversed`, along its twin. Gates come counterclockwise.
-  template <class Iterator>
-  void add_gates(int k, Iterator begin, Iterator end, bool reversed)
-  {
-    const auto n = end - begin;
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-    {
-      const Crossing<FT>& c = begin[reversed ? n - 1 - i : i];
-      const FT t = reversed ? FT(field.frame().edge_length(k) - c.position) : c.position;
-      gates.push_back({c.level, {field.frame().on_edge(k, t), (unsigned char)(k), c.starts_chain(reversed), c.gate}});
-      levels.first = (std::min)(levels.first, c.level);
-      levels.last = (std::max)(levels.last, c.level + 1);
-    }
-  }
-
+  Index face = no_index;
   Level_range levels{0, 0};
-  Face_field<FT> field;
-  Per_corner<std::vector<Crossing<FT>>> crossings; // with the edges that this face examines first
-  std::vector<Gate> gates;
-  std::vector<Chain> chains;                  // by level
-  const std::vector<Piece>* pieces = nullptr; // with those of all chains
+  Per_corner<std::vector<Crossing<FT>>> crossings; // per edge, by level; first those that this face finds, then all
+  std::vector<Chain> chains;                       // by level
+  const std::vector<Piece>* pieces = nullptr;      // with those of all chains
+  Face_field<FT> field;                            // used by Face_cutting
+  bool has_windows = false;                        // false if the field has to be set to the face
 };
 
 template <class FT>
@@ -92,7 +73,7 @@ public:
   Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                const Vertex_reach<FT>& reach, const Offset_sources<FT>& sources, const Offset_levels<FT>& levels,
                const FT& maximum, const Merging_tolerance<FT>& tolerance)
-    : m_mesh(mesh), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)), m_sources(sources),
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)), m_sources(sources),
       m_tolerance(tolerance), m_crossings(mesh, initial, field, reach, sources), m_face_crossings(mesh, field, reach, sources),
       m_tracer(mesh.longest_edge(), sources)
   {
@@ -111,52 +92,71 @@ public:
   // of this face, otherwise those of both faces of the edge. Precondition: cut.levels is a part of levels_of(face, settled).
   void find_crossings(Index face, const FT& settled, const std::array<std::size_t, 3>& first, Face_cut<FT>& cut)
   {
-    Level_range& l = cut.levels;
-    cut.gates.clear();
+    const FT maximum = (std::min)(m_field.maximum, settled);
+    const Level_range& l = cut.levels;
+    cut.face = face;
     cut.chains.clear();
-    cut.field.set_face(face);
-    const FT slack = Offset_tolerances<FT>::bound_slack(far_end_of(face, (std::min)(m_field.maximum, settled)));
-    l.first = (std::max)(l.first, m_levels.first_above(FT(cut.field.lower_bound() - slack)));
+    const Index h = 3 * face;
+    const bool is_on_border = m_mesh.twin(h) == no_index || m_mesh.twin(h + 1) == no_index || m_mesh.twin(h + 2) == no_index;
+    cut.has_windows = is_on_border || !m_tolerance.is_zero();
+    if (cut.has_windows) cut.field.set_face(face);
     for (Index k = 0; k < 3; ++k)
     {
       cut.crossings[k].clear();
-      const Index h = 3 * face + k;
       const Level_range left{(std::max)(l.first, first[k]), l.last};
-      if (m_tolerance.is_zero()) find_crossings((std::min)(h, m_mesh.twin(h)), m_crossings, left, cut.field, cut.crossings[k]);
-      else find_crossings(h, m_face_crossings, left, cut.field, cut.crossings[k]);
+      if (m_tolerance.is_zero())
+        find_crossings((std::min)(h + k, m_mesh.twin(h + k)), maximum, m_crossings, left, cut.field, cut.crossings[k]);
+      else
+        find_crossings(h + k, maximum, m_face_crossings, left, cut.field, cut.crossings[k]);
     }
   }
 
-  // Step 2: the chains between all gates of the face, and the loops inside. Their pieces are stored in this object.
+  // Step 2: the chains between all gates of the face, and the loops inside. Their pieces are stored in this object. Most visits
+  // of a face find no gate, and most of these need no windows.
   void find_chains(Face_cut<FT>& cut)
   {
-    if (cut.levels.is_empty()) return;
     cut.pieces = &m_pieces;
-    const bool loops = cut.field.has_local_sources() || may_have_interior_maximum(cut.field);
-    std::stable_sort(cut.gates.begin(), cut.gates.end(), [](const auto& a, const auto& b) { return a.level < b.level; });
-    auto next = cut.gates.begin();
-    m_tracer.set_face(cut.field, m_reach.of_face(cut.field.face()), cut_level(cut.levels.first),
-                      cut_level(cut.levels.last - 1));
+    Level_range gates{cut.levels.last, 0};
+    for (const std::vector<Crossing<FT>>& c : cut.crossings)
+      if (!c.empty())
+      {
+        gates.first = (std::min)(gates.first, c.front().level);
+        gates.last = (std::max)(gates.last, c.back().level + 1);
+      }
+    const Level_range loops = levels_of_loops(cut);
+    Level_range levels = loops.is_empty() ? gates : Level_range{(std::min)(gates.first, loops.first), (std::max)(gates.last, loops.last)};
+    if (levels.is_empty()) return;
+    const FT& reach = m_reach.of_face(cut.face);
+    if (!cut.has_windows)
+    {
+      const FT highest = cut_level(levels.last - 1);
+      cut.field.set_face(cut.face, highest + Offset_tolerances<FT>(reach + highest).smallest_cell);
+    }
+    const bool has_loops = cut.field.has_local_sources() || may_have_interior_maximum(cut.field);
+    if (!has_loops) levels = gates;
+    if (levels.is_empty()) return;
+    m_tracer.set_face(cut.field, reach, cut_level(levels.first), cut_level(levels.last - 1));
     const Face_frame<FT>& frame = cut.field.frame();
     for (int k = 0; k < 3; ++k)
     {
       m_cell.corner[k] = frame.corner(k);
       m_cell.direction[k] = frame.direction(k);
     }
-    for (std::size_t i = cut.levels.first; i < cut.levels.last; ++i)
+    Per_corner<std::size_t> next{};
+    for (std::size_t i = levels.first; i < levels.last; ++i)
     {
       m_cell.gates.clear();
-      for (; next != cut.gates.end() && next->level == i; ++next) m_cell.gates.push_back(next->gate);
-      if (m_cell.gates.empty() && !loops) continue;
+      for (int k = 0; k < 3; ++k) add_gates(cut, k, i, next[k]);
+      if (m_cell.gates.empty() && !(has_loops && loops.first <= i && i < loops.last)) continue;
       const FT level = cut_level(i);
-      for (Index k = 0; k < 3; ++k) m_cell.is_near[k] = m_sources.is_near(m_mesh.source(3 * cut.field.face() + k), level);
-      m_tracer(level, m_cell, loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
+      for (Index k = 0; k < 3; ++k) m_cell.is_near[k] = m_sources.is_near(m_mesh.source(3 * cut.face + k), level);
+      m_tracer(level, m_cell, has_loops, [&](Index start, Index end, const std::vector<Level_piece<FT>>& pieces) {
         const std::size_t first = m_pieces.size();
         m_pieces.insert(m_pieces.end(), pieces.begin(), pieces.end());
         cut.chains.push_back({i, start, end, first, m_pieces.size()});
       });
     }
-    CGAL_assertion(next == cut.gates.end());
+    CGAL_assertion_code(for (int k = 0; k < 3; ++k)) CGAL_assertion(next[k] == cut.crossings[k].size());
   }
 
   // The pieces of all faces are no longer needed.
@@ -168,9 +168,9 @@ public:
 private:
   // The crossings of levels with the edge of h, by level. As the level rises, an edge is first far from the sources, then
   // crossed, then near them. So the first and the last crossed level are found from those of the ends of the edge, and no other
-  // level is computed but one on each side.
+  // level is computed but one on each side. `maximum`: distances of vertices up to it are final.
   template <class Crossings>
-  void find_crossings(Index h, Crossings& crossings, const Level_range& levels, const Face_field<FT>& field,
+  void find_crossings(Index h, const FT& maximum, Crossings& crossings, const Level_range& levels, const Face_field<FT>& field,
                       std::vector<Crossing<FT>>& found)
   {
     const auto add = [&](std::size_t i) {
@@ -184,10 +184,53 @@ private:
     const Index p = m_mesh.source(h), q = m_mesh.target(h);
     const std::size_t at_end = m_levels.first_above((std::min)(m_field.distance[p], m_field.distance[q]));
     std::size_t i = (std::min)((std::max)(at_end, levels.first), levels.last);
-    while (i > levels.first && add(i - 1)) --i;
-    found.clear();
+    if (i > levels.first)
+    {
+      const std::size_t lowest = m_levels.first_above(lower_bound_on_edge(h, maximum));
+      while (i > levels.first && i > lowest && add(i - 1)) --i;
+      found.clear();
+    }
     for (; i < levels.last; ++i)
       if (!add(i) && m_sources.is_near(p, cut_level(i)) && m_sources.is_near(q, cut_level(i))) return;
+  }
+
+  // Lower bound of the distances on the edge of h: they change by no more than the length between two points.
+  FT lower_bound_on_edge(Index h, const FT& maximum) const
+  {
+    const FT d0 = (std::min)(m_field.distance[m_mesh.source(h)], maximum);
+    const FT d1 = (std::min)(m_field.distance[m_mesh.target(h)], maximum);
+    if (!Number_policy<FT>::is_finite(d0) || !Number_policy<FT>::is_finite(d1)) return FT(0);
+    return m_tolerance.least_of(FT((d0 + d1 - m_mesh[h].length) / FT(2))) - Offset_tolerances<FT>::bound_slack(d0 + d1);
+  }
+
+  // The levels that may have loops in a face, or a part of them with gates. Without sources in the face, a level without gates
+  // has loops around a maximum only, so all corners are near.
+  Level_range levels_of_loops(const Face_cut<FT>& cut) const
+  {
+    Level_range levels = cut.levels;
+    if (const auto local = local_windows(m_initial, cut.face); local.first != local.second) return levels;
+    for (Index h = 3 * cut.face; h < 3 * cut.face + 3; ++h)
+      levels.first = (std::max)(levels.first, m_levels.first_above(m_field.distance[m_mesh.source(h)]));
+    return levels;
+  }
+
+  // Adds the gates of a level on edge k of the face, counterclockwise. `next`: its first crossing with the edge; becomes that of
+  // the next level.
+  void add_gates(const Face_cut<FT>& cut, int k, std::size_t level, std::size_t& next)
+  {
+    const std::vector<Crossing<FT>>& crossings = cut.crossings[k];
+    const std::size_t first = next;
+    while (next < crossings.size() && crossings[next].level == level) ++next;
+    if (next == first) return;
+    const Face_frame<FT>& frame = cut.field.frame();
+    const Index h = 3 * cut.face + Index(k);
+    const bool reversed = m_mesh.twin(h) < h;
+    for (std::size_t i = first; i < next; ++i)
+    {
+      const Crossing<FT>& c = crossings[reversed ? first + (next - 1 - i) : i];
+      const FT t = reversed ? FT(frame.edge_length(k) - c.position) : c.position;
+      m_cell.gates.push_back({frame.on_edge(k, t), (unsigned char)(k), c.starts_chain(reversed), c.gate});
+    }
   }
 
   // A point at exactly the level counts as farther: with inexact numbers, a level is cut slightly below itself. Levels through
@@ -229,6 +272,7 @@ private:
   }
 
   const Unfolded_mesh<FT>& m_mesh;
+  const Initial_windows<FT>& m_initial;
   const Geodesic_field<FT>& m_field;
   const Vertex_reach<FT>& m_reach;
   const Offset_levels<FT>& m_levels;

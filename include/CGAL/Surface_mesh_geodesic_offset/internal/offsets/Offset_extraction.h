@@ -407,36 +407,36 @@ private:
     for (Index k = 0; k < 3; ++k)
     {
       const Index h = 3 * face.face + k, g = m_mesh.twin(h);
-      if (face.next_beside[k] > 0) receive_gates(face, k, cut);
-      std::vector<Crossing<FT>>& found = cut.crossings[k];
-      if (found.empty()) continue;
-      for (Crossing<FT>& c : found) c.gate = m_curves[c.level].new_gate(g == no_index);
-      cut.add_gates(int(k), found.begin(), found.end(), g < h);
+      std::vector<Crossing<FT>>& crossings = cut.crossings[k];
+      for (Crossing<FT>& c : crossings) c.gate = m_curves[c.level].new_gate(g == no_index);
       if (g == no_index) continue;
-      if (!m_tolerance.is_zero())
+      if (!crossings.empty())
       {
-        m_joining.add(h, found);
-        continue;
+        if (!m_tolerance.is_zero()) m_joining.add(h, crossings);
+        else
+        {
+          std::vector<Crossing<FT>>& waiting = m_waiting[h];
+          waiting.insert(waiting.end(), crossings.begin(), crossings.end());
+        }
       }
-      std::vector<Crossing<FT>>& waiting = m_waiting[h];
-      waiting.insert(waiting.end(), found.begin(), found.end());
+      if (face.next_beside[k] > 0) receive_gates(face, g, crossings);
     }
   }
 
-  // Adds the gates on edge k of a face that the neighbour has found.
-  void receive_gates(const Crossed_face& face, Index k, Face_cut<FT>& cut)
+  // Adds the crossings of a face with an edge that the neighbour has found, by halfedge g. They come first, as their levels are
+  // lower.
+  void receive_gates(const Crossed_face& face, Index g, std::vector<Crossing<FT>>& crossings)
   {
-    const Index h = 3 * face.face + k, g = m_mesh.twin(h);
     const auto stored = m_waiting.find(g);
     if (stored == m_waiting.end()) return;
-    std::vector<Crossing<FT>>& crossings = stored->second; // by level
-    const auto last = std::partition_point(crossings.begin(), crossings.end(), [&face](const Crossing<FT>& c) {
+    std::vector<Crossing<FT>>& received = stored->second; // by level
+    const auto last = std::partition_point(received.begin(), received.end(), [&face](const Crossing<FT>& c) {
       return face.next_level == all_levels || c.level < face.next_level;
     });
-    cut.add_gates(int(k), crossings.begin(), last, g < h);
-    std::for_each(crossings.begin(), last, [this](const Crossing<FT>& c) { this->m_curves[c.level].gate_found(); });
-    if (last == crossings.end()) m_waiting.erase(stored);
-    else crossings.erase(crossings.begin(), last);
+    std::for_each(received.begin(), last, [this](const Crossing<FT>& c) { this->m_curves[c.level].gate_found(); });
+    crossings.insert(crossings.begin(), received.begin(), last);
+    if (last == received.end()) m_waiting.erase(stored);
+    else received.erase(received.begin(), last);
   }
 
   template <class Function>

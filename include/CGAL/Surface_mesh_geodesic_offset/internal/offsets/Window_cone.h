@@ -45,7 +45,7 @@ public:
     const Point nl = quarter_turn(m_left_direction), nr = FT(-1) * quarter_turn(m_right_direction);
     m_left = {nl, dot(nl, w.left)};
     m_right = {nr, dot(nr, w.right)};
-    clip_face(w, frame);
+    clip_face(w, frame, margin);
     if (w.origin >= STARTS_IN_FACE && !w.is_parallel()) m_box.add(w.image());
     m_box.widen(margin);
     m_highest = Estimates::upper_bound(m_highest + estimate(margin));
@@ -68,35 +68,38 @@ private:
   typedef typename Estimates::Estimate Estimate;
   typedef Point_in_face<Estimate> Estimated_point;
 
-  // Adds the corners of the face, clipped at the two rays.
-  void clip_face(const Face_window<FT>& w, const Face_frame<FT>& frame)
+  // Adds the part of the face in the cone: its corners in the cone, and the points where a ray crosses its boundary. Points up
+  // to the margin outside the cone count.
+  void clip_face(const Face_window<FT>& w, const Face_frame<FT>& frame, const FT& margin)
   {
-    static constexpr int most_corners = 3 << 2; // each clipping leaves at most two per corner
-    Estimated_point polygons[2][most_corners];
-    Estimated_point *polygon = polygons[0], *clipped = polygons[1];
-    int n = 3;
-    for (int k = 0; k < n; ++k) polygon[k] = estimated(frame.corner(k));
-    for (const Half_plane<FT>* side : {&m_left, &m_right})
+    const Estimate allowance = estimate(margin);
+    const auto may_be_in = [&](const Estimate& value) { return CGAL::possibly(value <= allowance); };
+    Estimated_point corner[3], points[9]; // at most three corners, and three crossings with each ray
+    Estimate value[2][3];                 // per ray and corner
+    int n = 0;
+    for (int k = 0; k < 3; ++k)
     {
-      const Half_plane<Estimate> half_plane{estimated(side->n), estimate(side->m)};
-      Estimate values[most_corners];
-      for (int i = 0; i < n; ++i) values[i] = half_plane.value(polygon[i]);
-      int m = 0;
-      for (int i = 0; i < n; ++i)
-      {
-        const int next = i + 1 == n ? 0 : i + 1;
-        const Estimate &a = values[i], &b = values[next];
-        const bool is_outside = CGAL::certainly(CGAL::is_positive(a)), next_is_outside = CGAL::certainly(CGAL::is_positive(b));
-        if (!is_outside) clipped[m++] = polygon[i];
-        if ((is_outside && CGAL::possibly(CGAL::is_negative(b))) || (CGAL::possibly(CGAL::is_negative(a)) && next_is_outside))
-          clipped[m++] = polygon[i] + crossing(a, b) * (polygon[next] - polygon[i]);
-      }
-      std::swap(polygon, clipped);
-      n = m;
+      corner[k] = estimated(frame.corner(k));
+      value[0][k] = dot(estimated(m_left.n), corner[k]) - estimate(m_left.m);
+      value[1][k] = dot(estimated(m_right.n), corner[k]) - estimate(m_right.m);
+      if (may_be_in(value[0][k]) && may_be_in(value[1][k])) points[n++] = corner[k];
     }
+    for (int ray = 0; ray < 2; ++ray)
+      for (int k = 0; k < 3; ++k)
+      {
+        if (w.origin == Face_window_origin(k)) continue; // the chord
+        const int next = (k + 1) % 3;
+        const Estimate &a = value[ray][k], &b = value[ray][next];
+        const bool falls = CGAL::certainly(CGAL::is_positive(a)) && CGAL::possibly(CGAL::is_negative(b));
+        const bool rises = CGAL::possibly(CGAL::is_negative(a)) && CGAL::certainly(CGAL::is_positive(b));
+        if (!falls && !rises) continue;
+        const Estimate t = crossing(a, b);
+        const Estimate &c = value[1 - ray][k], &d = value[1 - ray][next];
+        if (may_be_in(c + t * (d - c))) points[n++] = corner[k] + t * (corner[next] - corner[k]);
+      }
     m_box.add(w.right);
-    for (int i = 0; i < n; ++i) m_box.add(Box_in_face<FT>(polygon[i].x, polygon[i].y));
-    m_highest = highest(w, polygon, n);
+    for (int i = 0; i < n; ++i) m_box.add(Box_in_face<FT>(points[i].x, points[i].y));
+    m_highest = highest(w, points, n);
   }
 
   // Zero of a linear function between a and b, which have different signs, as a fraction from 0 to 1.
