@@ -54,7 +54,8 @@ public:
   template <class Team>
   void cut(const std::vector<Index>& faces, Team& team)
   {
-    cut_below(faces, Number_policy<FT>::infinity(), all_levels, all_levels, team);
+    find_levels(faces, Number_policy<FT>::infinity());
+    cut_below(Number_policy<FT>::infinity(), all_levels, all_levels, team);
   }
 
   // True if cut_pending() is likely to be worth its time: pieces wait for the cutting of faces, or `number` faces have to be cut
@@ -83,8 +84,9 @@ public:
   {
     const std::size_t end = m_levels.first_above(settled), last = (std::min)(end, std::size_t(all_levels) - 1);
     const std::size_t many = most_waiting_pieces();
-    find_dense_faces(faces);
-    Level_group group = next_group(faces, settled, m_first_waiting, last);
+    find_levels(faces, settled);
+    find_dense_faces();
+    Level_group group = next_group(m_first_waiting, last);
     if (!m_must_cut_pending && group.end == last &&
         double((std::min)(m_waiting_pieces, m_new_pieces)) + group.expected.pieces < double(many))
     {
@@ -93,10 +95,10 @@ public:
     }
     while (true)
     {
-      const std::size_t cut_end = cut_group(faces, settled, group, team);
+      const std::size_t cut_end = cut_group(settled, group, team);
       if (cut_end == last) break;
       is_cut(m_levels[cut_end]);
-      group = next_group(faces, settled, cut_end, last);
+      group = next_group(cut_end, last);
     }
     is_cut(last < end ? m_levels[last] : settled);
     m_next_attempt = double(many);
@@ -166,6 +168,12 @@ private:
   // A face with more of them at a level may have more pieces than all others that are cut before it, so it counts by its windows.
   static constexpr double many_pieces = 16;
 
+  struct Face_levels
+  {
+    Index face;
+    Level_range levels; // those that may cross it
+  };
+
   struct Crossed_face
   {
     Index face;
@@ -218,11 +226,21 @@ private:
     return pieces_per_window * double(windows) + pieces_per_local_window * double(local.second - local.first);
   }
 
-  void find_dense_faces(const std::vector<Index>& faces)
+  // Sets the faces of the next calls of next_group() and cut_below(), with the levels nearer than `settled`.
+  void find_levels(const std::vector<Index>& faces, const FT& settled)
+  {
+    m_faces.clear();
+    for (const Index f : faces) m_faces.push_back({f, levels_left(f, settled)});
+  }
+
+  void find_dense_faces()
   {
     m_dense.clear();
-    for (const Index f : faces)
-      if (const double pieces = pieces_by_windows(f); pieces > many_pieces) m_dense.push_back({f, pieces});
+    for (const Face_levels& f : m_faces)
+    {
+      const double pieces = f.levels.is_empty() ? 0. : pieces_by_windows(f.face);
+      if (pieces > many_pieces) m_dense.push_back({f, pieces});
+    }
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
@@ -242,20 +260,19 @@ private:
 
   // The next group of levels from `first` on, before `last`. It has at least one level that may cross faces, and further ones as
   // long as no more pieces are to be expected than may wait. It ends at `last` if no level crosses a face.
-  Level_group next_group(const std::vector<Index>& faces, const FT& settled, std::size_t first, std::size_t last) const
+  Level_group next_group(std::size_t first, std::size_t last) const
   {
     std::size_t lowest = last;
-    const auto levels_within = [&](Index f) {
-      const Level_range levels = this->levels_left(f, settled);
-      return Level_range{(std::max)(levels.first, first), (std::min)(levels.last, last)};
+    const auto levels_within = [&](const Face_levels& f) {
+      return Level_range{(std::max)({f.levels.first, first, std::size_t(this->m_next_level[f.face])}), (std::min)(f.levels.last, last)};
     };
-    for (const Index f : faces)
+    for (const Face_levels& f : m_faces)
       if (const Level_range levels = levels_within(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
     if (lowest == last) return {last, last, Expected_pieces{}};
     std::array<std::ptrdiff_t, most_levels_together + 1> change{};  // of the number of faces, from level to level
     std::array<double, most_levels_together + 1> change_of_extra{}; // pieces to expect in dense faces
     const std::size_t end = (std::min)(last, lowest + most_levels_together);
-    for (const Index f : faces)
+    for (const Face_levels& f : m_faces)
     {
       const Level_range levels = levels_within(f);
       if (levels.is_empty() || levels.first >= end) continue;
@@ -287,10 +304,10 @@ private:
 
   // Cuts faces at the levels of a group, or at the first ones. Returns the end of the levels that are cut in all faces.
   template <class Team>
-  std::size_t cut_group(const std::vector<Index>& faces, const FT& settled, const Level_group& group, Team& team)
+  std::size_t cut_group(const FT& settled, const Level_group& group, Team& team)
   {
     const std::size_t before = m_new_pieces;
-    const Index end = cut_below(faces, settled, Index(group.first), Index(group.end), team);
+    const Index end = cut_below(settled, Index(group.first), Index(group.end), team);
     const double pieces = double(m_new_pieces - before), crossings = double(group.expected.crossings);
     if (end < group.end) m_pieces_per_crossing *= 2;
     else if (crossings > 0)
@@ -298,20 +315,20 @@ private:
     return end;
   }
 
-  // Cuts faces at the levels before the level with index `end`. If these have more pieces than may wait, cuts the other faces at
+  // Cuts the faces at the levels before the level with index `end`. If these have more pieces than may wait, cuts the other faces at
   // fewer levels, up to level `first` at least. Returns the end of the levels that are cut in all faces.
   template <class Team>
-  Index cut_below(const std::vector<Index>& faces, const FT& settled, Index first, Index end, Team& team)
+  Index cut_below(const FT& settled, Index first, Index end, Team& team)
   {
     make_cuttings(team.size());
     const std::size_t faces_at_once = items_at_once(team.size()), levels_at_once = levels_per_face * faces_at_once;
     const std::size_t most = m_new_pieces + pieces_that_may_be_added();
     std::size_t work = 0;
-    for (const Index f : faces)
+    for (auto [f, levels] : m_faces)
     {
       CGAL_precondition(m_next_level[f] != all_levels);
       if (end <= m_next_level[f]) continue;
-      Level_range levels = levels_left(f, settled);
+      levels.first = (std::max)(levels.first, std::size_t(m_next_level[f]));
       if (end != all_levels) levels.last = (std::min)(levels.last, std::size_t(end));
       if (!levels.is_empty()) m_crossed.push_back({f, levels, settled, end, next_levels_beside(f)});
       m_next_level[f] = end;
@@ -458,13 +475,14 @@ private:
   const FT m_maximum;
   const Merging_tolerance<FT> m_tolerance;                   // of the field
   std::vector<Index> m_next_level;                           // per face: the first level at which it is not cut
+  std::vector<Face_levels> m_faces;                          // that are cut, see find_levels()
   std::vector<Crossed_face> m_crossed;                       // to be cut next
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
   Edge_joining<FT> m_joining;                                  // with a tolerance
   std::vector<Index> m_to_join;                                // faces that were cut since
-  std::vector<std::pair<Index, double>> m_dense;               // of pending faces: those with many pieces at a level
+  std::vector<std::pair<Face_levels, double>> m_dense;         // of pending faces: those with many pieces at a level
   Curves_of_levels m_curves;                                   // of levels that are not passed on
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
