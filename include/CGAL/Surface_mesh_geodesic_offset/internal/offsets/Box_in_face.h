@@ -108,10 +108,11 @@ private:
   template <class Function>
   bool any_of(std::size_t level, std::size_t begin, std::size_t end, const Box& b, const Function& f) const
   {
-    const std::size_t first = m_levels[level].first;
-    for (std::size_t i = begin; i < end; ++i)
+    const Box* const boxes = m_boxes.data() + m_levels[level].first;
+    for (const Box *box = boxes + begin, *last = boxes + end; box != last; ++box)
     {
-      if (!m_boxes[first + i].meets(b)) continue;
+      if (!box->meets(b)) continue;
+      const std::size_t i = std::size_t(box - boxes);
       if (level == 0 ? f(i)
                      : any_of(level - 1, fan * i, (std::min)(fan * i + fan, m_levels[level - 1].second), b, f))
         return true;

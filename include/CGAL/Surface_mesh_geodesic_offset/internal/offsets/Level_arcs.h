@@ -58,7 +58,7 @@ public:
       if (w.is_empty()) continue;
       const FT bound = (std::max)(w.distance_at(w.left), w.distance_at(w.right)) + field.size() + m_margin;
       if (field.lowest(i) < highest_level + m_margin && bound >= lowest_level)
-        m_cones.push_back({&w, field.lowest(i), {w, field.frame(), m_margin}});
+        m_cones.emplace_back(w, field.lowest(i), field.frame(), m_margin);
     }
   }
 
@@ -179,6 +179,11 @@ private:
     const Face_window<FT>* window;
     FT lowest; // distance
     Window_cone<FT> cone;
+
+    Cone(const Face_window<FT>& w, const FT& lowest_distance, const Face_frame<FT>& frame, const FT& margin)
+      : window(&w), lowest(lowest_distance), cone(w, frame, margin)
+    {
+    }
   };
 
   bool has_offset(const Face_window<FT>& w) const { return m_sources.reach(w.source_ref, m_level); }
@@ -226,7 +231,7 @@ private:
       }
     }
     CGAL_assertion(m_fans.size() <= 2 * windows.size()); // m_fan_cones has pointers to them
-    for (const Face_window<FT>& w : m_fans) m_fan_cones.push_back({&w, w.sigma, {w, m_field->frame(), m_margin}});
+    for (const Face_window<FT>& w : m_fans) m_fan_cones.emplace_back(w, w.sigma, m_field->frame(), m_margin);
   }
 
   // True if p is covered by the window of b. If the image is a point of the face, straight paths from it to all points of the
