@@ -60,11 +60,18 @@ public:
   {
     Box_in_face<FT> b(m_start);
     b.add(m_end);
-    // An arc of less than a half turn rises over its chord c by at most c^2 / (4 r).
-    const Point c = m_end - m_start;
-    b.widen(is_straight() ? margin : FT(margin + dot(c, c) / (FT(4) * m_radius)));
+    b.widen(FT(margin + rise(m_start, m_end)));
     b.intersect(m_cone->box());
     return b;
+  }
+
+  // Upper bound of the rise of the part from p to q over its chord. On an arc of less than a half turn, a chord c has a rise of
+  // at most c^2 / (4 r).
+  FT rise(const Point& p, const Point& q) const
+  {
+    if (is_straight()) return FT(0);
+    const Point c = q - p;
+    return dot(c, c) / (FT(4) * m_radius);
   }
 
   Point tangent(const Point& p) const

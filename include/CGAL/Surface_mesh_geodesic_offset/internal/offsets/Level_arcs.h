@@ -163,7 +163,7 @@ public:
     const Arc& a = m_arcs[i];
     Box box(from);
     box.add(to);
-    if (!a.is_straight()) box.widen(length(to - from)); // an arc of less than a half turn is this near to its chord
+    box.widen(a.rise(from, to));
     box.intersect(m_boxes[i]);
     bool found = false;
     m_boxes.any_of(box, [&](std::size_t j) {

@@ -114,14 +114,8 @@ public:
     std::size_t n = 0;
     for (const Interval& i : m_intervals)
     {
-      if (n > 0 && i.first <= m_intervals[n - 1].last + m_gap)
-      {
-        Interval& united = m_intervals[n - 1];
-        united.last = (std::max)(united.last, i.last);
-        if constexpr (is_inexact) united.depth = (std::max)(united.depth, i.depth);
-      }
-      else
-        m_intervals[n++] = i;
+      if (n > 0 && are_joined(m_intervals[n - 1], i)) unite(m_intervals[n - 1], i);
+      else m_intervals[n++] = i;
     }
     CGAL_assertion_code(std::size_t ends = 0);
     for (std::size_t i = 0; i < n; ++i)
@@ -168,7 +162,23 @@ private:
     else return false;
   }
 
-  void add(const FT& first, const FT& last, const FT& depth) { m_intervals.push_back({first, last, depth}); }
+  // Consecutive windows of a list mostly have one interval, which is united here, before the sort.
+  void add(const FT& first, const FT& last, const FT& depth)
+  {
+    const Interval i{first, last, depth};
+    if (!m_intervals.empty() && are_joined(m_intervals.back(), i)) unite(m_intervals.back(), i);
+    else m_intervals.push_back(i);
+  }
+
+  // True if there is no gap between two intervals.
+  bool are_joined(const Interval& a, const Interval& b) const { return b.first <= a.last + m_gap && a.first <= b.last + m_gap; }
+
+  static void unite(Interval& a, const Interval& b)
+  {
+    a.first = (std::min)(a.first, b.first);
+    a.last = (std::max)(a.last, b.last);
+    if constexpr (is_inexact) a.depth = (std::max)(a.depth, b.depth);
+  }
 
   void add_whole(const FT& lo, const FT& hi, const FT& depth, bool reversed)
   {
