@@ -68,7 +68,7 @@ public:
 
   Face_tracing(const Mesh& mesh, const Initial& initial, const Field& field)
     : mesh_(mesh), initial_(initial), field_(field), reach_(mesh), sources_(initial, field, reach_),
-      longest_at_(mesh.number_of_vertices(), 0), cut_(mesh, initial, field)
+      longest_at_(mesh.number_of_vertices(), 0), cut_(mesh, initial, field), windows_(mesh, initial, field)
   {
     for (Index f = 0; 3 * f < mesh.number_of_halfedges(); ++f)
     {
@@ -85,19 +85,16 @@ public:
                                                                   field_.maximum, {});
     cut_.levels = cutting.levels_of(face, field_.maximum);
     cutting.find_crossings(face, field_.maximum, {0, 0, 0}, cut_); // on all three edges
-    Index number = 0;
+    std::vector<double> position; // of gates
     for (int k = 0; k < 3; ++k)
-    {
-      const Index h = 3 * face + Index(k);
-      auto& crossings = cut_.crossings[std::size_t(k)];
-      for (auto& c : crossings) c.gate = number++;
-      cut_.add_gates(k, crossings.begin(), crossings.end(), mesh_.twin(h) < h);
-    }
+      for (auto& c : cut_.crossings[std::size_t(k)])
+      {
+        c.gate = Index(position.size());
+        position.push_back(position_of(3 * face + Index(k), c.position));
+      }
     cutting.find_chains(cut_);
     forced_joints_ += cutting.number_of_forced_joints();
 
-    std::vector<double> position(number);
-    for (const auto& g : cut_.gates) position[g.gate.id] = position_of(g.gate);
     std::vector<Level_chain> chains;
     for (const auto& c : cut_.chains)
     {
@@ -117,10 +114,10 @@ public:
   /// Windows of the face, which becomes the current one.
   const Face_field& windows_of(Index face)
   {
-    cut_.field.set_face(face);
-    return cut_.field;
+    windows_.set_face(face);
+    return windows_;
   }
-  const Face_field& windows() const { return cut_.field; }
+  const Face_field& windows() const { return windows_; }
 
   /// The longest edge of the faces around the corners of a face.
   double size_about(Index face) const
@@ -138,12 +135,11 @@ private:
     return (std::max)({mesh_[3 * face].length, mesh_[3 * face + 1].length, mesh_[3 * face + 2].length});
   }
 
-  template <class Gate>
-  double position_of(const Gate& gate) const
+  // On the boundary of a face, from 0 to 3. `t`: position of a crossing on the edge of h.
+  double position_of(Index h, double t) const
   {
-    const auto& frame = cut_.field.frame();
-    const double t = frame.along(gate.side, gate.point) / frame.edge_length(gate.side);
-    return gate.side + (std::max)(0., (std::min)(1., t));
+    const double length = mesh_[h].length, along = mesh_.twin(h) < h ? length - t : t;
+    return h % 3 + (std::max)(0., (std::min)(1., along / length));
   }
 
   const Mesh& mesh_;
@@ -153,6 +149,7 @@ private:
   const CGAL::Geodesic_offset::internal::Offset_sources<double> sources_;
   std::vector<double> longest_at_; // per vertex, the longest edge of its faces
   CGAL::Geodesic_offset::internal::Face_cut<double> cut_;
+  Face_field windows_; // of the current face
   std::size_t forced_joints_ = 0;
 };
 
