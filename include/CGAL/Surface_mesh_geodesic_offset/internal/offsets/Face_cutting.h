@@ -73,9 +73,9 @@ public:
   Face_cutting(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                const Vertex_reach<FT>& reach, const Offset_sources<FT>& sources, const Offset_levels<FT>& levels,
                const FT& maximum, const Merging_tolerance<FT>& tolerance)
-    : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)), m_sources(sources),
-      m_tolerance(tolerance), m_crossings(mesh, initial, field, reach, sources), m_face_crossings(mesh, field, reach, sources),
-      m_tracer(mesh.longest_edge(), sources)
+    : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(reach), m_levels(levels), m_end(levels.first_above(maximum)),
+      m_sources(sources), m_tolerance(tolerance), m_crossings(mesh, initial, field, reach, sources),
+      m_face_crossings(mesh, field, reach, sources), m_tracer(mesh.longest_edge(), sources)
   {
   }
 
@@ -106,27 +106,21 @@ public:
       const Level_range left{(std::max)(l.first, first[k]), l.last};
       if (m_tolerance.is_zero())
         find_crossings((std::min)(h + k, m_mesh.twin(h + k)), maximum, m_crossings, left, cut.field, cut.crossings[k]);
-      else
-        find_crossings(h + k, maximum, m_face_crossings, left, cut.field, cut.crossings[k]);
+      else find_crossings(h + k, maximum, m_face_crossings, left, cut.field, cut.crossings[k]);
     }
   }
 
-  // Step 2: the chains between all gates of the face, and the loops inside. Their pieces are stored in this object. Most visits
-  // of a face find no gate, and most of these need no windows.
+  // Step 2: the chains between all gates of the face, and the loops inside. Their pieces are stored in this object. Windows are
+  // made only if a level has gates or may have loops: a third of the visits of faces find neither.
   void find_chains(Face_cut<FT>& cut)
   {
     cut.pieces = &m_pieces;
-    Level_range gates{cut.levels.last, 0};
-    for (const std::vector<Crossing<FT>>& c : cut.crossings)
-      if (!c.empty())
-      {
-        gates.first = (std::min)(gates.first, c.front().level);
-        gates.last = (std::max)(gates.last, c.back().level + 1);
-      }
+    const Level_range gates = levels_of_gates(cut);
     const Level_range loops = levels_of_loops(cut);
-    Level_range levels = loops.is_empty() ? gates : Level_range{(std::min)(gates.first, loops.first), (std::max)(gates.last, loops.last)};
+    Level_range levels = gates;
+    if (!loops.is_empty()) levels = {(std::min)(gates.first, loops.first), (std::max)(gates.last, loops.last)};
     if (levels.is_empty()) return;
-    const FT& reach = m_reach.of_face(cut.face);
+    const FT reach = m_reach.of_face(cut.face);
     if (!cut.has_windows)
     {
       const FT highest = cut_level(levels.last - 1);
@@ -156,7 +150,7 @@ public:
         cut.chains.push_back({i, start, end, first, m_pieces.size()});
       });
     }
-    CGAL_assertion_code(for (int k = 0; k < 3; ++k)) CGAL_assertion(next[k] == cut.crossings[k].size());
+    for (int k = 0; k < 3; ++k) CGAL_assertion(next[k] == cut.crossings[k].size());
   }
 
   // The pieces of all faces are no longer needed.
@@ -175,9 +169,7 @@ private:
   {
     const auto add = [&](std::size_t i) {
       const std::size_t before = found.size();
-      crossings(h, field, this->cut_level(i), [&](const FT& t, bool falling) {
-        found.push_back({i, t, falling, no_index});
-      });
+      crossings(h, field, this->cut_level(i), [&](const FT& t, bool falling) { found.push_back({i, t, falling, no_index}); });
       return found.size() > before;
     };
     if (levels.is_empty()) return;
@@ -203,8 +195,21 @@ private:
     return m_tolerance.least_of(FT((d0 + d1 - m_mesh[h].length) / FT(2))) - Offset_tolerances<FT>::bound_slack(d0 + d1);
   }
 
-  // The levels that may have loops in a face, or a part of them with gates. Without sources in the face, a level without gates
-  // has loops around a maximum only, so all corners are near.
+  // From the first to the last level with gates.
+  static Level_range levels_of_gates(const Face_cut<FT>& cut)
+  {
+    Level_range levels{cut.levels.last, 0};
+    for (const std::vector<Crossing<FT>>& c : cut.crossings)
+    {
+      if (c.empty()) continue;
+      levels.first = (std::min)(levels.first, c.front().level);
+      levels.last = (std::max)(levels.last, c.back().level + 1);
+    }
+    return levels;
+  }
+
+  // The levels that may have loops but no gates. Without sources in the face, such a loop is around a maximum, and all corners
+  // are near.
   Level_range levels_of_loops(const Face_cut<FT>& cut) const
   {
     Level_range levels = cut.levels;

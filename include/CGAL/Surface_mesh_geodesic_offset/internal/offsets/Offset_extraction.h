@@ -264,7 +264,8 @@ private:
   {
     std::size_t lowest = last;
     const auto levels_within = [&](const Face_levels& f) {
-      return Level_range{(std::max)({f.levels.first, first, std::size_t(this->m_next_level[f.face])}), (std::min)(f.levels.last, last)};
+      return Level_range{(std::max)({f.levels.first, first, std::size_t(this->m_next_level[f.face])}),
+                         (std::min)(f.levels.last, last)};
     };
     for (const Face_levels& f : m_faces)
       if (const Level_range levels = levels_within(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
@@ -315,8 +316,8 @@ private:
     return end;
   }
 
-  // Cuts the faces at the levels before the level with index `end`. If these have more pieces than may wait, cuts the other faces at
-  // fewer levels, up to level `first` at least. Returns the end of the levels that are cut in all faces.
+  // Cuts the faces at the levels before the level with index `end`. If these have more pieces than may wait, cuts the other faces
+  // at fewer levels, up to level `first` at least. Returns the end of the levels that are cut in all faces.
   template <class Team>
   Index cut_below(const FT& settled, Index first, Index end, Team& team)
   {
