@@ -100,7 +100,11 @@ void check_level(const Case& c, double d, const Curves& curves, const Function& 
   {
     CHECK(curve.distance() == d);
     CHECK_DETAIL(std::abs(curve.tolerance() - tolerance(d)) <= 1e-13 * d, values(curve.tolerance(), tolerance(d)));
-    for (const auto& p : curve.pieces()) number_along_edges += std::size_t(is_along_edge(p));
+    for (const auto& p : curve.pieces())
+    {
+      number_along_edges += std::size_t(is_along_edge(p));
+      if (const auto v = p.pseudo_source()) CHECK(std::size_t(*v) < num_vertices(c.mesh)); // none for merged windows
+    }
   }
 }
 

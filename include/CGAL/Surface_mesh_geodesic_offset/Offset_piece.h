@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Curve_context.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_piece.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -185,11 +186,14 @@ public:
   /// `Source_side::CAP` beyond an end of an open polyline.
   Source_side side() const { return m_piece->source_ref.side(); }
 
-  /// the vertex where the shortest paths from the source to the points of the piece bend last, if they bend.
+  /// the vertex where the shortest paths from the source to the points of the piece bend last, if they bend. With a tolerance, a
+  /// piece may have the distances of several merged windows, and none is returned.
   std::optional<vertex_descriptor> pseudo_source() const
   {
-    if (m_piece->pseudo_source == Geodesic_offset::internal::no_index) return std::nullopt;
-    return m_context->surface->vertex_of[m_piece->pseudo_source];
+    const Geodesic_offset::internal::Index vertex = m_piece->pseudo_source;
+    if (vertex == Geodesic_offset::internal::no_index || Geodesic_offset::internal::Merge_error_code::is_merged(vertex))
+      return std::nullopt;
+    return m_context->surface->vertex_of[vertex];
   }
   /// @}
 
