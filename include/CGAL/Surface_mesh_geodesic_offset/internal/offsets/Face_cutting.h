@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_crossings.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Interior_maximum.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_range.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_tracer.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_tolerances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
@@ -29,14 +30,6 @@
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
-
-// A range of level indices.
-struct Level_range
-{
-  std::size_t first, last; // `last` is excluded
-  bool is_empty() const { return first >= last; }
-  std::size_t size() const { return is_empty() ? 0 : last - first; }
-};
 
 // A face with the results of its cutting.
 template <class FT>

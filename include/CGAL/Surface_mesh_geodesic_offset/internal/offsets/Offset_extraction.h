@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Edge_joining.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Face_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_curves.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Level_groups.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/workers/Concurrency.h>
 
 #include <CGAL/assertions.h>
@@ -44,7 +45,8 @@ public:
   Offset_extraction(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
                     const Offset_levels<FT>& levels, const FT& maximum, const Merging_tolerance<FT>& tolerance)
     : m_mesh(mesh), m_initial(initial), m_field(field), m_reach(mesh), m_sources(initial, field, m_reach), m_levels(levels),
-      m_maximum(maximum), m_tolerance(tolerance), m_next_level(mesh.number_of_faces(), 0), m_joining(mesh, levels)
+      m_maximum(maximum), m_tolerance(tolerance), m_next_level(mesh.number_of_faces(), 0),
+      m_groups(initial, field, m_next_level), m_joining(mesh, levels)
   {
     make_cuttings(1);
   }
@@ -54,7 +56,7 @@ public:
   template <class Team>
   void cut(const std::vector<Index>& faces, Team& team)
   {
-    find_levels(faces, Number_policy<FT>::infinity());
+    set_faces(faces, Number_policy<FT>::infinity());
     cut_below(Number_policy<FT>::infinity(), all_levels, all_levels, team);
   }
 
@@ -65,11 +67,14 @@ public:
   {
     const std::size_t end = m_levels.first_above(settled), many = most_waiting_pieces();
     m_possible_pieces =
-      end > m_first_waiting ? (std::max)(1., m_pieces_per_crossing) * double(end - m_first_waiting) * double(number) : 0.;
-    const Expected_pieces expected = end > m_first_waiting ? expected_pieces(finalized, settled) : Expected_pieces{};
-    m_must_cut_pending = expected.pieces > double(many);
-    if (m_must_cut_pending)
-      m_pieces_per_crossing = (std::max)(m_pieces_per_crossing, expected.pieces / double(expected.crossings));
+      end > m_first_waiting ? (std::max)(1., m_groups.pieces_per_crossing()) * double(end - m_first_waiting) * double(number)
+                            : 0.;
+    m_must_cut_pending = false;
+    if (end > m_first_waiting)
+    {
+      set_faces(finalized, settled);
+      m_must_cut_pending = m_groups.expects_more_than(many);
+    }
     return m_must_cut_pending || (m_waiting_pieces >= many && m_new_pieces >= many) || m_possible_pieces >= m_next_attempt;
   }
 
@@ -84,9 +89,10 @@ public:
   {
     const std::size_t end = m_levels.first_above(settled), last = (std::min)(end, std::size_t(all_levels) - 1);
     const std::size_t many = most_waiting_pieces();
-    find_levels(faces, settled);
-    find_dense_faces();
-    Level_group group = next_group(m_first_waiting, last);
+    set_faces(faces, settled);
+    m_groups.find_dense_faces();
+    const auto next_group = [&](std::size_t first) { return m_groups.next(first, last, pieces_that_may_be_added()); };
+    Level_group group = next_group(m_first_waiting);
     if (!m_must_cut_pending && group.end == last &&
         double((std::min)(m_waiting_pieces, m_new_pieces)) + group.expected.pieces < double(many))
     {
@@ -98,7 +104,7 @@ public:
       const std::size_t cut_end = cut_group(settled, group, team);
       if (cut_end == last) break;
       is_cut(m_levels[cut_end]);
-      group = next_group(cut_end, last);
+      group = next_group(cut_end);
     }
     is_cut(last < end ? m_levels[last] : settled);
     m_next_attempt = double(many);
@@ -155,25 +161,6 @@ private:
   // Faces of the mesh per piece that may wait: 18 bytes a face, where the mesh and the field take some 150. And the number of
   // pieces that may always wait: 72 kB.
   static constexpr std::size_t faces_per_waiting_piece = 4, least_waiting_pieces = 1 << 10;
-  // In a group. A face may have a hundred pieces at each level, so that one face alone adds a few thousand pieces.
-  static constexpr std::size_t most_levels_together = 1 << 5;
-  // Pieces to expect in a face at a level that may cross it, before any group is cut; and at least. Bounds of the levels of a
-  // face are loose in long faces along the front: most levels within them may have no piece.
-  static constexpr double first_pieces_per_crossing = 4, least_pieces_per_crossing = 1. / 64;
-  // Pieces in a face at a level that may cross it, per window of the face: one of four to ten has a piece on fine meshes, one of
-  // two to four in faces with many sources. Binding test of these limits: test_offset_families.
-  static constexpr double pieces_per_window = 1. / 4;
-  // The same per window of a source in the face: near crossing segments, all of them have pieces, and two on average.
-  static constexpr double pieces_per_local_window = 2;
-  // A face with more of them at a level may have more pieces than all others that are cut before it, so it counts by its windows.
-  static constexpr double many_pieces = 16;
-
-  struct Face_levels
-  {
-    Index face;
-    Level_range levels; // those that may cross it
-  };
-
   struct Crossed_face
   {
     Index face;
@@ -196,51 +183,11 @@ private:
     return levels;
   }
 
-  // Pieces to expect, and the faces that levels may cross, each counted once per level.
-  struct Expected_pieces
+  // Sets the faces of the next groups and of cut_below(), with the levels nearer than `settled`.
+  void set_faces(const std::vector<Index>& faces, const FT& settled)
   {
-    double pieces = 0;
-    std::size_t crossings = 0;
-  };
-
-  // In faces at levels nearer than `settled`, by the numbers of their windows.
-  Expected_pieces expected_pieces(const std::vector<Index>& faces, const FT& settled) const
-  {
-    Expected_pieces expected;
-    for (const Index f : faces)
-    {
-      const Level_range levels = levels_left(f, settled);
-      if (levels.is_empty()) continue;
-      expected.pieces += pieces_by_windows(f) * double(levels.size());
-      expected.crossings += levels.size();
-    }
-    return expected;
-  }
-
-  // Pieces to expect in a face at a level that may cross it, by the number of its windows.
-  double pieces_by_windows(Index f) const
-  {
-    const auto local = local_windows(m_initial, f);
-    std::size_t windows = 3; // the corners have cones, too
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) windows += m_field.lists.get(h).processed;
-    return pieces_per_window * double(windows) + pieces_per_local_window * double(local.second - local.first);
-  }
-
-  // Sets the faces of the next calls of next_group() and cut_below(), with the levels nearer than `settled`.
-  void find_levels(const std::vector<Index>& faces, const FT& settled)
-  {
-    m_faces.clear();
-    for (const Index f : faces) m_faces.push_back({f, levels_left(f, settled)});
-  }
-
-  void find_dense_faces()
-  {
-    m_dense.clear();
-    for (const Face_levels& f : m_faces)
-    {
-      const double pieces = f.levels.is_empty() ? 0. : pieces_by_windows(f.face);
-      if (pieces > many_pieces) m_dense.push_back({f, pieces});
-    }
+    m_groups.clear();
+    for (const Index f : faces) m_groups.add(f, levels_left(f, settled));
   }
 
   // By a group of levels: as many as may wait, fewer if more wait, and some in any case, since each group visits all faces.
@@ -251,68 +198,13 @@ private:
     return m_waiting_pieces + least < 2 * most ? 2 * most - m_waiting_pieces : least;
   }
 
-  // Levels that are cut together, from `first` to before `end`.
-  struct Level_group
-  {
-    std::size_t first, end;
-    Expected_pieces expected;
-  };
-
-  // The next group of levels from `first` on, before `last`. It has at least one level that may cross faces, and further ones as
-  // long as no more pieces are to be expected than may wait. It ends at `last` if no level crosses a face.
-  Level_group next_group(std::size_t first, std::size_t last) const
-  {
-    std::size_t lowest = last;
-    const auto levels_within = [&](const Face_levels& f) {
-      return Level_range{(std::max)({f.levels.first, first, std::size_t(this->m_next_level[f.face])}),
-                         (std::min)(f.levels.last, last)};
-    };
-    for (const Face_levels& f : m_faces)
-      if (const Level_range levels = levels_within(f); !levels.is_empty()) lowest = (std::min)(lowest, levels.first);
-    if (lowest == last) return {last, last, Expected_pieces{}};
-    std::array<std::ptrdiff_t, most_levels_together + 1> change{};  // of the number of faces, from level to level
-    std::array<double, most_levels_together + 1> change_of_extra{}; // pieces to expect in dense faces
-    const std::size_t end = (std::min)(last, lowest + most_levels_together);
-    for (const Face_levels& f : m_faces)
-    {
-      const Level_range levels = levels_within(f);
-      if (levels.is_empty() || levels.first >= end) continue;
-      ++change[levels.first - lowest];
-      --change[(std::min)(levels.last, end) - lowest];
-    }
-    for (const auto& [f, pieces] : m_dense)
-    {
-      const Level_range levels = levels_within(f);
-      if (levels.is_empty() || levels.first >= end || pieces <= m_pieces_per_crossing) continue;
-      change_of_extra[levels.first - lowest] += pieces - m_pieces_per_crossing;
-      change_of_extra[(std::min)(levels.last, end) - lowest] -= pieces - m_pieces_per_crossing;
-    }
-    const double most = double(pieces_that_may_be_added());
-    std::size_t crossed = std::size_t(change[0]), i = lowest + 1;
-    double extra = change_of_extra[0];
-    Expected_pieces expected{m_pieces_per_crossing * double(crossed) + extra, crossed};
-    for (; i < end; ++i)
-    {
-      crossed += std::size_t(change[i - lowest]);
-      extra += change_of_extra[i - lowest];
-      const double pieces = m_pieces_per_crossing * double(crossed) + extra;
-      if (expected.pieces + pieces > most) break;
-      expected.pieces += pieces;
-      expected.crossings += crossed;
-    }
-    return {lowest, i, expected};
-  }
-
   // Cuts faces at the levels of a group, or at the first ones. Returns the end of the levels that are cut in all faces.
   template <class Team>
   std::size_t cut_group(const FT& settled, const Level_group& group, Team& team)
   {
     const std::size_t before = m_new_pieces;
     const Index end = cut_below(settled, Index(group.first), Index(group.end), team);
-    const double pieces = double(m_new_pieces - before), crossings = double(group.expected.crossings);
-    if (end < group.end) m_pieces_per_crossing *= 2;
-    else if (crossings > 0)
-      m_pieces_per_crossing = (std::max)({pieces / crossings, m_pieces_per_crossing / 2, least_pieces_per_crossing});
+    m_groups.count(group, m_new_pieces - before, end == group.end);
     return end;
   }
 
@@ -325,7 +217,7 @@ private:
     const std::size_t faces_at_once = items_at_once(team.size()), levels_at_once = levels_per_face * faces_at_once;
     const std::size_t most = m_new_pieces + pieces_that_may_be_added();
     std::size_t work = 0;
-    for (auto [f, levels] : m_faces)
+    for (auto [f, levels] : m_groups.faces())
     {
       CGAL_precondition(m_next_level[f] != all_levels);
       if (end <= m_next_level[f]) continue;
@@ -476,20 +368,18 @@ private:
   const FT m_maximum;
   const Merging_tolerance<FT> m_tolerance;                   // of the field
   std::vector<Index> m_next_level;                           // per face: the first level at which it is not cut
-  std::vector<Face_levels> m_faces;                          // that are cut, see find_levels()
+  Level_groups<FT> m_groups;                                 // of faces that are cut
   std::vector<Crossed_face> m_crossed;                       // to be cut next
   std::vector<std::unique_ptr<Face_cutting<FT>>> m_cuttings; // per worker
   std::vector<std::unique_ptr<Face_cut<FT>>> m_cuts;         // per face of a batch
   Waiting_crossings m_waiting;
   Edge_joining<FT> m_joining;                                  // with a tolerance
   std::vector<Index> m_to_join;                                // faces that were cut since
-  std::vector<std::pair<Face_levels, double>> m_dense;         // of pending faces: those with many pieces at a level
   Curves_of_levels m_curves;                                   // of levels that are not passed on
   std::size_t m_number_of_pieces = 0;                          // passed on
   std::size_t m_waiting_pieces = 0, m_waiting_pieces_peak = 0; // not passed on
   std::size_t m_new_pieces = 0;                                // since the last cut_pending()
   std::size_t m_first_waiting = 0;                             // level: those before have been passed on
-  double m_pieces_per_crossing = first_pieces_per_crossing;    // to be expected, see cut_group()
   bool m_must_cut_pending = false;                             // see needs_pending_faces()
   double m_possible_pieces = 0;                                // in pending faces at levels that are not passed on
   double m_next_attempt = double(most_waiting_pieces());       // so many of them may be worth the time of cut_pending()
