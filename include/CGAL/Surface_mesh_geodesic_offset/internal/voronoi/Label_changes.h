@@ -45,57 +45,102 @@ public:
   {
     m_pieces.clear();
     for (const unsigned i : candidates) insert(o, u, size, windows[i], tolerances);
+    const Segment segment{o, u, windows, candidates, tolerances};
+    sample(segment);
     Index label = first;
-    double end = 0, inside = 0; // of the interval with this label: its end, and a point of it
-    for (std::size_t i = 0; i < m_pieces.size();)
+    double at = 0; // of the last sample with this label
+    for (std::size_t i = 0, j; i < m_samples.size(); i = j)
     {
-      const Index next = m_pieces[i].label;
-      const Piece *begins = nullptr, *ends = nullptr;
-      for (; i < m_pieces.size() && m_pieces[i].label == next; ++i)
+      for (j = i + 1; j < m_samples.size() && m_samples[j].label == m_samples[i].label;) ++j;
+      const Sample &s = m_samples[i], &t = m_samples[j - 1];
+      if (s.label != label)
       {
-        // In a gap between cones that rounding has left, only the function of a corner, or of a farther window, is known.
-        const Piece& p = m_pieces[i];
-        if (p.window.distance_at(p.middle()) >
-            least_path_length(windows, candidates, o + p.middle() * u) + tolerances.loose_tie)
-          continue;
-        if (!begins) begins = &p;
-        ends = &p;
+        const double after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
+        if (after - before <= tolerances.shortest_interval) continue;
+        write_changes(segment, at, s.t, label, s.label, most_sources_between, out);
+        label = s.label;
       }
-      if (!begins) continue;
-      if (next != label)
-      {
-        if (ends->end - begins->begin <= tolerances.shortest_interval) continue;
-        const auto excess = [&](double t) { return excess_of_first(label, next, o + t * u, windows, candidates, tolerances); };
-        double t = begins->begin - end <= tolerances.shortest_interval
-                   ? (end + begins->begin) / 2
-                   : change_between(end, begins->begin, excess);
-        if (std::abs(excess(t)) > tolerances.of_link()) t = change_between(inside, begins->middle(), excess);
-        out(Label_change{t <= tolerances.shortest_interval ? 0 : t, label, next});
-        label = next;
-      }
-      end = ends->end;
-      inside = ends->middle();
+      at = t.t;
     }
     if (label != last) out(Label_change{size, label, last});
   }
 
 private:
-  // The difference of the least distances of a point from two sources.
-  static double excess_of_first(Index first, Index second, const Point& p, const std::vector<Voronoi_window>& windows,
-                                const std::vector<unsigned>& candidates, const Voronoi_tolerances& tolerances)
+  struct Segment
   {
-    return least_distance_from(first, windows, candidates, p, tolerances.slack) -
-           least_distance_from(second, windows, candidates, p, tolerances.slack);
+    Point o, u;
+    const std::vector<Voronoi_window>& windows;
+    const std::vector<unsigned>& candidates;
+    const Voronoi_tolerances& tolerances;
+
+    double distance_from(Index label, double t) const
+    {
+      return least_distance_from(label, windows, candidates, o + t * u, tolerances.slack);
+    }
+
+    // The label of the nearest source; of several that tie, the preferred one.
+    Index label_at(double t, Index preferred) const
+    {
+      const Point p = o + t * u;
+      Index result = preferred;
+      double least = std::numeric_limits<double>::infinity(), own = least;
+      for (const unsigned i : candidates)
+      {
+        const double d = distance_through(windows[i], p, tolerances.slack);
+        if (windows[i].label == preferred) own = (std::min)(own, d);
+        if (!(d < least)) continue;
+        least = d;
+        result = windows[i].label;
+      }
+      return own <= least + tolerances.loose_tie ? preferred : result;
+    }
+  };
+
+  struct Sample
+  {
+    double t;
+    Index label;
+  };
+
+  // Labels at the ends of intervals with one label, and in the middle of their pieces: that of the interval, unless rounding has left a
+  // gap between cones there, in which the windows of the interval are farther than the path around the end of a cone.
+  void sample(const Segment& segment)
+  {
+    m_samples.clear();
+    const auto add = [&](double t, Index label) { m_samples.push_back({t, segment.label_at(t, label)}); };
+    for (std::size_t i = 0; i < m_pieces.size(); ++i)
+    {
+      const Piece& p = m_pieces[i];
+      if (i == 0 || m_pieces[i - 1].label != p.label) add(p.begin, p.label);
+      add((p.begin + p.end) / 2, p.label);
+      if (i + 1 == m_pieces.size() || m_pieces[i + 1].label != p.label) add(p.end, p.label);
+    }
   }
 
-  // A change of the sign of a function between two points.
-  template <class Function>
-  static double change_between(double low, double high, const Function& excess)
+  // Writes the changes between two samples: one, where the distances agree, or several, if a third source is nearer there.
+  template <class OutputFunction>
+  static void write_changes(const Segment& segment, double low, double high, Index first, Index second, int most_between,
+                            const OutputFunction& out)
   {
-    for (double middle = (low + high) / 2; low < middle && middle < high; middle = (low + high) / 2)
-      (excess(middle) <= 0 ? low : high) = middle;
-    return low;
+    double t = (low + high) / 2;
+    if (high - low > segment.tolerances.shortest_interval)
+    {
+      double from = low, to = high;
+      for (; from < t && t < to; t = (from + to) / 2)
+        (segment.distance_from(first, t) <= segment.distance_from(second, t) ? from : to) = t;
+      const Index third = segment.label_at(t, first);
+      if (third != first && third != second && most_between > 0)
+      {
+        write_changes(segment, low, t, first, third, most_between - 1, out);
+        write_changes(segment, t, high, third, second, most_between - 1, out);
+        return;
+      }
+    }
+    out(Label_change{t <= segment.tolerances.shortest_interval ? 0 : t, first, second});
   }
+
+  // Between two samples; a bound of the depth of the recursion.
+  static constexpr int most_sources_between = 8;
 
   struct Distances // traits of Window_bisector
   {
@@ -125,8 +170,6 @@ private:
     double begin, end;
     Index label;
     Window<double> window; // in the frame of the segment
-
-    double middle() const { return (begin + end) / 2; }
   };
 
   void insert(const Point& o, const Point& u, double size, const Voronoi_window& w, const Voronoi_tolerances& tolerances)
@@ -202,6 +245,7 @@ private:
   }
 
   std::vector<Piece> m_pieces, m_new; // by increasing position
+  std::vector<Sample> m_samples;
 };
 
 } // namespace internal
