@@ -301,17 +301,18 @@ public:
                    [](const FT& w) { return CGAL::to_double(w); });
     const double sum = weights[0] + weights[1] + weights[2];
     for (double& w : weights) w /= sum;
-    return sources_at(location.first, weights, 0).front();
+    const auto* const cells = cells_of(location.first);
+    return cells ? cells->labels(weights, 0).front() : source_at_face(location.first);
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Sources of a point, given by its barycentric coordinates, that are not farther than the nearest one by more than `within`, the
-  // nearest first.
-  std::vector<std::size_t> sources_at(face_descriptor f, const std::array<double, 3>& weights, double within) const
+  // For splits: sources of a point of a part of a face, given by its barycentric coordinates, that are not farther than the nearest one by
+  // more than `within`, the nearest first. A face that no curve crosses is one part, with one source.
+  std::vector<std::size_t> sources_of_part(face_descriptor f, const std::array<double, 3>& weights, double within) const
   {
-    const auto cells = diagram().cells.find(Geodesic_offset::internal::Index(m_context->surface->index_of(f)));
-    if (cells == diagram().cells.end()) return {source_at_face(f)};
-    const auto labels = cells->second.labels(weights, within);
+    const auto* const cells = cells_of(f);
+    if (!cells || !cells->is_crossed) return {source_at_face(f)};
+    const auto labels = cells->labels(weights, within);
     return std::vector<std::size_t>(labels.begin(), labels.end());
   }
 #endif
@@ -368,6 +369,13 @@ private:
   {
     if (!m_diagram) throw std::logic_error("Surface_mesh_geodesic_offset: a Voronoi diagram that was moved from");
     return *m_diagram;
+  }
+
+  // Null for a face with one source.
+  const Geodesic_offset::internal::Face_cells* cells_of(face_descriptor f) const
+  {
+    const auto cells = diagram().cells.find(Geodesic_offset::internal::Index(m_context->surface->index_of(f)));
+    return cells == diagram().cells.end() ? nullptr : &cells->second;
   }
 
   std::shared_ptr<const Context> m_context;

@@ -202,7 +202,7 @@ private:
 
   Face_location location_of(const Point_in_face& p, int edge) const
   {
-    return m_context->surface->location(m_piece->face, p, edge);
+    return m_context->surface->location_inside(m_piece->face, p, edge);
   }
 
   const Geodesic_offset::internal::Source_primitive& primitive() const

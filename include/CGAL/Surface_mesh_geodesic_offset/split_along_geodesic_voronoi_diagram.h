@@ -102,7 +102,7 @@ void split_along_geodesic_voronoi_diagram(TriangleMesh& tm, const VoronoiDiagram
   // Beside a curve, chords leave points of the other cell in a face, up to the tolerance: each of the two distances changes by that.
   if constexpr (has_sources)
     splitting.find_sources([&](const auto f, const std::array<double, 3>& w) {
-      return number_of.emplace(diagram.sources_at(f, w, 2 * lengths.chord_tolerance), number_of.size()).first->second;
+      return number_of.emplace(diagram.sources_of_part(f, w, 2 * lengths.chord_tolerance), number_of.size()).first->second;
     });
   const auto numbers = get(CGAL::dynamic_face_property_t<std::size_t>(), tm);
   auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),

@@ -72,7 +72,8 @@ count for the farther ones. If an exception is thrown before the mesh is changed
                           for points nearer than all of them}
     \cgalParamType{a model of `WritablePropertyMap` with `face_descriptor` as key and `std::size_t` as value}
     \cgalParamDefault{none}
-    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources. If no curve is on the
+    \cgalParamExtra{The curves must be all curves of their distances, on both sides of the sources; a distance without curves
+                    does not count. If no curve is on the
                     border of a region, as in a component of the surface that no curve crosses, or only the two sides of strips that are
                     narrower than the 2^-33 above, its value is the least one, unless `vertex_distance_map` is given and the
                     region has a vertex of the mesh. Where chords cross, values may be wrong.}

@@ -56,8 +56,8 @@ struct Geodesic_surface
 
   // lengths: a map of the lengths of edges, or No_lengths
   template <class LengthMap, class Team>
-  Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim,
-                   const VertexPointMap& points, const LengthMap& lengths, const Traits& traits, Team& team)
+  Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& points,
+                   const LengthMap& lengths, const Traits& traits, Team& team)
     : Geodesic_surface(mesh, vim, fim, points, lengths,
                        std::vector<vertex_descriptor>(vertices(mesh).begin(), vertices(mesh).end()),
                        std::vector<face_descriptor>(faces(mesh).begin(), faces(mesh).end()), traits, team)
@@ -108,7 +108,8 @@ struct Geodesic_surface
   {
     if (l.first == Graph_traits::null_face())
       throw std::invalid_argument("Surface_mesh_geodesic_offset: a location in the null face");
-    return classify<Number>(unfolded, index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
+    return classify<Number>(
+      unfolded, index_of(l.first), [&] { return numbers.index_in_mesh(l.first); }, imported(l.second));
   }
 
   // Index of the halfedge, or of its opposite if it is a border halfedge.
@@ -148,8 +149,8 @@ struct Geodesic_surface
   Face_location location_inside(Index face, const Point_in_face<Number>& p, int edge) const
   {
     Face_location l = location(face, p, edge);
-    if (edge == 3 && CGAL::is_negative((std::min)({l.second[0], l.second[1], l.second[2]})))
-      l = location(face, p, l.second[0] < FT(0) ? 1 : l.second[1] < FT(0) ? 2 : 0);
+    if (!CGAL::is_negative((std::min)({l.second[0], l.second[1], l.second[2]}))) return l;
+    if (edge == 3) l = location(face, p, l.second[0] < FT(0) ? 1 : l.second[1] < FT(0) ? 2 : 0);
     for (FT& w : l.second) w = (std::max)(w, FT(0));
     const FT sum = l.second[0] + l.second[1] + l.second[2];
     for (FT& w : l.second) w = w / sum;
@@ -172,10 +173,7 @@ struct Geodesic_surface
     return Face_location(face_of[p.element], exported(p.weights));
   }
 
-  Face_location location(const Path_crossing<Number>& p) const
-  {
-    return location_on(p.halfedge, exported(p.part));
-  }
+  Face_location location(const Path_crossing<Number>& p) const { return location_on(p.halfedge, exported(p.part)); }
 
   // Location on halfedge h at parameter t.
   Face_location location_on(Index h, const FT& t) const
@@ -250,12 +248,11 @@ struct Geodesic_surface
   VertexPointMap vpm;
   Index_renumbering<Triangle_mesh, VertexIndexMap, FaceIndexMap> numbers;
   Unfolded_mesh<Number> unfolded;
-  std::vector<face_descriptor> face_of; // by index in the unfolded mesh
+  std::vector<face_descriptor> face_of;     // by index in the unfolded mesh
   std::vector<vertex_descriptor> vertex_of; // by index in the unfolded mesh
 
 private:
-  typedef std::decay_t<decltype(get(std::declval<const VertexPointMap&>(), std::declval<vertex_descriptor>()).x())>
-    Coordinate;
+  typedef std::decay_t<decltype(get(std::declval<const VertexPointMap&>(), std::declval<vertex_descriptor>()).x())> Coordinate;
   static constexpr bool has_plain_points = std::is_arithmetic<Coordinate>::value;
 
   template <class Team>
@@ -267,9 +264,10 @@ private:
 
   // all_vertices, all_faces: in the order of the mesh
   template <class LengthMap, class Team>
-  Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim, const VertexPointMap& point_map,
-                   const LengthMap& length_map, const std::vector<vertex_descriptor>& all_vertices,
-                   const std::vector<face_descriptor>& all_faces, const Traits& traits, Team& team)
+  Geodesic_surface(const Triangle_mesh& mesh, const VertexIndexMap& vim, const FaceIndexMap& fim,
+                   const VertexPointMap& point_map, const LengthMap& length_map,
+                   const std::vector<vertex_descriptor>& all_vertices, const std::vector<face_descriptor>& all_faces,
+                   const Traits& traits, Team& team)
     : tm(mesh), has_points(std::is_same<LengthMap, No_lengths>::value), vpm(point_map),
       numbers(mesh, vim, fim, all_vertices, all_faces)
   {

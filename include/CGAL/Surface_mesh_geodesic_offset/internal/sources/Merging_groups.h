@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// The windows of two segments in line have the same distances, but where one of them is a segment of another source, too, they may be
-// of different cells of the Voronoi diagram, so such segments are groups of their own.
+// The windows of two segments in line have the same distances, but where one of them is a segment of another source, too, or a point of
+// it as far as rounding tells, they may be of different cells of the Voronoi diagram, so such segments are groups of their own.
 //
 // Segments coincide here if their ends are no farther apart than 2^-43 of the longest edge times the number of faces plus the latest
 // start value: more than Voronoi_tolerances::same_source(), since no distance is larger than this. To tell too many of them only keeps more windows. Binding
@@ -50,8 +50,9 @@ std::vector<Index> merging_groups(const Unfolded_mesh<FT>& mesh, const Initial_w
   std::vector<std::pair<Index, Index>> ends(n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    if (!initial.primitives[i].is_segment) continue;
-    ends[i] = std::minmax({places.number_of(initial.places[i].first), places.number_of(initial.places[i].second)});
+    const Index first = places.number_of(initial.places[i].first),
+                second = initial.primitives[i].is_segment ? places.number_of(initial.places[i].second) : first;
+    ends[i] = std::minmax({first, second});
     const auto known = source_at.emplace(ends[i], group[i]).first;
     if (known->second != group[i]) known->second = no_index;
   }

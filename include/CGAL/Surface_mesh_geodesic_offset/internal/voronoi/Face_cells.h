@@ -29,6 +29,8 @@ class Face_cells
 public:
   typedef Point_in_face<double> Point;
 
+  bool is_crossed = true; // by a curve
+
   // `windows`: those that may be nearest in the face; not empty. Distances that differ by less than `tie` are equal.
   Face_cells(const Per_corner<Point>& corner, double tie, std::vector<Voronoi_window>&& windows)
     : m_corner(corner), m_tie(tie), m_windows(std::move(windows))

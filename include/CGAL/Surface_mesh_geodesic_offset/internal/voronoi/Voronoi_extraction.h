@@ -81,8 +81,11 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
   std::unordered_set<Index> crossed;
   for (const Bisector_chain& chain : diagram.chains)
     for (const Bisector_arc& a : chain.arcs) crossed.insert(a.face);
-  for (const auto& [face, cells] : diagram.cells)
-    diagram.label_of_face[face] = crossed.count(face) ? cells.label_of_center() : cells.label_without_curves();
+  for (auto& [face, cells] : diagram.cells)
+  {
+    cells.is_crossed = crossed.count(face) != 0;
+    diagram.label_of_face[face] = cells.is_crossed ? cells.label_of_center() : cells.label_without_curves();
+  }
   return diagram;
 }
 
