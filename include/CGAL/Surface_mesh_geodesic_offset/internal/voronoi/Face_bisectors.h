@@ -119,7 +119,7 @@ public:
       out(arc);
     };
     Cell_bisectors bisectors(m_windows, m_tolerances, m_cell.center(), m_cell.radius());
-    Gate_links links(m_windows, m_tolerances, m_cell.center());
+    Gate_links links(m_windows, m_tolerances, m_cell);
     int divisions = 0, divisions_for_windows = 0;
     m_pending.clear();
     add_pending({m_cell, m_all, m_all.size() + 1, 0, 0});

@@ -30,9 +30,9 @@ class Gate_links
 public:
   typedef Point_in_face<double> Point;
 
-  // The tolerances may change between calls. `center`: a point of the face.
-  Gate_links(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center)
-    : m_windows(windows), m_tolerances(tolerances), m_center(center)
+  // The tolerances may change between calls.
+  Gate_links(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Voronoi_cell& face)
+    : m_windows(windows), m_tolerances(tolerances), m_face(face)
   {
   }
 
@@ -126,7 +126,7 @@ private:
     const bool swaps = m_windows[a].is_parallel();
     Bisector_arc curve = arc;
     curve.is_link = false;
-    if (!curve.conic.make(m_windows[swaps ? b : a], m_windows[swaps ? a : b], m_tolerances.tie, m_center)) return false;
+    if (!curve.conic.make(m_windows[swaps ? b : a], m_windows[swaps ? a : b], m_tolerances.tie, m_face.center())) return false;
     if (curve.conic.is_ray()) return false;
     curve.from = curve.conic.parameter_of(arc.start);
     curve.to = curve.conic.parameter_of(arc.end);
@@ -139,14 +139,26 @@ private:
     return true;
   }
 
+  // A source without windows in the face may be that of a side, by the windows of the neighbour.
   bool is_bisector(const Bisector_arc& arc) const
   {
+    if (!has_windows(arc.left.label) || !has_windows(arc.right.label))
+    {
+      for (int k = 0; k < 3; ++k)
+        if (arc.is_on(m_face.outside(k), m_tolerances.along_side())) return true;
+      return false;
+    }
     for (const double part : {0.25, 0.5, 0.75})
     {
       const Point p = arc.at(part);
       if (!is_nearest(arc.left.label, p) || !is_nearest(arc.right.label, p)) return false;
     }
     return true;
+  }
+
+  bool has_windows(Index label) const
+  {
+    return std::any_of(m_candidates->begin(), m_candidates->end(), [&](unsigned c) { return m_windows[c].label == label; });
   }
 
   bool is_of_one_source(const Voronoi_cell& cell) const
@@ -191,7 +203,7 @@ private:
 
   const std::vector<Voronoi_window>& m_windows;
   const Voronoi_tolerances& m_tolerances;
-  const Point m_center;
+  const Voronoi_cell& m_face;
   const std::vector<unsigned>* m_candidates = nullptr;
   std::vector<Bisector_arc> m_arcs;
 };
