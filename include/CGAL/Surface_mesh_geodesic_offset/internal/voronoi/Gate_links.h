@@ -148,10 +148,18 @@ private:
         if (arc.is_on(m_face.outside(k), m_tolerances.along_side())) return true;
       return false;
     }
-    for (const double part : {0.25, 0.5, 0.75})
-    {
+    const auto is_between = [&](double part) {
       const Point p = arc.at(part);
-      if (!is_nearest(arc.left.label, p) || !is_nearest(arc.right.label, p)) return false;
+      return is_nearest(arc.left.label, p) && is_nearest(arc.right.label, p);
+    };
+    // evenly, and more densely towards the ends, where several bisectors may meet
+    for (int i = 1; i < samples_of_link; ++i)
+      if (!is_between(double(i) / samples_of_link)) return false;
+    double part = 1. / samples_of_link;
+    for (int i = 0; i < halvings_of_link; ++i)
+    {
+      part /= 2;
+      if (!is_between(part) || !is_between(1 - part)) return false;
     }
     return true;
   }
@@ -200,6 +208,8 @@ private:
   }
 
   static constexpr unsigned none = ~0u;
+  // Intervals between the points at which a link is examined, and more of them at its ends, each half as long.
+  static constexpr int samples_of_link = 16, halvings_of_link = 8;
 
   const std::vector<Voronoi_window>& m_windows;
   const Voronoi_tolerances& m_tolerances;
