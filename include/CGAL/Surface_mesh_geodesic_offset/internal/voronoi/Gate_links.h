@@ -45,9 +45,9 @@ public:
   {
     m_candidates = &candidates;
     if (cell.gates.empty()) return is_of_one_source(cell);
-    for (const std::size_t first : {std::size_t(0), std::size_t(1)})
+    for (const Pairing pairing : {ACROSS, FROM_FIRST, FROM_SECOND})
     {
-      pair_up(cell, first);
+      pair_up(cell, pairing);
       if (!std::all_of(m_arcs.begin(), m_arcs.end(),
                        [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a); }))
         continue;
@@ -61,7 +61,7 @@ public:
   template <class New_node, class OutputFunction>
   void connect_straight(const Voronoi_cell& cell, const New_node& new_node, const OutputFunction& out)
   {
-    pair_up(cell, 0);
+    pair_up(cell, ACROSS);
     write(new_node, out);
   }
 
@@ -75,15 +75,19 @@ public:
   }
 
 private:
-  // Makes straight links. Neighbours between the same sources, from the given gate on, form pairs; the others meet in one point.
-  void pair_up(const Voronoi_cell& cell, std::size_t first)
+  // Gates that are connected: those of different sides, so that several curves run beside each other; or neighbours, from the first or
+  // the second gate on.
+  enum Pairing { ACROSS, FROM_FIRST, FROM_SECOND };
+
+  // Makes straight links. Gates between the same sources, with no others left between them, form pairs; the others meet in one point.
+  void pair_up(const Voronoi_cell& cell, Pairing pairing)
   {
     m_arcs.clear();
     std::vector<const Voronoi_gate*> open;
     for (std::size_t i = 0; i < cell.gates.size(); ++i)
     {
-      const Voronoi_gate& g = cell.gates[(first + i) % cell.gates.size()];
-      if (!open.empty() && open.back()->from == g.to)
+      const Voronoi_gate& g = cell.gates[(i + (pairing == FROM_SECOND ? 1 : 0)) % cell.gates.size()];
+      if (!open.empty() && open.back()->from == g.to && (pairing != ACROSS || open.back()->side != g.side))
       {
         m_arcs.push_back(link(*open.back(), g));
         open.pop_back();
