@@ -143,18 +143,15 @@ private:
     return true;
   }
 
-  // A source without windows in the face may be that of a side, by the windows of the neighbour.
+  // On a side of the face, the windows of the neighbour may tell one of the sources.
   bool is_bisector(const Bisector_arc& arc) const
   {
-    if (!has_windows(arc.left.label) || !has_windows(arc.right.label))
-    {
-      for (int k = 0; k < 3; ++k)
-        if (arc.is_on(m_face.outside(k), m_tolerances.along_side())) return true;
-      return false;
-    }
+    bool is_on_side = false;
+    for (int k = 0; k < 3; ++k) is_on_side = is_on_side || arc.is_on(m_face.outside(k), m_tolerances.along_side());
     const auto is_between = [&](double part) {
       const Point p = arc.at(part);
-      return is_nearest(arc.left.label, p) && is_nearest(arc.right.label, p);
+      const bool left = is_nearest(arc.left.label, p), right = is_nearest(arc.right.label, p);
+      return is_on_side ? left || right : left && right;
     };
     // evenly, and more densely towards the ends, where several bisectors may meet
     for (int i = 1; i < samples_of_link; ++i)
@@ -166,11 +163,6 @@ private:
       if (!is_between(part) || !is_between(1 - part)) return false;
     }
     return true;
-  }
-
-  bool has_windows(Index label) const
-  {
-    return std::any_of(m_candidates->begin(), m_candidates->end(), [&](unsigned c) { return m_windows[c].label == label; });
   }
 
   bool is_of_one_source(const Voronoi_cell& cell) const
