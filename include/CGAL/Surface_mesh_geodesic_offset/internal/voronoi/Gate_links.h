@@ -143,15 +143,20 @@ private:
     return true;
   }
 
-  // On a side of the face, the windows of the neighbour may tell one of the sources.
+  // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those of the
+  // face.
   bool is_bisector(const Bisector_arc& arc) const
   {
     bool is_on_side = false;
     for (int k = 0; k < 3; ++k) is_on_side = is_on_side || arc.is_on(m_face.outside(k), m_tolerances.along_side());
+    const auto is_of_neighbour = [&](Index label) {
+      return is_on_side && !is_nearest(label, arc.start) && !is_nearest(label, arc.end);
+    };
+    const bool tests_left = !is_of_neighbour(arc.left.label), tests_right = !is_of_neighbour(arc.right.label);
+    if (!tests_left && !tests_right) return false;
     const auto is_between = [&](double part) {
       const Point p = arc.at(part);
-      const bool left = is_nearest(arc.left.label, p), right = is_nearest(arc.right.label, p);
-      return is_on_side ? left || right : left && right;
+      return (!tests_left || is_nearest(arc.left.label, p)) && (!tests_right || is_nearest(arc.right.label, p));
     };
     // evenly, and more densely towards the ends, where several bisectors may meet
     for (int i = 1; i < samples_of_link; ++i)
