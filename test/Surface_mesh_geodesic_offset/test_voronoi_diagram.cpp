@@ -1158,6 +1158,45 @@ void links()
             {[&](Geodesic& g) { g.add_source_point(v[4]); }, edge(5, 1, 0), edge(9, 2, 0.00070710678155543342)}, random, 100,
             true);
   }
+  { // a point beside the common vertex of two edges: one of them is the source of a side by the windows of the neighbour only
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(cube_grid(1)).mesh;
+    Random random(2);
+    for (const double step : {1e-6, 1e-8, 1e-9, 1e-10, 1e-11})
+      for (const auto v : mesh.vertices())
+      {
+        const auto h = mesh.halfedge(v), g = mesh.opposite(mesh.next(h));
+        const Location beside = Locations<Surface_mesh>(mesh).on_edge(h, 1 - step);
+        compare("point beside the common vertex of edges", mesh,
+                {[&](Geodesic& d) { d.add_source_point(beside); },
+                 [&](Geodesic& d) { d.add_source_edges(std::vector<Edge_index>{mesh.edge(g)}); },
+                 [&](Geodesic& d) { d.add_source_edges(std::vector<Edge_index>{mesh.edge(h)}); }},
+                random, 30, true);
+      }
+  }
+  { // a segment as short as rounding coincides with a vertex, and the next one in line does not; and curves beside each other
+    Surface_mesh mesh;
+    for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)}) mesh.add_vertex(p);
+    const Face_index f = mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2));
+    Random random(3);
+    const Location b(f, {0.875, 0.125, 0});
+    for (const double step : {1e-14, 3e-14, 1e-13, 1e-10})
+      compare("short segment in line", mesh,
+              {[&](Geodesic& g) { g.add_source_point(b); },
+               [&](Geodesic& g) {
+        g.add_source_polyline(std::vector<Location>{Location(f, {0.25, 0.75, 0}), b,
+                                                    Location(f, {0.875 + step, 0.125 - step, 0})});
+               }},
+              random, 100, true);
+    const Location c(f, {0.25, 0.25, 0.5}), beside(f, {0.25 + 6e-10, 0.25 - 6e-10, 0.5}), near_end(f, {0, 0.999999, 1e-6});
+    compare("polylines beside each other", mesh,
+            {[&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{Location(f, {0, 1, 0}), c, near_end});
+             },
+             [&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{near_end, beside, Location(f, {0, 1, 0})});
+            }},
+      random, 100, true);
+  }
   Random random(11);
   for (int i = 0; i < number_of_cases(200, 2000); ++i)
   { // points no farther apart than 1e-8, and two edges, on a bent fan
@@ -1217,6 +1256,27 @@ void links()
     compare("edges that start later, perturbed", mesh, sources, random, 30, true);
   }
   CHECK(totals.forced == 0);
+}
+
+// A loop that is too small to be kept leaves no part of its cell in the split mesh.
+void loops_left_out()
+{
+  for (const double radius : {1e-7, 1e-8, 1e-9})
+  {
+    Surface_mesh mesh;
+    for (const Point_3& p : {Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(1, std::sqrt(3.), 0)}) mesh.add_vertex(p);
+    const Face_index f = mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2));
+    const Diagram diagram =
+      diagram_of(mesh,
+                 {[&](Geodesic& g) {
+      g.add_source_point(Location(f, {1. / 3, 1. / 3, 1. / 3}), CGAL::parameters::start_value(1 / std::sqrt(3.) - radius));
+                  },
+                  [&](Geodesic& g) { g.add_source_edges(std::vector<Edge_index>(mesh.edges().begin(), mesh.edges().end())); }});
+    CHECK(diagram.number_of_curves() == 0 && diagram.source_at_face(f) == 1);
+    auto source = mesh.add_property_map<Face_index, std::size_t>("source", 2).first;
+    CGAL::split_along_geodesic_voronoi_diagram(mesh, diagram, CGAL::parameters::face_source_map(source).chord_tolerance(1e-3));
+    CHECK(source[f] == 1);
+  }
 }
 
 void bad_input()
@@ -1317,6 +1377,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"vertex and polyline", test_voronoi_diagram::vertex_and_polyline},
     {"thin boxes", test_voronoi_diagram::thin_boxes},
     {"links", test_voronoi_diagram::links},
+    {"loops left out", test_voronoi_diagram::loops_left_out},
     {"bad input", test_voronoi_diagram::bad_input},
     {"unreachable", test_voronoi_diagram::unreachable},
     {data_case, test_voronoi_diagram::data_meshes}};
