@@ -23,60 +23,47 @@ void sources_that_meet()
     const auto bar = [](double l, double d) { return 2 * l + 2 * pi * d; };
     for (double d : {0.125, 0.25, 0.5, 0.75})
     {
-      check_level("crossing", square.mesh, square.polylines({{{1, 2}, {3, 2}}, {{2, 1}, {2, 3}}}),
-                  d, {1, 1, plus(d), 10});
-      check_level(
-        "crossing inside a face", square.mesh,
-        square.polylines({{{1.125, 2.25}, {3.125, 2.25}}, {{2.125, 1.25}, {2.125, 3.25}}}), d,
-        {1, 1, plus(d), 10});
-      check_level("touching at ends", square.mesh,
-                  square.polylines({{{1, 2}, {2, 2}}, {{2, 2}, {3, 2}}}), d, {1, 1, bar(2, d)});
-      check_level("touching within", square.mesh,
-                  square.polylines({{{1, 2}, {3, 2}}, {{2, 2}, {2, 3}}}), d,
+      check_level("crossing", square.mesh, square.polylines({{{1, 2}, {3, 2}}, {{2, 1}, {2, 3}}}), d, {1, 1, plus(d), 10});
+      check_level("crossing inside a face", square.mesh,
+                  square.polylines({{{1.125, 2.25}, {3.125, 2.25}}, {{2.125, 1.25}, {2.125, 3.25}}}), d, {1, 1, plus(d), 10});
+      check_level("touching at ends", square.mesh, square.polylines({{{1, 2}, {2, 2}}, {{2, 2}, {3, 2}}}), d,
+                  {1, 1, bar(2, d)});
+      check_level("touching within", square.mesh, square.polylines({{{1, 2}, {3, 2}}, {{2, 2}, {2, 3}}}), d,
                   {1, 1, 2 + 4 * (1 - d) + 3 * pi * d, 10});
-      check_level("overlapping", square.mesh,
-                  square.polylines({{{1, 2}, {2.5, 2}}, {{1.75, 2}, {3, 2}}}), d,
+      check_level("overlapping", square.mesh, square.polylines({{{1, 2}, {2.5, 2}}, {{1.75, 2}, {3, 2}}}), d,
                   {1, 1, bar(2, d)});
       const Line line{{1, 2}, {3, 2}}, slanted{{1.125, 1.25}, {2.75, 2.5}};
       const Line back(line.rbegin(), line.rend()), slanted_back(slanted.rbegin(), slanted.rend());
       check_level("twice", square.mesh, square.polylines({line, line}), d, {1, 1, bar(2, d)});
-      check_level("there and back", square.mesh, square.polylines({line, back}), d,
-                  {1, 1, bar(2, d)});
-      check_level("slanted, there and back", square.mesh,
-                  square.polylines({slanted, slanted_back, slanted}), d,
+      check_level("there and back", square.mesh, square.polylines({line, back}), d, {1, 1, bar(2, d)});
+      check_level("slanted, there and back", square.mesh, square.polylines({slanted, slanted_back, slanted}), d,
                   {1, 1, bar(distance(slanted[0], slanted[1]), d)});
-      check_level("one polyline there and back", square.mesh,
-                  square.polylines({{{1, 2}, {3, 2}, {1, 2}}}), d, {1, 1, bar(2, d)});
-      check_level("repeated points", square.mesh,
-                  [&](Geodesic& g)
-                  {
-                    std::vector<Face_location> locations;
-                    for (const Face_location& l : square.plane.path(slanted, false).locations)
-                      locations.insert(locations.end(), 3, l);
-                    g.add_source_polyline(locations);
-                  },
-                  d, {1, 1, bar(distance(slanted[0], slanted[1]), d)});
-      check_level("a vertex twice", square.mesh, square.vertices({{2, 2}, {2, 2}}), d,
-                  {1, 1, 2 * pi * d});
-      check_level("points on a line", square.mesh,
-                  [&](Geodesic& g)
-                  {
-                    square.vertices({{2, 2}, {1, 2}})(g);
-                    square.polylines({line})(g);
-                  },
-                  d, {1, 1, bar(2, d)});
+      check_level("one polyline there and back", square.mesh, square.polylines({{{1, 2}, {3, 2}, {1, 2}}}), d,
+                  {1, 1, bar(2, d)});
+      check_level(
+        "repeated points", square.mesh,
+        [&](Geodesic& g) {
+        std::vector<Face_location> locations;
+        for (const Face_location& l : square.plane.path(slanted, false).locations) locations.insert(locations.end(), 3, l);
+        g.add_source_polyline(locations);
+        },
+        d, {1, 1, bar(distance(slanted[0], slanted[1]), d)});
+      check_level("a vertex twice", square.mesh, square.vertices({{2, 2}, {2, 2}}), d, {1, 1, 2 * pi * d});
+      check_level(
+        "points on a line", square.mesh,
+        [&](Geodesic& g) {
+        square.vertices({{2, 2}, {1, 2}})(g);
+        square.polylines({line})(g);
+        },
+        d, {1, 1, bar(2, d)});
     }
     for (double d : {0.25, 0.5, 1., 1.5})
     {
-      check_level("along the border", square.mesh, square.polylines({{{0, 0}, {4, 0}}}), d,
-                  {1, 0, 4});
-      check_level("a part of the border", square.mesh, square.polylines({{{1.75, 0}, {2.25, 0}}}),
-                  d, {1, 0, 0.5 + pi * d});
-      check_level("the boundary as a polyline", square.mesh,
-                  square.polylines({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, true), d,
+      check_level("along the border", square.mesh, square.polylines({{{0, 0}, {4, 0}}}), d, {1, 0, 4});
+      check_level("a part of the border", square.mesh, square.polylines({{{1.75, 0}, {2.25, 0}}}), d, {1, 0, 0.5 + pi * d});
+      check_level("the boundary as a polyline", square.mesh, square.polylines({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, true), d,
                   {1, 1, 8 * (2 - d), 8});
-      check_level("the boundary turned round", square.mesh,
-                  square.polylines({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}}, true), d,
+      check_level("the boundary turned round", square.mesh, square.polylines({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}}, true), d,
                   {1, 1, 8 * (2 - d), 8});
     }
   }
@@ -104,8 +91,7 @@ void segments_between_edges()
             for (auto v : square.mesh.vertices())
             {
               const Point_3 z = square.mesh.point(v);
-              CHECK_CLOSE(worst, geodesic.distance_to_sources(v),
-                          segment_distance(Point_2(z.x(), z.y()), p, q));
+              CHECK_CLOSE(worst, geodesic.distance_to_sources(v), segment_distance(Point_2(z.x(), z.y()), p, q));
             }
           }
     }
@@ -201,6 +187,36 @@ void beside_the_tip_of_a_narrow_cone()
       }
 }
 
+// Two polylines in line along an edge, with a gap between their ends, and the same start value: it does not make the gap smaller.
+void gap_between_sources_with_start_values()
+{
+  Surface_mesh mesh;
+  std::vector<Surface_mesh::Vertex_index> v;
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.3, 1, 0.2), Point_3(0.6, -1, 0.4)})
+    v.push_back(mesh.add_vertex(p));
+  mesh.add_face(v[0], v[1], v[2]);
+  mesh.add_face(v[1], v[0], v[3]);
+  const Locations<Surface_mesh> locations(mesh);
+  const auto h = mesh.halfedge(v[0], v[1]);
+  for (const double start : {0., 0.1, 3., 1e3})
+    for (double gap = 1e-3; gap > 1e-10; gap /= 3)
+    {
+      Geodesic geodesic(mesh);
+      const std::pair<double, double> ends[] = {{0.1, 0.4}, {0.4 + gap, 0.9}};
+      for (const auto& [from, to] : ends)
+        geodesic.add_source_polyline(std::vector<Face_location>{locations.on_edge(h, from), locations.on_edge(h, to)}, false,
+                                     CGAL::parameters::start_value(start));
+      const auto field = geodesic.build(CGAL::parameters::keep_windows(true));
+      Report::instance().set_context("gap of " + std::to_string(gap) + ", start value " + std::to_string(start));
+      for (const double part : {0.1, 0.25, 0.5, 0.9})
+      {
+        const double d = field.distance_to_sources(locations.on_edge(h, 0.4 + part * gap)),
+                     expected = start + gap * (std::min)(part, 1 - part);
+        CHECK_DETAIL(std::abs(d - expected) <= 1e-13 * (1 + start), values(d, expected));
+      }
+    }
+}
+
 } // namespace test_degenerate_sources
 
 GEODESIC_OFFSET_TEST(test_degenerate_sources)
@@ -209,6 +225,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_sources)
   segments_between_edges();
   ends_beside_edges();
   beside_the_tip_of_a_narrow_cone();
+  gap_between_sources_with_start_values();
   print_level_totals();
   return Report::instance().finish("test_degenerate_sources");
 }

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Start_values.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>

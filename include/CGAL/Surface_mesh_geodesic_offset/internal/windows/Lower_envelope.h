@@ -11,6 +11,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
@@ -43,8 +44,11 @@ public:
     Source_ref source_ref = Source_ref();
   };
 
-  // `source_of[primitive]`: windows merge only within one source.
-  Lower_envelope(const std::vector<Index>& source_of, const Traits& traits) : m_source_of(&source_of), m_traits(traits) {}
+  // `source_of[primitive]`: windows merge only within one source. `start_values`: of the primitives; by default 0.
+  Lower_envelope(const std::vector<Index>& source_of, const Traits& traits, const Start_values<FT>* start_values = nullptr)
+    : m_source_of(&source_of), m_start_values(start_values), m_traits(traits)
+  {
+  }
 
   // Returns the lower envelope of the windows [first, last) and [more, more_last), in any order, on a halfedge of the given
   // length. It is sorted and disjoint, and valid until the next call. If a comparison of distances is undecided, as with exact
@@ -362,18 +366,25 @@ private:
     if (!(gap > m_max_gap && gap < m_widest_gap)) return false;
     d = w.distance_at(b);
     if (!(CGAL::abs(FT(d - end.distance)) <= m_gap_rounding * (d + m_length))) return false;
-    const bool is_short_edge = w.source_ref == end.source_ref && m_length <= FT(short_edge) * d;
+    const bool is_short_edge = w.source_ref == end.source_ref && m_length <= FT(short_edge) * length_of_path(w, d);
     return (is_short_edge || may_fill(w, gap, (std::min)({d, w.d0, w.d1}), d + m_length)) && check_passed(d);
   }
 
   // True if a window may be extended over a gap. `d`: the least distance in the gap; `size`: magnitude of the distances, for
   // their rounding. An extension of parallel rays has no foot on the source segment: its foot is beyond the end by g, and its
-  // distances are too small by g^2 / (2 d), which must be within rounding.
+  // distances are too small by g^2 / (2 l), with the length l of the rays, which must be within rounding. Binding test:
+  // test_degenerate_sources, gap between sources with start values.
   bool may_fill(const Window& w, const FT& gap, const FT& d, const FT& size) const
   {
     if (!w.is_parallel()) return true;
     const FT beyond = -w.y * gap;
-    return beyond * beyond <= FT(2) * m_gap_rounding * size * d;
+    return beyond * beyond <= FT(2) * m_gap_rounding * size * length_of_path(w, d);
+  }
+
+  // Of a path from the source of a window, by its distance, which includes the start value.
+  FT length_of_path(const Window& w, const FT& d) const
+  {
+    return m_start_values ? FT(d - m_start_values->of(w.source_ref)) : d;
   }
 
   struct Gap
@@ -661,6 +672,7 @@ private:
   }
 
   const std::vector<Index>* m_source_of;
+  const Start_values<FT>* m_start_values;
   const Traits& m_traits;
   Window_sequence<FT> m_envelope;
   Window_order<FT, Window> m_order;

@@ -3,8 +3,8 @@
 //
 // The start values of sources: the distances at their points, before paths from other sources are considered.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_START_VALUES_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_SOURCES_START_VALUES_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_START_VALUES_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_START_VALUES_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
