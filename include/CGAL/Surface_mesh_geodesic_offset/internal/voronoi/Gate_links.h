@@ -22,9 +22,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Where rounding decides which windows are nearest, the intervals of bisectors may contradict each other. The distances themselves do
-// not: from each source, the least path length through a window of the cell is a continuous function. So gates between the same
-// sources are connected by a curve along which these functions agree, and no other one is less.
+// Where rounding decides which windows are nearest, the intervals of bisectors
+// may contradict each other. The distances themselves do not: from each source,
+// the least path length through a window of the cell is a continuous function.
+// So gates between the same sources are connected by a curve along which these
+// functions agree, and no other one is less.
 class Gate_links
 {
 public:
@@ -36,9 +38,10 @@ public:
   {
   }
 
-  // Connects the gates, and passes the curves to out(arc), with new_node() for a point in which several meet. Returns false, without
-  // output, if distances differ on one of them. A cell without gates must have the label of its corners at its center, and between
-  // that and its corners and sides.
+  // Connects the gates, and passes the curves to out(arc), with new_node() for
+  // a point in which several meet. Returns false, without output, if distances
+  // differ on one of them. A cell without gates must have the label of its
+  // corners at its center, and between that and its corners and sides.
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
                const OutputFunction& out)
@@ -75,11 +78,12 @@ public:
   }
 
 private:
-  // Gates that are connected: those of different sides, so that several curves run beside each other; or neighbours, from the first or
-  // the second gate on.
+  // Gates that are connected: those of different sides, so that several curves
+  // run beside each other; or neighbours, from the first or the second gate on.
   enum Pairing { ACROSS, FROM_FIRST, FROM_SECOND };
 
-  // Makes straight links. Gates between the same sources, with no others left between them, form pairs; the others meet in one point.
+  // Makes straight links. Gates between the same sources, with no others left
+  // between them, form pairs; the others meet in one point.
   void pair_up(const Voronoi_cell& cell, Pairing pairing)
   {
     m_arcs.clear();
@@ -100,14 +104,27 @@ private:
       m_arcs.push_back(link(*open.back(), *open[begin++]));
       open.pop_back();
     }
-    Point middle{0, 0};
-    for (std::size_t i = begin; i < open.size(); ++i) middle = middle + (1. / double(open.size() - begin)) * open[i]->point;
+    const Point common = common_end(open.data() + begin, open.data() + open.size());
     for (std::size_t i = begin; i < open.size(); ++i)
     {
       m_arcs.push_back(link(*open[i], *open[i]));
       m_arcs.back().end_node = no_index;
-      m_arcs.back().end = middle;
+      m_arcs.back().end = common;
     }
+  }
+
+  // Where several curves meet: in a gate beside which there are others, as
+  // around a corner, or else in the mean of the gates.
+  Point common_end(const Voronoi_gate* const* first, const Voronoi_gate* const* last) const
+  {
+    Point sum{0, 0};
+    for (auto i = first; i != last; ++i)
+    {
+      sum = sum + (*i)->point;
+      for (auto j = first; j != i; ++j)
+        if (length((*i)->point - (*j)->point) <= m_tolerances.joint) return (*i)->point;
+    }
+    return (1. / double((std::max)(last - first, std::ptrdiff_t(1)))) * sum;
   }
 
   template <class New_node, class OutputFunction>
@@ -122,7 +139,8 @@ private:
     }
   }
 
-  // Makes a straight arc part of the bisector of the windows that are nearest to its middle. Returns false if there is no such part.
+  // Makes a straight arc part of the bisector of the windows that are nearest
+  // to its middle. Returns false if there is no such part.
   bool set_conic(Bisector_arc& arc) const
   {
     const unsigned a = nearest_window(arc.left.label, arc.middle()), b = nearest_window(arc.right.label, arc.middle());
@@ -143,8 +161,8 @@ private:
     return true;
   }
 
-  // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those of the
-  // face.
+  // On a side of the face, one of the sources may be nearest by the windows of
+  // the neighbour only. It is at neither end by those of the face.
   bool is_bisector(const Bisector_arc& arc) const
   {
     bool is_on_side = false;
@@ -158,7 +176,8 @@ private:
       const Point p = arc.at(part);
       return (!tests_left || is_nearest(arc.left.label, p)) && (!tests_right || is_nearest(arc.right.label, p));
     };
-    // evenly, and more densely towards the ends, where several bisectors may meet
+    // evenly, and more densely towards the ends, where several bisectors may
+    // meet
     for (int i = 1; i < samples_of_link; ++i)
       if (!is_between(double(i) / samples_of_link)) return false;
     double part = 1. / samples_of_link;
@@ -209,7 +228,8 @@ private:
   }
 
   static constexpr unsigned none = ~0u;
-  // Intervals between the points at which a link is examined, and more of them at its ends, each half as long.
+  // Intervals between the points at which a link is examined, and more of them
+  // at its ends, each half as long.
   static constexpr int samples_of_link = 16, halvings_of_link = 8;
 
   const std::vector<Voronoi_window>& m_windows;
