@@ -127,7 +127,7 @@ void compare(const std::string& name, const Surface_mesh& mesh, const std::vecto
     for (const auto& p : c.pieces())
     {
       crossed.insert(p.face());
-      for (const double t : {0., 0.4, 0.8}) points.push_back({p.location(t), p.source_on_left(), p.source_on_right()});
+      for (const double t : {0., 0.03, 0.4, 0.8}) points.push_back({p.location(t), p.source_on_left(), p.source_on_right()});
     }
   totals.crossed += crossed.size();
   const std::size_t on_curves = points.size();
@@ -1196,6 +1196,21 @@ void links()
       g.add_source_polyline(std::vector<Location>{near_end, beside, Location(f, {0, 1, 0})});
             }},
       random, 100, true);
+  }
+  { // polylines through one point, with ends 8e-9 apart: several bisectors meet at the ends of links
+    const Surface_mesh mesh = Generated_mesh<Surface_mesh>(symmetric_soups().front()).mesh;
+    Random random(4);
+    const Face_index f(1);
+    const Location center(f, {1. / 3, 1. / 3, 1. / 3}),
+      end(f, {0.62291208656218811, 0.29480699722916781, 0.082280916208644084}), beside(f, {0.62291208, 0.294807, 0.08228092});
+    compare("polylines through one point", mesh,
+            {[&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{Location(f, {1, 0, 0}), center, end});
+             },
+             [&](Geodesic& g) {
+      g.add_source_polyline(std::vector<Location>{beside, center, Location(f, {0.88, 0.12, 0})});
+            }},
+      random, 30, true);
   }
   Random random(11);
   for (int i = 0; i < number_of_cases(200, 2000); ++i)

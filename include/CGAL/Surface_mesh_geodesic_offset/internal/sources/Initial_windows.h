@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Face_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 

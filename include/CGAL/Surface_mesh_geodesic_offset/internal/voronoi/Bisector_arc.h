@@ -9,6 +9,8 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_conic.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_window.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 
 #include <cmath>
 #include <utility>

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_cells.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -97,7 +98,7 @@ public:
 
 private:
   // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the mesh. Ends
-  // on the border remain what they are. The arcs of a node are no longer together than `largest_node` of them.
+  // on the border remain what they are. The arcs of a node are no longer together than Voronoi_tolerances::largest_node of them.
   void contract(const std::vector<Bisector_arc>& arcs, std::size_t number_of_nodes)
   {
     std::vector<std::size_t> number_at(number_of_nodes, 0);
@@ -118,7 +119,7 @@ private:
       const Index from = representative(a.start_node), to = representative(a.end_node);
       if (from == to) return true;
       const double length = length_at[from] + a.chord_length() + length_at[to];
-      if (length > largest_node * a.negligible) return false;
+      if (length > Voronoi_tolerances::largest_node * a.negligible) return false;
       same[from] = to;
       length_at[to] = length;
       return true;
@@ -244,8 +245,6 @@ private:
       chain.arcs.pop_back();
     }
   }
-
-  static constexpr int largest_node = 8; // as a multiple of the length of a negligible arc
 
   std::vector<Bisector_arc> m_arcs;
   std::vector<std::size_t> m_begin, m_incident; // per node, its arcs

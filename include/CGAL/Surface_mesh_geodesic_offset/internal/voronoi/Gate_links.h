@@ -11,22 +11,19 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_arc.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_cell.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_window.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// Where rounding decides which windows are nearest, the intervals of bisectors
-// may contradict each other. The distances themselves do not: from each source,
-// the least path length through a window of the cell is a continuous function.
-// So gates between the same sources are connected by a curve along which these
-// functions agree, and no other one is less.
+// Where rounding decides which windows are nearest, the intervals of bisectors may contradict each other. The distances
+// themselves do not: from each source, the least path length through a window of the cell is a continuous function. So gates
+// between the same sources are connected by a curve along which these functions agree, and no other one is less.
 class Gate_links
 {
 public:
@@ -38,10 +35,9 @@ public:
   {
   }
 
-  // Connects the gates, and passes the curves to out(arc), with new_node() for
-  // a point in which several meet. Returns false, without output, if distances
-  // differ on one of them. A cell without gates must have the label of its
-  // corners at its center, and between that and its corners and sides.
+  // Connects the gates, and passes the curves to out(arc), with new_node() for a point in which several meet. Returns false,
+  // without output, if distances differ on one of them. A cell without gates must have the label of its corners at its center,
+  // and between that and its corners and sides.
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
                const OutputFunction& out)
@@ -78,12 +74,12 @@ public:
   }
 
 private:
-  // Gates that are connected: those of different sides, so that several curves
-  // run beside each other; or neighbours, from the first or the second gate on.
+  // Gates that are connected: those of different sides, so that several curves run beside each other; or neighbours, from the
+  // first or the second gate on.
   enum Pairing { ACROSS, FROM_FIRST, FROM_SECOND };
 
-  // Makes straight links. Gates between the same sources, with no others left
-  // between them, form pairs; the others meet in one point.
+  // Makes straight links. Gates between the same sources, with no others left between them, form pairs; the others meet in one
+  // point.
   void pair_up(const Voronoi_cell& cell, Pairing pairing)
   {
     m_arcs.clear();
@@ -113,8 +109,7 @@ private:
     }
   }
 
-  // Where several curves meet: in a gate beside which there are others, as
-  // around a corner, or else in the mean of the gates.
+  // Where several curves meet: in a gate beside which there are others, as around a corner, or else in the mean of the gates.
   Point common_end(const Voronoi_gate* const* first, const Voronoi_gate* const* last) const
   {
     Point sum{0, 0};
@@ -139,12 +134,12 @@ private:
     }
   }
 
-  // Makes a straight arc part of the bisector of the windows that are nearest
-  // to its middle. Returns false if there is no such part.
+  // Makes a straight arc part of the bisector of the windows that are nearest to its middle. Returns false if there is no such
+  // part.
   bool set_conic(Bisector_arc& arc) const
   {
-    const unsigned a = nearest_window(arc.left.label, arc.middle()), b = nearest_window(arc.right.label, arc.middle());
-    if (a == none || b == none) return false;
+    const unsigned a = nearest(arc.left.label, arc.middle()).with_label, b = nearest(arc.right.label, arc.middle()).with_label;
+    if (a == Nearest_windows::none || b == Nearest_windows::none) return false;
     const bool swaps = m_windows[a].is_parallel();
     Bisector_arc curve = arc;
     curve.is_link = false;
@@ -161,8 +156,8 @@ private:
     return true;
   }
 
-  // On a side of the face, one of the sources may be nearest by the windows of
-  // the neighbour only. It is at neither end by those of the face.
+  // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those
+  // of the face.
   bool is_bisector(const Bisector_arc& arc) const
   {
     bool is_on_side = false;
@@ -176,12 +171,11 @@ private:
       const Point p = arc.at(part);
       return (!tests_left || is_nearest(arc.left.label, p)) && (!tests_right || is_nearest(arc.right.label, p));
     };
-    // evenly, and more densely towards the ends, where several bisectors may
-    // meet
-    for (int i = 1; i < samples_of_link; ++i)
-      if (!is_between(double(i) / samples_of_link)) return false;
-    double part = 1. / samples_of_link;
-    for (int i = 0; i < halvings_of_link; ++i)
+    // evenly, and more densely towards the ends, where several bisectors may meet
+    for (int i = 1; i < Voronoi_tolerances::samples_of_link; ++i)
+      if (!is_between(double(i) / Voronoi_tolerances::samples_of_link)) return false;
+    double part = 1. / Voronoi_tolerances::samples_of_link;
+    for (int i = 0; i < Voronoi_tolerances::halvings_of_link; ++i)
     {
       part /= 2;
       if (!is_between(part) || !is_between(1 - part)) return false;
@@ -201,36 +195,12 @@ private:
     return result;
   }
 
-  bool is_nearest(Index label, const Point& p) const
+  Nearest_windows nearest(Index label, const Point& p) const
   {
-    double least = std::numeric_limits<double>::infinity(), own = least;
-    for (const unsigned c : *m_candidates)
-    {
-      const double d = distance_through(m_windows[c], p, m_tolerances.slack);
-      least = (std::min)(least, d);
-      if (m_windows[c].label == label) own = (std::min)(own, d);
-    }
-    return own <= least + m_tolerances.of_link();
+    return {label, m_windows, *m_candidates, p, m_tolerances.slack};
   }
 
-  unsigned nearest_window(Index label, const Point& p) const
-  {
-    unsigned result = none;
-    double least = std::numeric_limits<double>::infinity();
-    for (const unsigned c : *m_candidates)
-    {
-      const double d = m_windows[c].label == label ? distance_through(m_windows[c], p, m_tolerances.slack) : least;
-      if (!(d < least)) continue;
-      least = d;
-      result = c;
-    }
-    return result;
-  }
-
-  static constexpr unsigned none = ~0u;
-  // Intervals between the points at which a link is examined, and more of them
-  // at its ends, each half as long.
-  static constexpr int samples_of_link = 16, halvings_of_link = 8;
+  bool is_nearest(Index label, const Point& p) const { return nearest(label, p).label_is_nearest(m_tolerances.of_link()); }
 
   const std::vector<Voronoi_window>& m_windows;
   const Voronoi_tolerances& m_tolerances;

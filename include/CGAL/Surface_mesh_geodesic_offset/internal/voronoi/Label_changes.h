@@ -57,7 +57,7 @@ public:
       {
         const double after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
         if (after - before <= tolerances.shortest_interval) continue;
-        write_changes(segment, at, s.t, label, s.label, most_sources_between, out);
+        write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, out);
         label = s.label;
       }
       at = t.t;
@@ -81,18 +81,8 @@ private:
     // The label of the nearest source; of several that tie, the preferred one.
     Index label_at(double t, Index preferred) const
     {
-      const Point p = o + t * u;
-      Index result = preferred;
-      double least = std::numeric_limits<double>::infinity(), own = least;
-      for (const unsigned i : candidates)
-      {
-        const double d = distance_through(windows[i], p, tolerances.slack);
-        if (windows[i].label == preferred) own = (std::min)(own, d);
-        if (!(d < least)) continue;
-        least = d;
-        result = windows[i].label;
-      }
-      return own <= least + tolerances.loose_tie ? preferred : result;
+      const Nearest_windows nearest(preferred, windows, candidates, o + t * u, tolerances.slack);
+      return nearest.label_is_nearest(tolerances.loose_tie) ? preferred : windows[nearest.any].label;
     }
   };
 
@@ -138,9 +128,6 @@ private:
     }
     out(Label_change{t <= segment.tolerances.shortest_interval ? 0 : t, first, second});
   }
-
-  // Between two samples; a bound of the depth of the recursion.
-  static constexpr int most_sources_between = 8;
 
   struct Distances // traits of Window_bisector
   {

@@ -58,8 +58,16 @@ struct Voronoi_tolerances
   // another one less by more: two loose ties, as that of a whole corner has one of them.
   double of_link() const { return 2 * loose_tie; }
   // Only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the points
-  // at which it is examined. Binding test: test_voronoi_diagram, links.
+  // at which it is examined.
   static constexpr double part_of_linked_cell = 1. / 16;
+  // Intervals between the points at which a link is examined; and further points towards its ends, each at half the distance from there,
+  // since several bisectors may meet at a gate: down to 2^-12 of the link.
+  static constexpr int samples_of_link = 16, halvings_of_link = 8;
+  // Depth of the search for further sources between two samples of a segment; each of them has an interval of its own.
+  static constexpr int most_changes_between = 8;
+  // Arcs that rounding does not tell from a point become one node if they are no longer together than so many of them: 2^19 u of the
+  // magnitude, 1.2e-10, so that curves that meet end no farther apart. Around a vertex of the mesh, each has the length of rounding.
+  static constexpr int largest_node = 8;
 
   static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
   void use_tie(double factor)

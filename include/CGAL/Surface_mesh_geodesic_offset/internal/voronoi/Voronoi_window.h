@@ -288,6 +288,33 @@ inline double distance_through(const Voronoi_window& w, const Point_in_face<doub
   return w.contains(p, slack) ? w.distance_at(p) : w.rays.path_length(p);
 }
 
+// The nearest of some windows to a point, and the nearest of those with a label.
+struct Nearest_windows
+{
+  static constexpr unsigned none = ~0u;
+  unsigned any = none, with_label = none;
+  double distance = std::numeric_limits<double>::infinity(), distance_with_label = std::numeric_limits<double>::infinity();
+
+  Nearest_windows(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
+                  const Point_in_face<double>& p, double slack)
+  {
+    for (const unsigned i : chosen)
+    {
+      const double d = distance_through(windows[i], p, slack);
+      if (d < distance)
+      {
+        distance = d;
+        any = i;
+      }
+      if (windows[i].label != label || !(d < distance_with_label)) continue;
+      distance_with_label = d;
+      with_label = i;
+    }
+  }
+
+  bool label_is_nearest(double tie) const { return distance_with_label <= distance + tie; }
+};
+
 inline double least_distance_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
                                   const Point_in_face<double>& p, double slack)
 {
