@@ -86,7 +86,7 @@ public:
   void find_changes(int k, const OutputFunction& out)
   {
     m_changes(m_cell.corner[k], m_cell.direction[k], CGAL::to_double(m_field.frame().edge_length(k)), m_cell.label[k],
-              m_cell.label[(k + 1) % 3], m_windows, m_all, m_tolerances, out);
+              m_cell.label[(k + 1) % 3], m_windows, m_all, m_all, m_tolerances, out);
   }
 
   // Adds a gate at a distance from the start of halfedge k. Gates come in order.
@@ -155,7 +155,7 @@ public:
       }
       auto halves = part.cell.divided(
         [&](const Point& o, const Point& u, double size, Index first, Index last, const auto& add) {
-        m_changes(o, u, size, first, last, m_windows, part.windows, m_tolerances, add);
+        m_changes(o, u, size, first, last, m_windows, part.windows, m_all, m_tolerances, add);
         },
         new_node);
       Part second = part;
@@ -172,6 +172,8 @@ public:
   std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // larger than rounding
 
 private:
+  static constexpr unsigned no_window = ~0u;
+
   struct Part
   {
     Voronoi_cell cell;
@@ -218,11 +220,11 @@ private:
   void close_gaps()
   {
     typedef std::pair<double, unsigned> Place; // x coordinate, window
-    std::vector<std::array<bool, 2>> has_neighbor(m_windows.size(), {false, false});
+    std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
     std::vector<Place> left;
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
     std::sort(left.begin(), left.end());
-    for (unsigned i = 0; i < has_neighbor.size(); ++i)
+    for (unsigned i = 0; i < neighbor.size(); ++i)
     {
       const Point p = m_windows[i].start_of_bound(1);
       for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.joint, 0));
@@ -233,20 +235,42 @@ private:
         if (meet_at_common_ray(i, next->second) ||
             (gap <= m_tolerances.tie &&
              (m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie) || add_fan(i, next->second))))
-          has_neighbor[i][1] = has_neighbor[next->second][0] = true;
+        {
+          neighbor[i][1] = next->second;
+          neighbor[next->second][0] = i;
+        }
       }
     }
-    for (std::size_t i = 0; i < has_neighbor.size(); ++i)
+    for (std::size_t i = 0; i < neighbor.size(); ++i)
       for (int k = 0; k < 2; ++k)
-        if (!has_neighbor[i][std::size_t(k)]) m_windows[i].widen(k, m_tolerances.tie);
-    // Beside a common ray, windows of both sources may alternate.
-    const auto has_no_cone = [&](unsigned i) {
-      return has_neighbor[i][0] && has_neighbor[i][1] &&
-             this->m_windows[i].is_one_ray(CGAL::to_double(this->m_field.size()), this->m_tolerances.tie);
-    };
-    m_all.erase(std::remove_if(m_all.begin(), m_all.end(),
-                               [&](unsigned i) { return i < has_neighbor.size() && has_no_cone(i); }),
-                m_all.end());
+        if (neighbor[i][std::size_t(k)] == no_window) m_windows[i].widen(k, m_tolerances.tie);
+    remove_rays(neighbor);
+  }
+
+  // Beside a common ray, windows of both sources may alternate. Removes those that are only this ray; their neighbours meet at it.
+  void remove_rays(const std::vector<std::array<unsigned, 2>>& neighbor)
+  {
+    const double size = CGAL::to_double(m_field.size());
+    std::vector<unsigned> kept;
+    for (const unsigned i : m_all)
+    {
+      const bool is_between = i < neighbor.size() && neighbor[i][0] != no_window && neighbor[i][1] != no_window;
+      if (!is_between || !m_windows[i].is_one_ray(size, m_tolerances.tie))
+      {
+        kept.push_back(i);
+        continue;
+      }
+      for (int k = 0; k < 2; ++k)
+      {
+        unsigned j = i; // the next one on this side that remains
+        const auto is_ray = [&](unsigned w) {
+          return w < neighbor.size() && neighbor[w][std::size_t(k)] != no_window && m_windows[w].is_one_ray(size, m_tolerances.tie);
+        };
+        for (std::size_t steps = 0; is_ray(j) && steps < neighbor.size(); ++steps) j = neighbor[j][std::size_t(k)];
+        m_windows[j].extend_to(m_windows[i], 1 - k, size);
+      }
+    }
+    m_all.swap(kept);
   }
 
   double tie_of_rays(unsigned i, unsigned j) const

@@ -37,15 +37,16 @@ public:
   typedef Point_in_face<double> Point;
 
   // Calls out(change) for the changes along the segment from o in the direction of the unit vector u, in order. The labels of its
-  // ends are given: where the distances say otherwise, up to rounding, there is a change at the end.
+  // ends are given: where the distances say otherwise, up to rounding, there is a change at the end. `candidates`: windows whose
+  // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell.
   template <class OutputFunction>
   void operator()(const Point& o, const Point& u, double size, Index first, Index last,
                   const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates,
-                  const Voronoi_tolerances& tolerances, const OutputFunction& out)
+                  const std::vector<unsigned>& all, const Voronoi_tolerances& tolerances, const OutputFunction& out)
   {
     m_pieces.clear();
     for (const unsigned i : candidates) insert(o, u, size, windows[i], tolerances);
-    const Segment segment{o, u, windows, candidates, tolerances};
+    const Segment segment{o, u, windows, all, tolerances};
     sample(segment);
     Index label = first;
     double at = 0; // of the last sample with this label
@@ -70,18 +71,18 @@ private:
   {
     Point o, u;
     const std::vector<Voronoi_window>& windows;
-    const std::vector<unsigned>& candidates;
+    const std::vector<unsigned>& all;
     const Voronoi_tolerances& tolerances;
 
     double distance_from(Index label, double t) const
     {
-      return least_distance_from(label, windows, candidates, o + t * u, tolerances.slack);
+      return least_distance_from(label, windows, all, o + t * u, tolerances.slack);
     }
 
     // The label of the nearest source; of several that tie, the preferred one.
     Index label_at(double t, Index preferred) const
     {
-      const Nearest_windows nearest(preferred, windows, candidates, o + t * u, tolerances.slack);
+      const Nearest_windows nearest(preferred, windows, all, o + t * u, tolerances.slack);
       return nearest.label_is_nearest(tolerances.loose_tie) ? preferred : windows[nearest.any].label;
     }
   };

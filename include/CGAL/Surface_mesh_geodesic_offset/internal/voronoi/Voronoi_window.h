@@ -159,6 +159,14 @@ struct Voronoi_window
     return std::abs(ray.left.value(p)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
   }
 
+  // Extends the cone at its left (0) or right (1) bounding ray to that of another window, which is beside it up to rounding.
+  void extend_to(const Voronoi_window& ray, int k, double radius)
+  {
+    const Half_plane<double>&own = bound[std::size_t(k)], &other = ray.bound[std::size_t(k)];
+    const Point p = ray.start_of_bound(k), q = p + radius * ray.along_bound(k);
+    if ((std::max)(own.value(p), own.value(q)) > 0) bound[std::size_t(k)] = other;
+  }
+
   // True if both bounding rays are one ray, up to `tie` at distances up to `radius`.
   bool is_one_ray(double radius, double tie) const
   {
