@@ -77,8 +77,7 @@ public:
   void make_bound(const Voronoi_window& w, bool is_left)
   {
     const Half_plane<double>& bound = w.bound[is_left ? 0 : 1]; // may be beside the end of the chord, as at a common ray
-    const Point start = is_left ? w.rays.left : w.rays.right, end = start - bound.value(start) * bound.n,
-                u = (is_left ? -1. : 1.) * quarter_turn(bound.n);
+    const Point end = w.end[is_left ? 0 : 1], u = (is_left ? -1. : 1.) * quarter_turn(bound.n);
     m_kind = SEGMENT;
     m_is_ray = true;
     m_has_inverse = false;

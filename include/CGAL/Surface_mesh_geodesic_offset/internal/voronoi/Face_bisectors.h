@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -141,14 +142,18 @@ public:
       if (has_many_windows) ++divisions_for_windows;
       else
       {
-        if (bisectors.connect(part.cell, part.windows, new_node, write)) continue;
+        m_arcs.clear();
+        const bool fits = bisectors.connect(part.cell, part.windows, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
+        const bool holds =
+          fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) { return links.holds(a, m_all); });
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions;
         const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
-        if (may_link && links.connect(part.cell, m_all, new_node, write)) continue;
-        if (!may_divide)
+        if (!holds && may_link && links.connect(part.cell, m_all, new_node, write)) continue;
+        if (holds || !may_divide)
         {
-          links.connect_straight(part.cell, new_node, write);
-          if (is_divisible) ++m_number_of_forced_cells;
+          if (!fits) links.connect_straight(part.cell, new_node, write);
+          else std::for_each(m_arcs.begin(), m_arcs.end(), write);
+          if (!holds && is_divisible) ++m_number_of_forced_cells;
           continue;
         }
         ++divisions;
@@ -232,13 +237,12 @@ private:
       {
         const double gap = length(m_windows[next->second].start_of_bound(0) - p);
         if (next->second == i || gap > m_tolerances.joint) continue;
-        if (meet_at_common_ray(i, next->second) ||
-            (gap <= m_tolerances.tie &&
-             (m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie) || add_fan(i, next->second))))
-        {
-          neighbor[i][1] = next->second;
-          neighbor[next->second][0] = i;
-        }
+        const bool meet = meet_at_common_ray(i, next->second) ||
+                          (gap <= m_tolerances.tie && m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie));
+        if (!meet && !(gap <= m_tolerances.tie && add_fan(i, next->second))) continue;
+        const unsigned fan = unsigned(m_windows.size()) - 1; // between them
+        neighbor[i][1] = meet ? next->second : fan;
+        neighbor[next->second][0] = meet ? i : fan;
       }
     }
     for (std::size_t i = 0; i < neighbor.size(); ++i)
@@ -251,25 +255,22 @@ private:
   void remove_rays(const std::vector<std::array<unsigned, 2>>& neighbor)
   {
     const double size = CGAL::to_double(m_field.size());
+    const auto is_ray = [&](unsigned i) {
+      return i < neighbor.size() && neighbor[i][0] != no_window && neighbor[i][1] != no_window &&
+             this->m_windows[i].is_one_ray(size, this->m_tolerances.tie);
+    };
     std::vector<unsigned> kept;
-    for (const unsigned i : m_all)
-    {
-      const bool is_between = i < neighbor.size() && neighbor[i][0] != no_window && neighbor[i][1] != no_window;
-      if (!is_between || !m_windows[i].is_one_ray(size, m_tolerances.tie))
+    std::copy_if(m_all.begin(), m_all.end(), std::back_inserter(kept), [&](unsigned i) { return !is_ray(i); });
+    for (const unsigned i : kept)
+      for (int k = 0; k < 2 && i < neighbor.size(); ++k)
       {
-        kept.push_back(i);
-        continue;
+        const unsigned first = neighbor[i][std::size_t(k)];
+        unsigned next = first;
+        for (std::size_t n = 0; is_ray(next) && n < neighbor.size(); ++n) next = neighbor[next][std::size_t(k)];
+        if (next == no_window || next == i) continue;
+        if (next != first) m_windows[i].extend_to(m_windows[first], k, along_chord(m_windows[i]), size, tie_of_rays(i, first));
+        if (m_windows[next].label != m_windows[i].label) m_windows[i].set_tied(k, m_windows[next], tie_of_rays(i, next));
       }
-      for (int k = 0; k < 2; ++k)
-      {
-        unsigned j = i; // the next one on this side that remains
-        const auto is_ray = [&](unsigned w) {
-          return w < neighbor.size() && neighbor[w][std::size_t(k)] != no_window && m_windows[w].is_one_ray(size, m_tolerances.tie);
-        };
-        for (std::size_t steps = 0; is_ray(j) && steps < neighbor.size(); ++steps) j = neighbor[j][std::size_t(k)];
-        m_windows[j].extend_to(m_windows[i], 1 - k, size);
-      }
-    }
     m_all.swap(kept);
   }
 
@@ -299,10 +300,19 @@ private:
     for (Voronoi_window& w : m_windows)
     {
       if (w.is_whole_corner) continue;
-      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1)) w.end_at(*ray, 1);
-      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0)) w.end_at(*ray, 0);
+      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1)) w.end_at(*ray, 1, along_chord(w));
+      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0)) w.end_at(*ray, 0, along_chord(w));
     }
     return true;
+  }
+
+  // Unit vector along the edge over which a window comes, or along its chord.
+  Point along_chord(const Voronoi_window& w) const
+  {
+    if (w.rays.origin < STARTS_IN_FACE) return m_cell.direction[std::size_t(w.rays.origin)];
+    const Point chord = w.rays.right - w.rays.left;
+    const double size = length(chord);
+    return size > 0 ? (1 / size) * chord : Point{0, 0};
   }
 
   bool is_corner(const Point& p) const
@@ -360,6 +370,7 @@ private:
   Voronoi_tolerances m_tolerances;
   std::vector<Voronoi_window> m_windows;
   std::vector<unsigned> m_all; // windows that may be nearest
+  std::vector<Bisector_arc> m_arcs; // of a cell
   std::vector<Part> m_pending; // a heap
   Label_changes m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;

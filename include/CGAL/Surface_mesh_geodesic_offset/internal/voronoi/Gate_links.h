@@ -48,7 +48,7 @@ public:
     {
       pair_up(cell, pairing);
       if (!std::all_of(m_arcs.begin(), m_arcs.end(),
-                       [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a); }))
+                       [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a, m_tolerances.of_link()); }))
         continue;
       write(new_node, out);
       return true;
@@ -62,6 +62,14 @@ public:
   {
     pair_up(cell, ACROSS);
     write(new_node, out);
+  }
+
+  // True if the distances from both sources agree along an arc up to a joint, as far as its ends may have moved, and no other source is
+  // nearer. Along a side of the face, one of them may be that of the neighbour.
+  bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates)
+  {
+    m_candidates = &candidates;
+    return is_on_side(arc) || is_bisector(arc, m_tolerances.joint);
   }
 
   // The straight arc from a gate to another one.
@@ -149,27 +157,33 @@ private:
     curve.to = curve.conic.parameter_of(arc.end);
     if (length(curve.conic.at(curve.from).point() - arc.start) > m_tolerances.joint) return false;
     if (length(curve.conic.at(curve.to).point() - arc.end) > m_tolerances.joint) return false;
-    if (!is_bisector(curve)) return false;
+    if (!is_bisector(curve, m_tolerances.of_link())) return false;
     curve.left = Bisector_side::of(m_windows[a], a);
     curve.right = Bisector_side::of(m_windows[b], b);
     arc = curve;
     return true;
   }
 
+  bool is_on_side(const Bisector_arc& arc) const
+  {
+    bool result = false;
+    for (int k = 0; k < 3; ++k) result = result || arc.is_on(m_face.outside(k), m_tolerances.along_side());
+    return result;
+  }
+
   // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those
   // of the face.
-  bool is_bisector(const Bisector_arc& arc) const
+  bool is_bisector(const Bisector_arc& arc, double tie) const
   {
-    bool is_on_side = false;
-    for (int k = 0; k < 3; ++k) is_on_side = is_on_side || arc.is_on(m_face.outside(k), m_tolerances.along_side());
+    const bool may_be_of_neighbour = is_on_side(arc);
     const auto is_of_neighbour = [&](Index label) {
-      return is_on_side && !is_nearest(label, arc.start) && !is_nearest(label, arc.end);
+      return may_be_of_neighbour && !is_nearest(label, arc.start, tie) && !is_nearest(label, arc.end, tie);
     };
     const bool tests_left = !is_of_neighbour(arc.left.label), tests_right = !is_of_neighbour(arc.right.label);
     if (!tests_left && !tests_right) return false;
     const auto is_between = [&](double part) {
       const Point p = arc.at(part);
-      return (!tests_left || is_nearest(arc.left.label, p)) && (!tests_right || is_nearest(arc.right.label, p));
+      return (!tests_left || is_nearest(arc.left.label, p, tie)) && (!tests_right || is_nearest(arc.right.label, p, tie));
     };
     // evenly, and more densely towards the ends, where several bisectors may meet
     for (int i = 1; i < Voronoi_tolerances::samples_of_link; ++i)
@@ -186,11 +200,12 @@ private:
   bool is_of_one_source(const Voronoi_cell& cell) const
   {
     const Point c = cell.center();
-    bool result = is_nearest(cell.label[0], c);
+    const auto is_at = [&](const Point& p) { return is_nearest(cell.label[0], p, m_tolerances.of_link()); };
+    bool result = is_at(c);
     for (int k = 0; k < 3; ++k)
     {
       const Point middle = 0.5 * (cell.corner[k] + cell.corner[(k + 1) % 3]);
-      result = result && is_nearest(cell.label[0], 0.5 * (c + cell.corner[k])) && is_nearest(cell.label[0], 0.5 * (c + middle));
+      result = result && is_at(0.5 * (c + cell.corner[k])) && is_at(0.5 * (c + middle));
     }
     return result;
   }
@@ -200,7 +215,7 @@ private:
     return {label, m_windows, *m_candidates, p, m_tolerances.slack};
   }
 
-  bool is_nearest(Index label, const Point& p) const { return nearest(label, p).label_is_nearest(m_tolerances.of_link()); }
+  bool is_nearest(Index label, const Point& p, double tie) const { return nearest(label, p).label_is_nearest(tie); }
 
   const std::vector<Voronoi_window>& m_windows;
   const Voronoi_tolerances& m_tolerances;

@@ -34,6 +34,8 @@ struct Voronoi_window
   Index label;                             // id of the source, or of another source with which it coincides
   std::array<Half_plane<double>, 3> bound; // the cone; the third one is where parallel rays start
   int number_of_bounds;
+  std::array<Point, 2> end;     // of the chord on the left and the right: where the bounding rays start, unless at the image
+  std::array<double, 2> tied{0, 0}; // so far beyond these rays, the distances of the next window tie with these
   double start;                 // least distance of the rays: at their chord, or at their image in the face
   bool is_whole_corner = false; // an upper bound of the distances in the whole face; see Face_bisectors
 
@@ -56,11 +58,13 @@ struct Voronoi_window
     bound[0] = {nl, dot(nl, rays.left)};
     bound[1] = {nr, dot(nr, rays.right)};
     start = starts_at_image() ? rays.sigma : is_strip() ? rays.start_value : least_at_chord();
+    end = {rays.left, rays.right};
     number_of_bounds = is_parallel() ? 3 : 2;
     if (is_parallel()) start_at(start);
   }
 
   bool is_parallel() const { return rays.is_parallel(); }
+  bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
   bool is_strip() const { return rays.is_parallel() && rays.origin == STARTS_IN_FACE; }
   Point image() const { return rays.image(); } // the direction opposite to the rays, if parallel
   double sigma() const { return rays.sigma; }
@@ -73,6 +77,13 @@ struct Voronoi_window
     for (int k = 0; k < number_of_bounds; ++k)
       if (bound[std::size_t(k)].value(p) > slack) return false;
     return true;
+  }
+
+  // True if the distances of the rays hold at p: also beyond a ray beside which they tie with others.
+  bool holds_at(const Point& p, double slack) const
+  {
+    return bound[0].value(p) <= slack + tied[0] && bound[1].value(p) <= slack + tied[1] &&
+           (number_of_bounds == 2 || bound[2].value(p) <= slack + (is_strip() ? 0 : (std::max)(tied[0], tied[1])));
   }
 
   // Lower bound of the distances in a disk: any path starts at the chord, or at the image.
@@ -137,17 +148,38 @@ struct Voronoi_window
     return std::abs(length(image() - other.image()) - std::abs(sigma() - other.sigma())) <= tie;
   }
 
-  // Ends the cone at a common ray on its left (0) or right (1). Precondition: is_bound().
-  void end_at(const Common_ray& ray, int k)
+  // Ends the cone at a common ray on its left (0) or right (1). `along_edge`: unit vector along the edge of the chord, whose own direction
+  // rounding may have lost. Precondition: is_bound().
+  void end_at(const Common_ray& ray, int k, const Point& along_edge)
   {
-    bound[std::size_t(k)] = k == 0 ? ray.left.opposite() : ray.left;
-    if (!is_parallel()) return;
-    // the line of the chord meets the ray at q
-    const Point chord = rays.right - rays.left;
-    const double slope = dot(ray.left.n, chord), size = length(chord);
-    if (std::abs(slope) <= Voronoi_tolerances::least_slope * size) return;
-    const Point q = rays.left - (ray.left.value(rays.left) / slope) * chord;
-    if (length(q - start_of_bound(k)) <= size) start_at((std::min)(start, distance_at(q)));
+    set_bound(k, k == 0 ? ray.left.opposite() : ray.left, along_edge);
+  }
+
+  // Extends the cone at its left (0) or right (1) bounding ray to that of another window, if these are one ray up to rounding.
+  void extend_to(const Voronoi_window& other, int k, const Point& along_edge, double radius, double tie)
+  {
+    const Half_plane<double>&own = bound[std::size_t(k)], &ray = other.bound[std::size_t(k)];
+    const Point p = other.start_of_bound(k), q = p + radius * other.along_bound(k);
+    double along_ray = 0;
+    for (const Voronoi_window* const w : {static_cast<const Voronoi_window*>(this), &other})
+      if (!w->is_parallel()) along_ray = (std::max)(along_ray, length(w->start_of_bound(k) - w->image()));
+    const double width = Voronoi_tolerances::tied_width(along_ray, tie);
+    const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
+    if ((std::max)(own.value(p), own.value(q)) <= 0) return;
+    if (std::abs(own.value(p)) <= width && std::abs(cross(own.n, ray.n)) <= angle) set_bound(k, ray, along_edge);
+  }
+
+  // Sets how far beyond the left (0) or right (1) bounding ray the distances tie with those of the window there: as far as the gradients
+  // where the ray starts differ by no more; and as paths from the end of a source segment are not longer than across it by more.
+  void set_tied(int k, const Voronoi_window& other, double tie)
+  {
+    const std::size_t i = std::size_t(k);
+    const Point p = end[i];
+    if (!(std::abs(distance_at(p) - other.distance_at(p)) <= tie)) return;
+    const double from_source = (std::min)(distance_from_source(p), other.distance_from_source(p));
+    if (!(from_source > tie)) return;
+    const double slope = length(gradient(p) - other.gradient(p));
+    tied[i] = (std::min)({tie / slope, std::sqrt(tie * from_source), length(other.rays.right - other.rays.left)});
   }
 
   // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
@@ -157,14 +189,6 @@ struct Voronoi_window
     const double along_ray = length(p - ray.start), width = ray.width(along_ray, tie);
     const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
     return std::abs(ray.left.value(p)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
-  }
-
-  // Extends the cone at its left (0) or right (1) bounding ray to that of another window, which is beside it up to rounding.
-  void extend_to(const Voronoi_window& ray, int k, double radius)
-  {
-    const Half_plane<double>&own = bound[std::size_t(k)], &other = ray.bound[std::size_t(k)];
-    const Point p = ray.start_of_bound(k), q = p + radius * ray.along_bound(k);
-    if ((std::max)(own.value(p), own.value(q)) > 0) bound[std::size_t(k)] = other;
   }
 
   // True if both bounding rays are one ray, up to `tie` at distances up to `radius`.
@@ -188,6 +212,7 @@ struct Voronoi_window
     fan.rays.x = p.x;
     fan.rays.y = p.y;
     fan.rays.left = fan.rays.right = p;
+    fan.end = {p, p};
     fan.rays.sigma = fan.start = distance_at(p);
     fan.label = (std::min)(label, next.label);
     fan.number_of_bounds = 2;
@@ -223,6 +248,18 @@ struct Voronoi_window
   }
 
 private:
+  // Ends the cone at a ray beside the end of the chord.
+  void set_bound(int k, const Half_plane<double>& ray, const Point& along_edge)
+  {
+    const std::size_t i = std::size_t(k);
+    bound[i] = ray;
+    const Point p = k == 0 ? rays.left : rays.right;
+    const double slope = dot(ray.n, along_edge), value = ray.value(p);
+    const bool meets_edge = std::abs(slope) > Voronoi_tolerances::least_slope;
+    end[i] = meets_edge ? p - (value / slope) * along_edge : p - value * ray.n;
+    if (meets_edge && is_parallel() && !is_strip()) start_at((std::min)(start, distance_at(end[i])));
+  }
+
   // Sets where parallel rays start.
   void start_at(double distance)
   {
@@ -230,7 +267,17 @@ private:
     bound[2] = {rays.image(), rays.sigma - start};
   }
 
-  bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
+  double distance_from_source(const Point& p) const
+  {
+    return is_parallel() ? distance_at(p) - rays.start_value : length(p - image());
+  }
+
+  // Of the distances.
+  Point gradient(const Point& p) const
+  {
+    const Point d = rays.ray_direction(p);
+    return (1 / length(d)) * d;
+  }
 
   // Unit vector along the left (0) or right (1) bounding ray.
   Point along_bound(int k) const { return (k == 0 ? -1. : 1.) * quarter_turn(bound[std::size_t(k)].n); }
@@ -279,6 +326,17 @@ private:
   }
 };
 
+// The least length of a path to p through a window: straight if its cone has the point, else around an end of its chord. Continuous,
+// also if the cone ends at a common ray.
+inline double distance_through(const Voronoi_window& w, const Point_in_face<double>& p, double slack)
+{
+  if (w.holds_at(p, slack)) return w.distance_at(p);
+  double result = w.rays.path_length(p);
+  if (!w.starts_at_image())
+    for (const Point_in_face<double>& end : w.end) result = (std::min)(result, w.distance_at(end) + length(p - end));
+  return result;
+}
+
 // The least length of a path to p through some of the windows, also around their ends: an upper bound of the distance.
 inline double least_path_length(const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
                                 const Point_in_face<double>& p)
@@ -289,12 +347,6 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
 }
 
 // The same, of the windows with a label; infinite if there are none.
-// Through the window where the cone has the point, else around the end of its chord: a cone that ends at a common ray may reach beyond the
-// chord.
-inline double distance_through(const Voronoi_window& w, const Point_in_face<double>& p, double slack)
-{
-  return w.contains(p, slack) ? w.distance_at(p) : w.rays.path_length(p);
-}
 
 // The nearest of some windows to a point, and the nearest of those with a label.
 struct Nearest_windows
