@@ -172,15 +172,30 @@ private:
     chain.start_vertex = chain.is_closed ? Bisector_chain::no_vertex : m_vertex[first];
     chain.end_vertex = chain.is_closed ? Bisector_chain::no_vertex : m_vertex[node];
     join(std::move(arcs), chain);
-    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs))) return;
+    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs, out.cells))) return;
     if (chain.start_vertex != Bisector_chain::no_vertex) out.vertices[chain.start_vertex].curves.push_back(out.chains.size());
     if (chain.end_vertex != Bisector_chain::no_vertex) out.vertices[chain.end_vertex].curves.push_back(out.chains.size());
     out.chains.push_back(std::move(chain));
   }
 
+  // True if a closed chain is around a part of the mesh that is larger than the chain, as a needle: on both sides, the source of the side
+  // is nearer at a corner than a point within the chain allows.
+  static bool is_around_needle(const std::vector<Bisector_arc>& arcs, double length, const std::unordered_map<Index, Face_cells>& cells)
+  {
+    double lead_of_left = 0, lead_of_right = 0;
+    for (const Bisector_arc& a : arcs)
+    {
+      const auto found = cells.find(a.face);
+      if (found == cells.end()) continue;
+      lead_of_left = (std::max)(lead_of_left, found->second.largest_lead(a.left.label, a.right.label));
+      lead_of_right = (std::max)(lead_of_right, found->second.largest_lead(a.right.label, a.left.label));
+    }
+    return (std::min)(lead_of_left, lead_of_right) > 2 * length;
+  }
+
   // True if rounding does not tell a closed chain from a point or, in a face, from a line, or it follows edges only, each of them there
   // and back: a tie along edges.
-  static bool has_no_area(const std::vector<Bisector_arc>& arcs)
+  static bool has_no_area(const std::vector<Bisector_arc>& arcs, const std::unordered_map<Index, Face_cells>& cells)
   {
     std::map<Index, double> along;
     double negligible = 0, length = 0, longest = 0, area = 0, widest = 0;
@@ -195,7 +210,8 @@ private:
       longest = (std::max)(longest, a.smallest_loop);
       widest = (std::max)(widest, a.negligible);
     }
-    if (length <= longest || (is_in_face && std::abs(area) <= widest * length)) return true;
+    if (is_in_face && (length <= longest || std::abs(area) <= widest * length)) return true;
+    if (length <= longest && !is_around_needle(arcs, length, cells)) return true;
     for (const Bisector_arc& a : arcs)
     {
       if (a.edge == no_index) return false;

@@ -54,16 +54,23 @@ public:
     // many edges may differ by more than a tie.
     for (const bool joins_loose_ends : {false, true})
       for (const double factor : Voronoi_tolerances::tie_factors)
-      {
-        m_tolerances.use_tie(factor);
-        if (connect(cell, candidates, m_tolerances.slack, joins_loose_ends, new_node, out) ||
-            connect(cell, candidates, -m_tolerances.slack, joins_loose_ends, new_node, out))
-          return true;
-      }
+        if (connect(cell, candidates, factor, 1, joins_loose_ends, new_node, out)) return true;
+    for (const double joint_factor : Voronoi_tolerances::joint_factors)
+      if (connect(cell, candidates, 1, joint_factor, false, new_node, out)) return true;
     return false;
   }
 
 private:
+  template <class New_node, class OutputFunction>
+  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double tie_factor, double joint_factor,
+               bool joins_loose_ends, const New_node& new_node, const OutputFunction& out)
+  {
+    m_tolerances.use_tie(tie_factor);
+    m_joint = joint_factor * m_tolerances.joint;
+    return connect(cell, candidates, m_tolerances.slack, joins_loose_ends, new_node, out) ||
+           connect(cell, candidates, -m_tolerances.slack, joins_loose_ends, new_node, out);
+  }
+
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, bool joins_loose_ends,
                const New_node& new_node, const OutputFunction& out)
@@ -122,7 +129,7 @@ private:
       m_cluster[i] = c;
       for (std::size_t j = 0; j < members.size(); ++j)
         for (std::size_t k = i + 1; k < n; ++k)
-          if (m_cluster[k] == n && length(m_ends[members[j]].point - m_ends[k].point) <= m_tolerances.joint)
+          if (m_cluster[k] == n && length(m_ends[members[j]].point - m_ends[k].point) <= m_joint)
           {
             m_cluster[k] = c;
             members.push_back(k);
@@ -181,7 +188,7 @@ private:
       const bool same = m_cluster[2 * i] == m_cluster[2 * arc] && m_cluster[2 * i + 1] == m_cluster[2 * arc + 1];
       const bool reverse = m_cluster[2 * i] == m_cluster[2 * arc + 1] && m_cluster[2 * i + 1] == m_cluster[2 * arc];
       const Bisector_arc& b = m_arcs[i];
-      if (!(same || reverse) || length(a.middle() - b.middle()) > m_tolerances.joint) continue;
+      if (!(same || reverse) || length(a.middle() - b.middle()) > m_joint) continue;
       if ((same ? a.left.label : a.right.label) == b.left.label && (same ? a.right.label : a.left.label) == b.right.label)
         return true;
     }
@@ -192,7 +199,7 @@ private:
   {
     if (m_cluster[2 * arc] != m_cluster[2 * arc + 1]) return false;
     const Bisector_arc& a = m_arcs[arc];
-    return length(a.middle() - a.start) <= 2 * m_tolerances.joint;
+    return length(a.middle() - a.start) <= 2 * m_joint;
   }
 
   // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors between
@@ -322,6 +329,7 @@ private:
   }
 
   Voronoi_tolerances m_tolerances;
+  double m_joint = 0; // ends no farther apart meet
   const Cell_arcs m_find_arcs;
   Arcs_along_sides m_along_sides;
   std::vector<Bisector_arc> m_arcs, m_links;

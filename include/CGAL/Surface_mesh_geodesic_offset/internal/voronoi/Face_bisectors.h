@@ -65,7 +65,8 @@ public:
     }
     close_gaps();
     double magnitude = 0; // of the windows that may be nearest
-    prune(m_cell, m_all, m_tolerances.joint);
+    remove_farther(m_cell, m_all);
+    remove_outside(m_cell, m_all, m_tolerances.joint);
     for (const unsigned i : m_all) magnitude = (std::max)(magnitude, m_windows[i].largest_at_chord());
     m_tolerances = Voronoi_tolerances(magnitude + CGAL::to_double(m_field.size()));
     return !has_one_label_at(m_cell, m_all);
@@ -121,7 +122,7 @@ public:
     };
     Cell_bisectors bisectors(m_windows, m_tolerances, m_cell.center(), m_cell.radius());
     Gate_links links(m_windows, m_tolerances, m_cell);
-    int divisions = 0, divisions_for_windows = 0;
+    std::size_t divisions = 0, divisions_for_windows = 0;
     m_pending.clear();
     add_pending({m_cell, m_all, m_all.size() + 1, 0, 0});
     while (!m_pending.empty())
@@ -129,26 +130,28 @@ public:
       std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
+      remove_farther(part.cell, part.near);
       // windows along a side only are those of the neighbour
-      prune(part.cell, part.windows, -m_tolerances.along_side());
-      if (part.cell.gates.empty() && has_one_label_at(part.cell, part.windows)) continue;
+      std::vector<unsigned> inside = part.near;
+      remove_outside(part.cell, inside, -m_tolerances.along_side());
+      if (part.cell.gates.empty() && has_one_label_at(part.cell, inside)) continue;
       const bool is_divisible = part.diameter > m_tolerances.smallest_cell;
-      part.divisions_in_vain = part.windows.size() < part.windows_before ? 0 : part.divisions_in_vain + 1;
-      part.windows_before = part.windows.size();
+      part.divisions_in_vain = inside.size() < part.windows_before ? 0 : part.divisions_in_vain + 1;
+      part.windows_before = inside.size();
       const bool has_many_windows =
-        part.windows.size() > Voronoi_tolerances::most_windows && is_divisible &&
+        inside.size() > Voronoi_tolerances::most_windows && is_divisible &&
         part.divisions_in_vain < Voronoi_tolerances::most_divisions_in_vain &&
-        divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows;
+        divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows * m_all.size();
       if (has_many_windows) ++divisions_for_windows;
       else
       {
         m_arcs.clear();
-        const bool fits = bisectors.connect(part.cell, part.windows, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
+        const bool fits = bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
         const bool holds =
-          fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) { return links.holds(a, m_all); });
-        const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions;
+          fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) { return links.holds(a, part.near); });
+        const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions * m_all.size();
         const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
-        if (!holds && may_link && links.connect(part.cell, m_all, new_node, write)) continue;
+        if (!holds && may_link && links.connect(part.cell, part.near, new_node, write)) continue;
         if (holds || !may_divide)
         {
           if (!fits) links.connect_straight(part.cell, new_node, write);
@@ -160,7 +163,7 @@ public:
       }
       auto halves = part.cell.divided(
         [&](const Point& o, const Point& u, double size, Index first, Index last, const auto& add) {
-        m_changes(o, u, size, first, last, m_windows, part.windows, m_all, m_tolerances, add);
+        m_changes(o, u, size, first, last, m_windows, inside, part.near, m_tolerances, add);
         },
         new_node);
       Part second = part;
@@ -169,7 +172,7 @@ public:
       add_pending(std::move(part));
       add_pending(std::move(second));
     }
-    m_number_of_divisions += std::size_t(divisions);
+    m_number_of_divisions += divisions;
   }
 
   const Voronoi_tolerances& tolerances() const { return m_tolerances; }
@@ -182,7 +185,7 @@ private:
   struct Part
   {
     Voronoi_cell cell;
-    std::vector<unsigned> windows;
+    std::vector<unsigned> near; // windows that may be nearest
     std::size_t windows_before; // the last division
     int divisions_in_vain;      // in a row, which left all windows
     double diameter;
@@ -334,16 +337,21 @@ private:
     return true;
   }
 
-  // Removes the windows that are nowhere nearest in a cell, or do not reach it: whose cone is farther than `outside` from it. Distances are
-  // 1-Lipschitz.
-  void prune(const Voronoi_cell& cell, std::vector<unsigned>& windows, double outside) const
+  // Removes the windows that are nowhere nearest in a cell. Distances are 1-Lipschitz.
+  void remove_farther(const Voronoi_cell& cell, std::vector<unsigned>& windows) const
   {
     const Point center = cell.center();
     const double radius = cell.radius();
     const double upper = least_path_length(m_windows, windows, center) + radius + m_tolerances.slack;
+    const auto is_farther = [&](unsigned i) { return m_windows[i].lower_bound(center, radius) > upper; };
+    windows.erase(std::remove_if(windows.begin(), windows.end(), is_farther), windows.end());
+  }
+
+  // Removes the windows whose cones are farther than `outside` from a cell.
+  void remove_outside(const Voronoi_cell& cell, std::vector<unsigned>& windows, double outside) const
+  {
     const auto is_elsewhere = [&](unsigned i) {
       const Voronoi_window& w = m_windows[i];
-      if (w.lower_bound(center, radius) > upper) return true;
       for (int k = 0; k < w.number_of_bounds; ++k)
       {
         const Half_plane<double>& h = w.bound[std::size_t(k)];

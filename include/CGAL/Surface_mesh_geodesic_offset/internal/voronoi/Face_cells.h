@@ -86,6 +86,21 @@ public:
     return best->first;
   }
 
+  // By how much source `a` is nearer than source `b`, at most, at a corner.
+  double largest_lead(Index a, Index b) const
+  {
+    double result = 0;
+    for (const Point& corner : m_corner)
+    {
+      double of_a = std::numeric_limits<double>::infinity(), of_b = of_a;
+      for (const Voronoi_window& w : m_windows)
+        for (auto [label, least] : {std::make_pair(a, &of_a), std::make_pair(b, &of_b)})
+          if (w.label == label) *least = (std::min)(*least, w.rays.path_length(corner));
+      if (of_a < of_b) result = (std::max)(result, of_b - of_a);
+    }
+    return result;
+  }
+
 private:
   Point at(const std::array<double, 3>& weights) const
   {

@@ -64,12 +64,12 @@ public:
     write(new_node, out);
   }
 
-  // True if the distances from both sources agree along an arc up to a joint, as far as its ends may have moved, and no other source is
-  // nearer. Along a side of the face, one of them may be that of the neighbour.
+  // True if the distances from both sources agree along an arc, and no other source is nearer. Along a side of the face, one of them may be
+  // that of the neighbour.
   bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates)
   {
     m_candidates = &candidates;
-    return is_on_side(arc) || is_bisector(arc, m_tolerances.joint);
+    return is_on_side(arc) || is_bisector(arc, m_tolerances.of_arc());
   }
 
   // The straight arc from a gate to another one.
@@ -188,12 +188,10 @@ private:
     // evenly, and more densely towards the ends, where several bisectors may meet
     for (int i = 1; i < Voronoi_tolerances::samples_of_link; ++i)
       if (!is_between(double(i) / Voronoi_tolerances::samples_of_link)) return false;
+    const double length = arc.chord_length();
     double part = 1. / Voronoi_tolerances::samples_of_link;
-    for (int i = 0; i < Voronoi_tolerances::halvings_of_link; ++i)
-    {
-      part /= 2;
+    for (; part * length > m_tolerances.joint; part *= Voronoi_tolerances::step_of_samples)
       if (!is_between(part) || !is_between(1 - part)) return false;
-    }
     return true;
   }
 

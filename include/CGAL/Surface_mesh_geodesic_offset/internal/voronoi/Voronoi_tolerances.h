@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -36,6 +37,9 @@ struct Voronoi_tolerances
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
   // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
   double joint;
+  // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the factor.
+  // Whether the arcs hold is found from the distances along them.
+  static constexpr double joint_factors[] = {1 << 6, 1 << 12, 1 << 18, 1 << 24};
   // Arcs that meet at smaller angles may end farther apart, up to 2^-8 of the magnitude, if all distances are equal up to eight ties
   // at both ends and between them: each of these points is the common end up to rounding. Without this, cells around such ends are
   // divided to the smallest.
@@ -57,12 +61,15 @@ struct Voronoi_tolerances
   // On a curve from gate to gate where bisectors do not fit together, the two least path lengths differ by no more than this, nor is
   // another one less by more: two loose ties, as that of a whole corner has one of them.
   double of_link() const { return 2 * loose_tie; }
-  // Only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the points
+  // On an arc of the bisector of two windows: four times that, as its ends may have moved. Binding test: test_voronoi_diagram, cases.
+  double of_arc() const { return 4 * of_link(); }
+  // Links are only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the points
   // at which it is examined.
   static constexpr double part_of_linked_cell = 1. / 16;
-  // Intervals between the points at which a link is examined; and further points towards its ends, each at half the distance from there,
-  // since several bisectors may meet at a gate: down to 2^-12 of the link.
-  static constexpr int samples_of_link = 16, halvings_of_link = 8;
+  // Intervals between the points at which an arc is examined; and further points towards its ends, since several bisectors may meet there,
+  // or the end may have been moved: each at this part of the distance from the end, down to a joint.
+  static constexpr int samples_of_link = 16;
+  static constexpr double step_of_samples = 1. / 4;
   // Depth of the search for further sources between two samples of a segment; each of them has an interval of its own.
   static constexpr int most_changes_between = 8;
   // Arcs that rounding does not tell from a point become one node if they are no longer together than so many of them: 2^19 u of the
@@ -102,13 +109,13 @@ struct Voronoi_tolerances
   static double tied_width(double along_ray, double tie) { return tie + std::sqrt(8 * tie * along_ray); }
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
-  // But after this many divisions of a face only to have less windows, not for this reason any more: many windows may meet at a
-  // vertex.
-  static constexpr int most_divisions_for_windows = 1 << 12;
+  // But after this many divisions of a face only to have less windows, for each of its windows, not for this reason any more: many windows
+  // may meet at a vertex.
+  static constexpr std::size_t most_divisions_for_windows = 1 << 8;
   // Nor if so many divisions of a cell, to an eighth of its diameter, have left all its windows.
   static constexpr int most_divisions_in_vain = 6;
-  // Limit of the other divisions of a face. A bisector that rounding leaves without its ends costs at most this.
-  static constexpr int most_divisions = 1 << 10;
+  // Limit of the other divisions of a face, for each of its windows. A bisector that rounding leaves without its ends costs at most this.
+  static constexpr std::size_t most_divisions = 1 << 7;
 
 private:
   static double unit(int bits) { return double(1 << bits) * std::numeric_limits<double>::epsilon(); }

@@ -86,11 +86,12 @@ struct Voronoi_window
            (number_of_bounds == 2 || bound[2].value(p) <= slack + (is_strip() ? 0 : (std::max)(tied[0], tied[1])));
   }
 
-  // Lower bound of the distances in a disk: any path starts at the chord, or at the image.
+  // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or at the image.
   double lower_bound(const Point& center, double radius) const
   {
+    const double beyond = (std::max)(tied[0] + length(end[0] - rays.left), tied[1] + length(end[1] - rays.right));
     const double from_start = start + (starts_at_image() ? length(center - image()) : distance_from_chord(center)) - radius;
-    return is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius);
+    return (is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius)) - beyond;
   }
 
   // Where the left (0) or the right (1) bounding ray starts in the face.
