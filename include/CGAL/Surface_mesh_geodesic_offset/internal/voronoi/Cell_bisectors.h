@@ -36,10 +36,9 @@ public:
   Cell_bisectors(const Cell_bisectors&) = delete; // members refer to others
   Cell_bisectors& operator=(const Cell_bisectors&) = delete;
 
-  // `center`, `radius`: a disk around the face.
-  Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
-                 double radius)
-    : m_tolerances(tolerances), m_find_arcs(windows, m_tolerances, center, radius), m_along_sides(windows, m_tolerances),
+  Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Voronoi_cell& face)
+    : m_tolerances(tolerances), m_aspect(face.diameter() / face.least_height()),
+      m_find_arcs(windows, m_tolerances, face.center(), face.radius()), m_along_sides(windows, m_tolerances),
       m_motion(windows, m_tolerances, m_arcs, m_ends)
   {
   }
@@ -56,7 +55,10 @@ public:
       for (const double factor : Voronoi_tolerances::tie_factors)
         if (connect(cell, candidates, factor, 1, joins_loose_ends, new_node, out)) return true;
     for (const double joint_factor : Voronoi_tolerances::joint_factors)
-      if (connect(cell, candidates, 1, joint_factor, false, new_node, out)) return true;
+    {
+      const bool is_explained = joint_factor <= (std::max)(Voronoi_tolerances::usual_joint_factor, m_aspect);
+      if (is_explained && connect(cell, candidates, 1, joint_factor, false, new_node, out)) return true;
+    }
     return false;
   }
 
@@ -329,7 +331,8 @@ private:
   }
 
   Voronoi_tolerances m_tolerances;
-  double m_joint = 0; // ends no farther apart meet
+  const double m_aspect; // of the face
+  double m_joint = 0;    // ends no farther apart meet
   const Cell_arcs m_find_arcs;
   Arcs_along_sides m_along_sides;
   std::vector<Bisector_arc> m_arcs, m_links;

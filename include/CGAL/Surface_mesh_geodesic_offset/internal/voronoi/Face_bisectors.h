@@ -120,7 +120,7 @@ public:
       }
       out(arc);
     };
-    Cell_bisectors bisectors(m_windows, m_tolerances, m_cell.center(), m_cell.radius());
+    Cell_bisectors bisectors(m_windows, m_tolerances, m_cell);
     Gate_links links(m_windows, m_tolerances, m_cell);
     std::size_t divisions = 0, divisions_for_windows = 0;
     m_pending.clear();

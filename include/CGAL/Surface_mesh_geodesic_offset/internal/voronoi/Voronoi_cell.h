@@ -17,6 +17,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -51,6 +52,7 @@ struct Voronoi_cell
 
   double side_length(int k) const { return length(corner[(k + 1) % 3] - corner[k]); }
   double diameter() const { return (std::max)({side_length(0), side_length(1), side_length(2)}); }
+  double least_height() const { return std::abs(cross(corner[1] - corner[0], corner[2] - corner[0])) / diameter(); }
   Point center() const { return (1. / 3) * (corner[0] + corner[1] + corner[2]); }
 
   // Largest distance of a corner from the center.

@@ -37,9 +37,10 @@ struct Voronoi_tolerances
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
   // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
   double joint;
-  // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the factor.
-  // Whether the arcs hold is found from the distances along them.
-  static constexpr double joint_factors[] = {1 << 6, 1 << 12, 1 << 18, 1 << 24};
+  // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the factor:
+  // up to the usual one, and in thin faces up to the longest edge over the height. Whether the arcs hold is found from the distances along
+  // them. Binding test: test_voronoi_diagram, thin faces.
+  static constexpr double joint_factors[] = {1 << 6, 1 << 12, 1 << 18, 1 << 24}, usual_joint_factor = 1 << 12;
   // Arcs that meet at smaller angles may end farther apart, up to 2^-8 of the magnitude, if all distances are equal up to eight ties
   // at both ends and between them: each of these points is the common end up to rounding. Without this, cells around such ends are
   // divided to the smallest.
