@@ -180,7 +180,8 @@ private:
 
   // True if a closed chain is around a part of the mesh that is larger than the chain, as a needle: on both sides, the source of the side
   // is nearer at a corner than a point within the chain allows.
-  static bool is_around_needle(const std::vector<Bisector_arc>& arcs, double length, const std::unordered_map<Index, Face_cells>& cells)
+  static bool is_around_needle(const std::vector<Bisector_arc>& arcs, double length,
+                               const std::unordered_map<Index, Face_cells>& cells)
   {
     double lead_of_left = 0, lead_of_right = 0;
     for (const Bisector_arc& a : arcs)

@@ -62,6 +62,9 @@ public:
     return false;
   }
 
+  // True if ends farther apart than a joint have met in the last cell.
+  bool has_wide_joints() const { return m_joint > m_tolerances.joint; }
+
 private:
   template <class New_node, class OutputFunction>
   bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double tie_factor, double joint_factor,

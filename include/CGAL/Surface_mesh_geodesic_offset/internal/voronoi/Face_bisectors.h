@@ -147,8 +147,9 @@ public:
       {
         m_arcs.clear();
         const bool fits = bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
-        const bool holds =
-          fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) { return links.holds(a, part.near); });
+        const bool holds = fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) {
+                             return links.holds(a, part.near, !bisectors.has_wide_joints());
+                           });
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions * m_all.size();
         const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
         if (!holds && may_link && links.connect(part.cell, part.near, new_node, write)) continue;
@@ -227,7 +228,7 @@ private:
   // face, so the cone is extended there.
   void close_gaps()
   {
-    typedef std::pair<double, unsigned> Place; // x coordinate, window
+    typedef std::pair<double, unsigned> Place;                                               // x coordinate, window
     std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
     std::vector<Place> left;
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
@@ -303,8 +304,10 @@ private:
     for (Voronoi_window& w : m_windows)
     {
       if (w.is_whole_corner) continue;
-      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1)) w.end_at(*ray, 1, along_chord(w));
-      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0)) w.end_at(*ray, 0, along_chord(w));
+      if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1))
+        w.end_at(*ray, 1, along_chord(w));
+      if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0))
+        w.end_at(*ray, 0, along_chord(w));
     }
     return true;
   }
@@ -377,9 +380,9 @@ private:
   Voronoi_cell m_cell; // the face
   Voronoi_tolerances m_tolerances;
   std::vector<Voronoi_window> m_windows;
-  std::vector<unsigned> m_all; // windows that may be nearest
+  std::vector<unsigned> m_all;      // windows that may be nearest
   std::vector<Bisector_arc> m_arcs; // of a cell
-  std::vector<Part> m_pending; // a heap
+  std::vector<Part> m_pending;      // a heap
   Label_changes m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
 };

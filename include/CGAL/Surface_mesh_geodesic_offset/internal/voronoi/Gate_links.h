@@ -64,12 +64,12 @@ public:
     write(new_node, out);
   }
 
-  // True if the distances from both sources agree along an arc, and no other source is nearer. Along a side of the face, one of them may be
-  // that of the neighbour.
-  bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates)
+  // True if the distances from both sources agree along an arc, and no other source is nearer. Along a side of the face, `may_be_of_neighbour`
+  // tells whether one of them may be nearest by the windows of the neighbour only.
+  bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates, bool may_be_of_neighbour)
   {
     m_candidates = &candidates;
-    return is_on_side(arc) || is_bisector(arc, m_tolerances.of_arc());
+    return (may_be_of_neighbour && is_on_side(arc)) || is_bisector(arc, m_tolerances.of_arc());
   }
 
   // The straight arc from a gate to another one.

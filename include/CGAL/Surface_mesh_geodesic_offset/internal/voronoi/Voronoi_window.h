@@ -34,10 +34,10 @@ struct Voronoi_window
   Index label;                             // id of the source, or of another source with which it coincides
   std::array<Half_plane<double>, 3> bound; // the cone; the third one is where parallel rays start
   int number_of_bounds;
-  std::array<Point, 2> end;     // of the chord on the left and the right: where the bounding rays start, unless at the image
+  std::array<Point, 2> end; // of the chord on the left and the right: where the bounding rays start, unless at the image
   std::array<double, 2> tied{0, 0}; // so far beyond these rays, the distances of the next window tie with these
-  double start;                 // least distance of the rays: at their chord, or at their image in the face
-  bool is_whole_corner = false; // an upper bound of the distances in the whole face; see Face_bisectors
+  double start;                     // least distance of the rays: at their chord, or at their image in the face
+  bool is_whole_corner = false;     // an upper bound of the distances in the whole face; see Face_bisectors
 
   template <class FT>
   Voronoi_window(const Face_window<FT>& w, Index label_) : label(label_)
