@@ -272,8 +272,9 @@ private:
         unsigned next = first;
         for (std::size_t n = 0; is_ray(next) && n < neighbor.size(); ++n) next = neighbor[next][std::size_t(k)];
         if (next == no_window || next == i) continue;
-        if (next != first) m_windows[i].extend_to(m_windows[first], k, along_chord(m_windows[i]), size, tie_of_rays(i, first));
-        if (m_windows[next].label != m_windows[i].label) m_windows[i].set_tied(k, m_windows[next], tie_of_rays(i, next));
+        const double tie = (std::max)(tie_of_rays(i, next), tie_of_rays(first, next));
+        if (next != first) m_windows[i].extend_to(m_windows[first], k, along_chord(m_windows[i]), size, tie);
+        if (m_windows[next].label != m_windows[i].label) m_windows[i].set_tied(k, m_windows[next], tie);
       }
     m_all.swap(kept);
   }

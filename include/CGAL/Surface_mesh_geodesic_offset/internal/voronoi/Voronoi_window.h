@@ -349,7 +349,7 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
 
 // The same, of the windows with a label; infinite if there are none.
 
-// The nearest of some windows to a point, and the nearest of those with a label.
+// The nearest of some windows to a point, the least distance from a label, and the nearest window with it whose rays hold at the point.
 struct Nearest_windows
 {
   static constexpr unsigned none = ~0u;
@@ -359,6 +359,7 @@ struct Nearest_windows
   Nearest_windows(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
                   const Point_in_face<double>& p, double slack)
   {
+    double least_straight = std::numeric_limits<double>::infinity();
     for (const unsigned i : chosen)
     {
       const double d = distance_through(windows[i], p, slack);
@@ -367,8 +368,10 @@ struct Nearest_windows
         distance = d;
         any = i;
       }
-      if (windows[i].label != label || !(d < distance_with_label)) continue;
-      distance_with_label = d;
+      if (windows[i].label != label) continue;
+      distance_with_label = (std::min)(distance_with_label, d);
+      if (!(d < least_straight) || !windows[i].holds_at(p, slack)) continue;
+      least_straight = d;
       with_label = i;
     }
   }
