@@ -62,7 +62,8 @@ public:
     return false;
   }
 
-  // True if ends farther apart than a joint have met in the last cell.
+  // True if ends farther apart than a joint have met in the last cell: loose ones, or all.
+  bool has_loose_joints() const { return m_has_loose_joints; }
   bool has_wide_joints() const { return m_joint > m_tolerances.joint; }
 
 private:
@@ -72,6 +73,7 @@ private:
   {
     m_tolerances.use_tie(tie_factor);
     m_joint = joint_factor * m_tolerances.joint;
+    m_has_loose_joints = joins_loose_ends || joint_factor > 1;
     return connect(cell, candidates, m_tolerances.slack, joins_loose_ends, new_node, out) ||
            connect(cell, candidates, -m_tolerances.slack, joins_loose_ends, new_node, out);
   }
@@ -335,7 +337,8 @@ private:
 
   Voronoi_tolerances m_tolerances;
   const double m_aspect; // of the face
-  double m_joint = 0;    // ends no farther apart meet
+  bool m_has_loose_joints = false;
+  double m_joint = 0; // ends no farther apart meet
   const Cell_arcs m_find_arcs;
   Arcs_along_sides m_along_sides;
   std::vector<Bisector_arc> m_arcs, m_links;

@@ -148,7 +148,7 @@ public:
         m_arcs.clear();
         const bool fits = bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
         const bool holds = fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) {
-                             return links.holds(a, part.near, !bisectors.has_wide_joints());
+                             return !bisectors.has_loose_joints() || links.holds(a, part.near, bisectors.has_wide_joints());
                            });
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions * m_all.size();
         const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();

@@ -64,12 +64,14 @@ public:
     write(new_node, out);
   }
 
-  // True if the distances from both sources agree along an arc, and no other source is nearer. Along a side of the face, `may_be_of_neighbour`
-  // tells whether one of them may be nearest by the windows of the neighbour only.
-  bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates, bool may_be_of_neighbour)
+  // True if the distances from both sources agree along an arc whose ends have been joined to others, and no other source is nearer.
+  // `is_wide`: to ends farther away than a joint, with no other reason than that they may meet; else, along a side of the face, one of the
+  // sources may be nearest by the windows of the neighbour only.
+  bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates, bool is_wide)
   {
     m_candidates = &candidates;
-    return (may_be_of_neighbour && is_on_side(arc)) || is_bisector(arc, m_tolerances.of_arc());
+    if (is_wide) return is_bisector(arc, m_tolerances.of_wide_joint());
+    return is_on_side(arc) || is_bisector(arc, m_tolerances.of_loose_joint());
   }
 
   // The straight arc from a gate to another one.

@@ -62,8 +62,10 @@ struct Voronoi_tolerances
   // On a curve from gate to gate where bisectors do not fit together, the two least path lengths differ by no more than this, nor is
   // another one less by more: two loose ties, as that of a whole corner has one of them.
   double of_link() const { return 2 * loose_tie; }
-  // On an arc of the bisector of two windows: four times that, as its ends may have moved. Binding test: test_voronoi_diagram, cases.
-  double of_arc() const { return 4 * of_link(); }
+  // On an arc that ends in a wide joint: four times that; where loose ends tie by the windows of both arcs: four joints, as windows that
+  // come over many edges may end that far from where their sources tie. Binding test: test_voronoi_diagram, cases of a file.
+  double of_wide_joint() const { return 4 * of_link(); }
+  double of_loose_joint() const { return 4 * joint; }
   // Links are only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the points
   // at which it is examined.
   static constexpr double part_of_linked_cell = 1. / 16;
