@@ -174,10 +174,11 @@ private:
   }
 
   // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those
-  // of the face.
+  // of the face, and both ends are gates between these sources.
   bool is_bisector(const Bisector_arc& arc, double tie) const
   {
-    const bool may_be_of_neighbour = is_on_side(arc);
+    const bool ends_at_gate = arc.end_node != no_index || arc.chord_length() <= m_tolerances.joint;
+    const bool may_be_of_neighbour = ends_at_gate && is_on_side(arc);
     const auto is_of_neighbour = [&](Index label) {
       return may_be_of_neighbour && !is_nearest(label, arc.start, tie) && !is_nearest(label, arc.end, tie);
     };
