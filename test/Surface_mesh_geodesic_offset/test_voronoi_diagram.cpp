@@ -1341,7 +1341,7 @@ void cases_of_file()
     compare(name, mesh, sources, random, 100, true);
     ++cases;
   }
-  CHECK(cases == 13);
+  CHECK(cases == 15);
   CHECK(totals.forced == 0);
 }
 

@@ -251,7 +251,16 @@ private:
     }
     for (std::size_t i = 0; i < neighbor.size(); ++i)
       for (int k = 0; k < 2; ++k)
-        if (neighbor[i][std::size_t(k)] == no_window) m_windows[i].widen(k, m_tolerances.tie);
+      {
+        if (neighbor[i][std::size_t(k)] != no_window) continue;
+        m_windows[i].widen(k, m_tolerances.tie);
+        const Voronoi_window& w = m_windows[i];
+        if (w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
+        const Voronoi_window fan = w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie);
+        m_all.push_back(unsigned(m_windows.size()));
+        m_windows.push_back(fan);
+        m_windows.back().is_whole_corner = true;
+      }
     remove_rays(neighbor);
   }
 

@@ -207,18 +207,18 @@ struct Voronoi_window
     const Point p = rays.right, u = along_bound(1), v = next.along_bound(0);
     if (!(cross(u, v) < 0 && dot(u, v) > 0)) return std::nullopt;
     if (!(std::abs(distance_at(p) - next.distance_at(p)) <= tie)) return std::nullopt; // a third window is nearer at p
-    Voronoi_window fan(*this);
-    fan.rays.bits = Window<double>::make_bits(false, no_index);
-    fan.rays.origin = STARTS_IN_FACE;
-    fan.rays.x = p.x;
-    fan.rays.y = p.y;
-    fan.rays.left = fan.rays.right = p;
-    fan.end = {p, p};
-    fan.rays.sigma = fan.start = distance_at(p);
+    Voronoi_window fan = fan_from(p, -1. * bound[1].n, -1. * next.bound[0].n);
     fan.label = (std::min)(label, next.label);
-    fan.number_of_bounds = 2;
-    fan.bound[0] = {-1. * bound[1].n, dot(-1. * bound[1].n, p)};
-    fan.bound[1] = {-1. * next.bound[0].n, dot(-1. * next.bound[0].n, p)};
+    return fan;
+  }
+
+  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord; `outside`: beyond
+  // the edge. A source within rounding of the edge has these rays, but no window that is long enough for them.
+  Voronoi_window fan_beside(int k, const Point& outside, double tie) const
+  {
+    const Point n = -1. * bound[std::size_t(k)].n;
+    Voronoi_window fan = fan_from(start_of_bound(k), k == 0 ? outside : n, k == 0 ? n : outside);
+    fan.rays.sigma = fan.start = fan.rays.sigma + tie;
     return fan;
   }
 
@@ -278,6 +278,24 @@ private:
   {
     const Point d = rays.ray_direction(p);
     return (1 / length(d)) * d;
+  }
+
+  // The rays from a point, between two half-planes with these normals.
+  Voronoi_window fan_from(const Point& p, const Point& left, const Point& right) const
+  {
+    Voronoi_window fan(*this);
+    fan.rays.bits = Window<double>::make_bits(false, no_index);
+    fan.rays.origin = STARTS_IN_FACE;
+    fan.rays.x = p.x;
+    fan.rays.y = p.y;
+    fan.rays.left = fan.rays.right = p;
+    fan.end = {p, p};
+    fan.tied = {0, 0};
+    fan.rays.sigma = fan.start = distance_at(p);
+    fan.number_of_bounds = 2;
+    fan.bound[0] = {left, dot(left, p)};
+    fan.bound[1] = {right, dot(right, p)};
+    return fan;
   }
 
   // Unit vector along the left (0) or right (1) bounding ray.
