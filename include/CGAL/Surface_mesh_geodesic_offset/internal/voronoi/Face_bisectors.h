@@ -230,6 +230,7 @@ private:
   {
     typedef std::pair<double, unsigned> Place;                                               // x coordinate, window
     std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
+    std::vector<std::array<bool, 2>> meets_another(m_windows.size(), {false, false});        // where its bounding ray starts
     std::vector<Place> left;
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
     std::sort(left.begin(), left.end());
@@ -241,6 +242,7 @@ private:
       {
         const double gap = length(m_windows[next->second].start_of_bound(0) - p);
         if (next->second == i || gap > m_tolerances.joint) continue;
+        meets_another[i][1] = meets_another[next->second][0] = true;
         const bool meet = meet_at_common_ray(i, next->second) ||
                           (gap <= m_tolerances.tie && m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie));
         if (!meet && !(gap <= m_tolerances.tie && add_fan(i, next->second))) continue;
@@ -255,7 +257,7 @@ private:
         if (neighbor[i][std::size_t(k)] != no_window) continue;
         m_windows[i].widen(k, m_tolerances.tie);
         const Voronoi_window& w = m_windows[i];
-        if (w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
+        if (meets_another[i][std::size_t(k)] || w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
         const Voronoi_window fan = w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie);
         m_all.push_back(unsigned(m_windows.size()));
         m_windows.push_back(fan);
