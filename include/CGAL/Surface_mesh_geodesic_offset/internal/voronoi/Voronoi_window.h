@@ -212,8 +212,8 @@ struct Voronoi_window
     return fan;
   }
 
-  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord; `outside`: beyond
-  // the edge. A source within rounding of the edge has these rays, but no window that is long enough for them.
+  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord; `outside`: its normal out
+  // of the face. A source within rounding of the edge has these rays, but no window that is long enough for them.
   Voronoi_window fan_beside(int k, const Point& outside, double tie) const
   {
     const Point n = -1. * bound[std::size_t(k)].n;
@@ -365,8 +365,6 @@ inline double least_path_length(const std::vector<Voronoi_window>& windows, cons
   return result;
 }
 
-// The same, of the windows with a label; infinite if there are none.
-
 // The nearest of some windows to a point, the least distance from a label, and the nearest window with it whose rays hold at the point.
 struct Nearest_windows
 {
@@ -397,6 +395,7 @@ struct Nearest_windows
   bool label_is_nearest(double tie) const { return distance_with_label <= distance + tie; }
 };
 
+// The least distance through the windows with a label; infinite if there are none.
 inline double least_distance_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
                                   const Point_in_face<double>& p, double slack)
 {
@@ -406,6 +405,7 @@ inline double least_distance_from(Index label, const std::vector<Voronoi_window>
   return result;
 }
 
+// The same, as if no cone ended at a common ray.
 inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows,
                                      const std::vector<unsigned>& chosen, const Point_in_face<double>& p)
 {
