@@ -212,8 +212,8 @@ struct Voronoi_window
     return fan;
   }
 
-  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord; `outside`: its normal out
-  // of the face. A source within rounding of the edge has these rays, but no window that is long enough for them.
+  // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord, whose normal out of
+  // the face is `outside`. A source within rounding of the edge has these rays, but no window that is long enough for them.
   Voronoi_window fan_beside(int k, const Point& outside, double tie) const
   {
     const Point n = -1. * bound[std::size_t(k)].n;
