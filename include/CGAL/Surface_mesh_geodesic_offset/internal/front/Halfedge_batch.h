@@ -36,7 +36,8 @@ public:
 
   Halfedge_batch(const Wavefront_state<FT>& state, const std::vector<Index>& source_of, const Traits& traits,
                  const Merging_tolerance<FT>& tolerance)
-    : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits, &state.field.start_values), m_merging(state.field, source_of, tolerance),
+    : m_mesh(state.mesh), m_state(state), m_envelope(source_of, traits, &state.field.start_values),
+      m_merging(state.field, source_of, tolerance),
       m_propagate(state, traits), m_needs_envelopes(!is_inexact || state.needs_envelopes)
   {
   }

@@ -112,7 +112,7 @@ private:
       }
       else
       {
-        const Point growth = gradient(v, point) - gradient(w, point); // of the distance of a, compared to b
+        const Point growth = v.gradient(point) - w.gradient(point); // of the distance of a, compared to b
         a_is_on_left = cross(conic.tangent(middle), growth) < 0;
       }
       out.push_back(arc(conic, a, b, p.begin, p.end, a_is_on_left));
@@ -141,13 +141,6 @@ private:
     arc.left = Bisector_side::of(m_windows[left], left);
     arc.right = Bisector_side::of(m_windows[right], right);
     return arc;
-  }
-
-  static Point gradient(const Voronoi_window& w, const Point& p)
-  {
-    const Point d = w.rays.ray_direction(p);
-    const double size = length(d);
-    return size > 0 ? (1 / size) * d : Point{0, 0};
   }
 
   // True if p is on a bounding ray of a window, up to rounding: the left one (0) or the right one (1).
@@ -227,8 +220,8 @@ private:
     if (x.label == v.label || x.label == w.label) return x.label == v.label;
     const auto& part = *parts.begin();
     if (!std::isfinite(part.begin) || !std::isfinite(part.end)) return true;
-    const Point p = conic.at(conic.between(part.begin, part.end, 0.5)).point(), u = gradient(x, p);
-    return dot(u, gradient(v, p)) >= dot(u, gradient(w, p));
+    const Point p = conic.at(conic.between(part.begin, part.end, 0.5)).point(), u = x.gradient(p);
+    return dot(u, v.gradient(p)) >= dot(u, w.gradient(p));
   }
 
   const std::vector<Voronoi_window>& m_windows;

@@ -147,9 +147,8 @@ public:
       {
         m_arcs.clear();
         const bool fits = bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
-        const bool holds = fits && std::all_of(m_arcs.begin(), m_arcs.end(), [&](const Bisector_arc& a) {
-                             return !bisectors.has_loose_joints() || links.holds(a, part.near, bisectors.has_wide_joints());
-                           });
+        const auto holds_along = [&](const Bisector_arc& a) { return links.holds(a, part.near, bisectors.has_wide_joints()); };
+        const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions * m_all.size();
         const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
         if (!holds && may_link && links.connect(part.cell, part.near, new_node, write)) continue;
@@ -203,14 +202,19 @@ private:
 
   static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
 
-  void add(const Face_window<FT>& w, bool is_whole_corner = false)
+  void append(const Voronoi_window& w)
+  {
+    m_all.push_back(unsigned(m_windows.size()));
+    m_windows.push_back(w);
+  }
+
+  void add(const Face_window<FT>& w, bool is_upper_bound = false)
   {
     if (w.is_empty()) return;
     Voronoi_window v(w, m_labels.of_window(w));
-    v.is_whole_corner = is_whole_corner;
+    v.is_upper_bound = is_upper_bound;
     if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) return;
-    m_all.push_back(unsigned(m_windows.size()));
-    m_windows.push_back(v);
+    append(v);
   }
 
   // The function d(v) + |p - v| of a corner in the whole face. It is an upper bound everywhere, and tells the distance where rounding
@@ -258,10 +262,7 @@ private:
         m_windows[i].widen(k, m_tolerances.tie);
         const Voronoi_window& w = m_windows[i];
         if (meets_another[i][std::size_t(k)] || w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
-        const Voronoi_window fan = w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie);
-        m_all.push_back(unsigned(m_windows.size()));
-        m_windows.push_back(fan);
-        m_windows.back().is_whole_corner = true;
+        append(w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie));
       }
     remove_rays(neighbor);
   }
@@ -315,7 +316,7 @@ private:
     const double radius = m_cell.radius();
     for (Voronoi_window& w : m_windows)
     {
-      if (w.is_whole_corner) continue;
+      if (w.is_upper_bound) continue;
       if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1))
         w.end_at(*ray, 1, along_chord(w));
       if (w.label == on_right.label && w.is_same_function(on_right, center, radius, tie) && may_end(w, 0))
@@ -347,8 +348,7 @@ private:
       return w.is_same_function(*fan, fan->image(), 0, m_tolerances.tie);
     });
     if (same != m_windows.end()) fan->label = same->label; // the point may be that of another source as well
-    m_all.push_back(unsigned(m_windows.size()));
-    m_windows.push_back(*fan);
+    append(*fan);
     return true;
   }
 

@@ -37,9 +37,9 @@ struct Voronoi_tolerances
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
   // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
   double joint;
-  // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the factor:
-  // up to the usual one, and in thin faces up to the longest edge over the height. Whether the arcs hold is found from the distances along
-  // them. Binding test: test_voronoi_diagram, thin faces.
+  // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the
+  // factor: up to the usual one, and in thin faces up to the longest edge over the height. Whether the arcs hold is found from the
+  // distances along them. Binding test: test_voronoi_diagram, thin faces.
   static constexpr double joint_factors[] = {1 << 6, 1 << 12, 1 << 18, 1 << 24}, usual_joint_factor = 1 << 12;
   // Arcs that meet at smaller angles may end farther apart, up to 2^-8 of the magnitude, if all distances are equal up to eight ties
   // at both ends and between them: each of these points is the common end up to rounding. Without this, cells around such ends are
@@ -66,8 +66,8 @@ struct Voronoi_tolerances
   // come over many edges may end that far from where their sources tie. Binding test: test_voronoi_diagram, cases of a file.
   double of_wide_joint() const { return 4 * of_link(); }
   double of_loose_joint() const { return 4 * joint; }
-  // Links are only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the points
-  // at which it is examined.
+  // Links are only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the
+  // points at which it is examined.
   static constexpr double part_of_linked_cell = 1. / 16;
   // Intervals between the points at which an arc is examined; and further points towards its ends, since several bisectors may meet there,
   // or the end may have been moved: each at this part of the distance from the end, down to a joint.
@@ -110,6 +110,8 @@ struct Voronoi_tolerances
   // How far from a ray the distance through a point on it is equal, up to `tie` and errors of the windows, to that from a line through
   // the point across the ray, at this distance from the point: the square of the result, over twice the distance, is four ties.
   static double tied_width(double along_ray, double tie) { return tie + std::sqrt(8 * tie * along_ray); }
+  // Sine of the angle between two rays that are one where distances tie up to `width` from the ray at this distance from its start.
+  static double tied_turn(double along_ray, double width) { return widest_gap + (along_ray > width ? width / along_ray : 0); }
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
   // But after this many divisions of a face only to have less windows, for each of its windows, not for this reason any more: many windows

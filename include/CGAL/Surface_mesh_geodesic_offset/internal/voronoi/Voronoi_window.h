@@ -37,7 +37,7 @@ struct Voronoi_window
   std::array<Point, 2> end; // of the chord on the left and the right: where the bounding rays start, unless at the image
   std::array<double, 2> tied{0, 0}; // so far beyond these rays, the distances of the next window tie with these
   double start;                     // least distance of the rays: at their chord, or at their image in the face
-  bool is_whole_corner = false;     // an upper bound of the distances in the whole face; see Face_bisectors
+  bool is_upper_bound = false;      // of the distances in the whole face, a loose tie larger; see Face_bisectors
 
   template <class FT>
   Voronoi_window(const Face_window<FT>& w, Index label_) : label(label_)
@@ -86,7 +86,16 @@ struct Voronoi_window
            (number_of_bounds == 2 || bound[2].value(p) <= slack + (is_strip() ? 0 : (std::max)(tied[0], tied[1])));
   }
 
-  // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or at the image.
+  // Gradient of the distances; null at the image.
+  Point gradient(const Point& p) const
+  {
+    const Point d = rays.ray_direction(p);
+    const double size = length(d);
+    return size > 0 ? (1 / size) * d : Point{0, 0};
+  }
+
+  // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or at the
+  // image.
   double lower_bound(const Point& center, double radius) const
   {
     const double beyond = (std::max)(tied[0] + length(end[0] - rays.left), tied[1] + length(end[1] - rays.right));
@@ -165,7 +174,7 @@ struct Voronoi_window
     for (const Voronoi_window* const w : {static_cast<const Voronoi_window*>(this), &other})
       if (!w->is_parallel()) along_ray = (std::max)(along_ray, length(w->start_of_bound(k) - w->image()));
     const double width = Voronoi_tolerances::tied_width(along_ray, tie);
-    const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
+    const double angle = Voronoi_tolerances::tied_turn(along_ray, width);
     if ((std::max)(own.value(p), own.value(q)) <= 0) return;
     if (std::abs(own.value(p)) <= width && std::abs(cross(own.n, ray.n)) <= angle) set_bound(k, ray, along_edge);
   }
@@ -188,7 +197,7 @@ struct Voronoi_window
   {
     const Point p = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
     const double along_ray = length(p - ray.start), width = ray.width(along_ray, tie);
-    const double angle = Voronoi_tolerances::widest_gap + (along_ray > width ? width / along_ray : 0);
+    const double angle = Voronoi_tolerances::tied_turn(along_ray, width);
     return std::abs(ray.left.value(p)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
   }
 
@@ -219,6 +228,7 @@ struct Voronoi_window
     const Point n = -1. * bound[std::size_t(k)].n;
     Voronoi_window fan = fan_from(start_of_bound(k), k == 0 ? outside : n, k == 0 ? n : outside);
     fan.rays.sigma = fan.start = fan.rays.sigma + tie;
+    fan.is_upper_bound = true;
     return fan;
   }
 
@@ -271,13 +281,6 @@ private:
   double distance_from_source(const Point& p) const
   {
     return is_parallel() ? distance_at(p) - rays.start_value : length(p - image());
-  }
-
-  // Of the distances.
-  Point gradient(const Point& p) const
-  {
-    const Point d = rays.ray_direction(p);
-    return (1 / length(d)) * d;
   }
 
   // The rays from a point, between two half-planes with these normals.
@@ -345,11 +348,12 @@ private:
   }
 };
 
-// The least length of a path to p through a window: straight if its cone has the point, else around an end of its chord. Continuous,
-// also if the cone ends at a common ray.
-inline double distance_through(const Voronoi_window& w, const Point_in_face<double>& p, double slack)
+// The least length of a path to p through a window: straight if its rays hold there, else around an end of its chord. Continuous, also
+// if the cone ends at a common ray.
+inline double distance_through(const Voronoi_window& w, const Point_in_face<double>& p, double slack, bool& is_straight)
 {
-  if (w.holds_at(p, slack)) return w.distance_at(p);
+  is_straight = w.holds_at(p, slack);
+  if (is_straight) return w.distance_at(p);
   double result = w.rays.path_length(p);
   if (!w.starts_at_image())
     for (const Point_in_face<double>& end : w.end) result = (std::min)(result, w.distance_at(end) + length(p - end));
@@ -378,7 +382,8 @@ struct Nearest_windows
     double least_straight = std::numeric_limits<double>::infinity();
     for (const unsigned i : chosen)
     {
-      const double d = distance_through(windows[i], p, slack);
+      bool is_straight;
+      const double d = distance_through(windows[i], p, slack, is_straight);
       if (d < distance)
       {
         distance = d;
@@ -386,7 +391,7 @@ struct Nearest_windows
       }
       if (windows[i].label != label) continue;
       distance_with_label = (std::min)(distance_with_label, d);
-      if (!(d < least_straight) || !windows[i].holds_at(p, slack)) continue;
+      if (!is_straight || !(d < least_straight)) continue;
       least_straight = d;
       with_label = i;
     }
@@ -401,7 +406,8 @@ inline double least_distance_from(Index label, const std::vector<Voronoi_window>
 {
   double result = std::numeric_limits<double>::infinity();
   for (const unsigned i : chosen)
-    if (windows[i].label == label) result = (std::min)(result, distance_through(windows[i], p, slack));
+    if (bool is_straight; windows[i].label == label)
+      result = (std::min)(result, distance_through(windows[i], p, slack, is_straight));
   return result;
 }
 
