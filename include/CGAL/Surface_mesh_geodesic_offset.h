@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_levels.h>
 #include <CGAL/Surface_mesh_geodesic_offset/Offset_side.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Offset_cutting.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
@@ -723,7 +724,8 @@ private:
   template <class NamedParameters>
   Request request(const NamedParameters& np) const
   {
-    return Request::read(np, [this](const auto& t) { return data().classified(t); });
+    return Geodesic_offset::internal::with_graded_distances(
+      data().surface(), Request::read(np, [this](const auto& t) { return data().classified(t); }));
   }
 
   Field field_of(const std::shared_ptr<const Build>& build) const

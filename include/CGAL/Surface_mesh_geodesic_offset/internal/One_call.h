@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Geodesic_mesh_type.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Geodesic_build.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Statistics_report.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_argument.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Source_classification.h>
 #include <CGAL/Surface_mesh_geodesic_offset/named_parameters.h>
@@ -54,7 +55,7 @@ public:
 
   Request request() const
   {
-    return Request::read(m_np, [this](const auto& t) { return data().classified(t); });
+    return with_graded_distances(data().surface(), Request::read(m_np, [this](const auto& t) { return data().classified(t); }));
   }
 
   // The build before its propagation.

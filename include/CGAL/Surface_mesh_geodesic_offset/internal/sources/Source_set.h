@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Surface_point.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Segment_seeding.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -32,9 +33,17 @@ public:
     std::vector<Surface_point<FT>> points;
     std::vector<Index> halfedges;
     FT start_value = FT(0);
+    std::vector<std::array<FT, 3>> weights = {}; // per point the user's barycentric coordinates, unless it is a vertex
   };
 
   void insert(std::size_t id, Source source) { m_sources.emplace(id, std::move(source)); }
+
+  // Calls f(source) for each source.
+  template <class Function>
+  void for_each(const Function& f) const
+  {
+    for (const auto& s : m_sources) f(s.second);
+  }
 
   // \throws std::invalid_argument if rays cannot start from the source
   static void check(const Unfolded_mesh<FT>& mesh, const Source& source)
