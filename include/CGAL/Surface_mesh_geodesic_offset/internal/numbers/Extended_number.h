@@ -15,6 +15,8 @@
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -24,7 +26,7 @@ namespace Geodesic_offset {
 namespace internal {
 
 // A Double_double as a model of FieldWithSqrt, with infinity. Relative errors of operations are at most 2^-103: 8 units of
-// 2^-106 (Double_double.h).
+// 2^-106 (Double_double.h). They are out of line: inlined into the front, they would double the time to compile it.
 class Extended_number
 {
 public:
@@ -37,24 +39,24 @@ public:
   Extended_number operator-() const { return Extended_number(-m_value); }
   Extended_number operator+() const { return *this; }
 
-  Extended_number& operator+=(const Extended_number& o)
+  BOOST_NOINLINE Extended_number& operator+=(const Extended_number& o)
   {
     const double sum = high() + o.high();
     return set(sum, m_value + o.m_value);
   }
   Extended_number& operator-=(const Extended_number& o) { return *this += -o; }
-  Extended_number& operator*=(const Extended_number& o)
+  BOOST_NOINLINE Extended_number& operator*=(const Extended_number& o)
   {
     const double product = high() * o.high();
     return set(product, m_value * o.m_value);
   }
-  Extended_number& operator/=(const Extended_number& o)
+  BOOST_NOINLINE Extended_number& operator/=(const Extended_number& o)
   {
     const double quotient = high() / o.high();
     return o.is_finite() ? set(quotient, m_value / o.m_value) : set(quotient, quotient);
   }
 
-  Extended_number square_root() const
+  BOOST_NOINLINE Extended_number square_root() const
   {
     return is_finite() ? Extended_number(internal::square_root(m_value)) : *this;
   }
