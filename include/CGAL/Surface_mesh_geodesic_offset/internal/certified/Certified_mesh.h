@@ -9,7 +9,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 

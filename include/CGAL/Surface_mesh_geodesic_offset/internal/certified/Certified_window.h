@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_pair.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>

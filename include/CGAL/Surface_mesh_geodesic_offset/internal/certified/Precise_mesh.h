@@ -17,7 +17,7 @@
 
 #define CGAL_GEODESIC_OFFSET_CERTIFICATE(...) __VA_ARGS__
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
 #include <boost/multiprecision/mpfr.hpp>

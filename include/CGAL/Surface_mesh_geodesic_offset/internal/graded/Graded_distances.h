@@ -8,11 +8,11 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/Build_request.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Extended_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_places.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Computation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_arithmetic.h>
 
 #include <algorithm>
 #include <array>
@@ -65,12 +65,13 @@ private:
   const Surface& m_surface;
 };
 
-// True if the computation is in double, with the functors of the package: others may have another metric.
+// True if the computation is in double, with the functors of the package: others may have another metric. False with options of
+// the compiler that spoil extended numbers.
 template <class Traits, class Package = Package_traits<Traits>>
 struct Has_graded_distances
 {
   static constexpr bool value =
-    std::is_same<typename Package::FT, double>::value && std::is_same<Functors_of<Traits>, Functors_of<Package>>::value;
+    may_round_correctly() && std::is_same<typename Package::FT, double>::value && std::is_same<Functors_of<Traits>, Functors_of<Package>>::value;
 };
 
 template <class Traits>
@@ -94,7 +95,7 @@ public:
     std::map<Index, double> result;
     const Points_of_surface<Surface> points(m_surface);
     const Graded_places<Points_of_surface<Surface>> places(m_surface.unfolded, field, maximum, points);
-    if (places.vertices().empty()) return result;
+    if (places.vertices().empty() || !rounds_to_nearest() || !rounds_correctly()) return result;
     double farthest = 0;
     for (const Index v : places.vertices()) farthest = (std::max)(farthest, field.distance[v]);
     const Extended_mesh mesh(m_surface.unfolded, places.faces(), points);
@@ -140,9 +141,9 @@ private:
   const Surface& m_surface;
 };
 
-// The same request, with graded distances if the number type has them. `surface` must remain until the end of the propagation.
-template <class Surface>
-Build_request<typename Surface::Number> with_graded_distances(const Surface& surface, Build_request<typename Surface::Number> request)
+// A Build_request with graded distances, if the number type has them. `surface` must remain until the end of the propagation.
+template <class Surface, class Request>
+Request with_graded_distances(const Surface& surface, Request request)
 {
   if constexpr (Has_graded_distances<typename Surface::Traits>::value) request.refined = Graded_distances<Surface>(surface);
   else (void)surface;

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
-#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Coercion_traits.h>

@@ -3,8 +3,8 @@
 //
 // Unevaluated sums of two doubles. With them, images remain accurate over any number of faces.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DOUBLE_DOUBLE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_CERTIFIED_DOUBLE_DOUBLE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 

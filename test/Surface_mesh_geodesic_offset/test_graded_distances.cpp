@@ -1,0 +1,420 @@
+// Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Distances of vertices far smaller than edges beside them, down to 1e-12 of an edge: their relative errors are below 1e-13, from
+// sources of all kinds, after updates, with distance limits, start values and threads. Compared with the reference of
+// reference_distances.h. The vertices that are computed with twice the digits, and the number type with these digits.
+//
+//   test_graded_distances [--meshes N]
+
+#include "certified_cases.h"
+#include "geodesic_types.h"
+#include "locations.h"
+#include "test_check.h"
+
+#include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Graded_distances.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_graded_distances {
+
+using namespace test;
+
+typedef Reference_distances::Number Number;
+typedef Reference_distances::Location Location;
+typedef Reference_distances::Segment Segment;
+typedef Geodesic::Face_location Face_location;
+typedef CGAL::Geodesic_offset::internal::Extended_number Extended_number;
+
+constexpr double tolerance = 1e-13; // relative
+
+std::size_t number_of_meshes = 6000;
+
+Soup soup_of(const Certified_case& c)
+{
+  Soup soup;
+  for (const auto& p : c.points) soup.points.push_back(Point_3(p[0], p[1], p[2]));
+  for (const auto& t : c.triangles) soup.add_triangle(t);
+  return soup;
+}
+
+std::pair<double, double> shortest_and_longest_edge(const Soup& soup)
+{
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (const auto& t : soup.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double length = std::sqrt(CGAL::squared_distance(soup.points[t[k]], soup.points[t[(k + 1) % 3]]));
+      shortest = (std::min)(shortest, length);
+      longest = (std::max)(longest, length);
+    }
+  return {shortest, longest};
+}
+
+// Largest relative errors by the decades of the distances, in longest edges.
+class Errors
+{
+public:
+  void add(double distance, const Number& expected, double longest, const std::string& name)
+  {
+    const double d = double(expected);
+    const double error = d == 0 ? (distance == 0 ? 0 : 1) : std::abs(double(Number(distance) - expected)) / d;
+    CHECK_DETAIL(error < tolerance, name + ": " + values(distance, d));
+    if (d > 0 && d < longest) ++m_counts[(std::min)(std::size_t(-std::log10(d / longest)), m_counts.size() - 1)];
+  }
+
+  // Distances at 10^-(i+1) to 10^-i of the longest edge; the last count includes smaller ones.
+  const std::array<std::size_t, 13>& counts() const { return m_counts; }
+
+private:
+  std::array<std::size_t, 13> m_counts{};
+};
+
+// Sources of a case, in the terms of the reference.
+struct Sources
+{
+  std::vector<std::size_t> vertices;
+  std::vector<Location> points;
+  std::vector<std::vector<Location>> polylines; // consecutive points are in one triangle
+  std::vector<std::array<std::size_t, 2>> edges; // triangle and side
+};
+
+// A mesh, and its reference distances.
+class Case
+{
+public:
+  explicit Case(const Soup& soup) : m_soup(soup), m_data(soup), m_longest(shortest_and_longest_edge(soup).second) {}
+
+  const Surface_mesh& mesh() const { return m_data.mesh; }
+  const Soup& soup() const { return m_soup; }
+  double longest() const { return m_longest; }
+
+  Reference_distances reference(const Sources& s) const
+  {
+    std::vector<Reference_distances::Point> points;
+    for (const Point_3& p : m_soup.points) points.push_back({p.x(), p.y(), p.z()});
+    std::vector<std::size_t> vertices = s.vertices;
+    std::vector<Location> locations = s.points;
+    std::vector<Segment> segments;
+    for (const auto& polyline : s.polylines)
+      for (std::size_t i = 0; i < polyline.size(); ++i)
+      {
+        locations.push_back(polyline[i]);
+        if (i > 0) segments.push_back({polyline[i].triangle, polyline[i - 1].weights, polyline[i].weights});
+      }
+    for (const auto& [triangle, k] : s.edges)
+    {
+      std::array<double, 3> first{}, second{};
+      first[k] = second[(k + 1) % 3] = 1;
+      segments.push_back({triangle, first, second});
+      vertices.push_back(m_soup.triangles[triangle][k]);
+      vertices.push_back(m_soup.triangles[triangle][(k + 1) % 3]);
+    }
+    Reference_distances result(points, m_soup.triangles);
+    result.solve(vertices, locations, {}, segments);
+    return result;
+  }
+
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  void add(Geodesic& geodesic, const Sources& s, const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    for (const std::size_t v : s.vertices) geodesic.add_source_point(m_data.vertices[v], np);
+    for (const Location& l : s.points) geodesic.add_source_point(location(l), np);
+    for (const auto& polyline : s.polylines)
+    {
+      std::vector<Face_location> locations;
+      for (const Location& l : polyline) locations.push_back(location(l));
+      geodesic.add_source_polyline(locations, false, np);
+    }
+    std::vector<Surface_mesh::Edge_index> edges;
+    for (const auto& [triangle, k] : s.edges)
+      edges.push_back(mesh().edge(mesh().halfedge(m_data.vertices[m_soup.triangles[triangle][k]],
+                                                  m_data.vertices[m_soup.triangles[triangle][(k + 1) % 3]])));
+    if (!edges.empty()) geodesic.add_source_edges(edges, np);
+  }
+
+  // Compares distances up to a limit. `start_value`: of all sources.
+  void compare(const Geodesic& geodesic, const Reference_distances& reference, const std::string& name, Errors& errors,
+               double limit = std::numeric_limits<double>::infinity(), double start_value = 0) const
+  {
+    std::vector<double> distances(m_soup.points.size(), -1);
+    geodesic.vertex_distances(CGAL::make_property_map(distances));
+    for (std::size_t v = 0; v < m_soup.points.size(); ++v)
+    {
+      const double d = geodesic.distance_to_sources(m_data.vertices[v]);
+      CHECK(d == distances[m_data.vertices[v]]);
+      CHECK(d <= limit || std::isinf(d));
+      const Number expected = reference.of_vertex(v) + Number(start_value);
+      if (reference.of_vertex(v) < Reference_distances::infinity() && double(expected) < limit * (1 - tolerance))
+        errors.add(d, expected, m_longest, name + ", vertex " + std::to_string(v));
+    }
+  }
+
+private:
+  Face_location location(const Location& l) const { return Locations<Surface_mesh>(mesh()).in_triangle(m_data, m_soup, l.triangle, l.weights); }
+
+  const Soup m_soup;
+  const Generated_mesh<Surface_mesh> m_data;
+  const double m_longest;
+};
+
+// Graded clusters, graded needles, and sources beside saddles. The ratio of the edges is down to 1e-12, and points are as near to
+// a vertex. Distances at each scale are compared: with a larger graded_ratio, those near it fail.
+void adversarial_meshes()
+{
+  Errors errors;
+  std::size_t extreme = 0; // meshes with a ratio below 1e-11
+  for (unsigned seed = 1; seed <= 4 * number_of_meshes; ++seed)
+  {
+    if (seed % 8 != 1 && seed % 8 != 5 && seed % 8 != 7) continue;
+    const Certified_case c = Certified_cases::adversarial(seed);
+    const Soup soup = soup_of(c);
+    const Case mesh(soup);
+    const auto [shortest, longest] = shortest_and_longest_edge(soup);
+    extreme += shortest < 1e-11 * longest;
+    const Sources sources{c.source_vertices, c.sources, {}, {}};
+    Geodesic geodesic(mesh.mesh());
+    mesh.add(geodesic, sources);
+    geodesic.build();
+    mesh.compare(geodesic, mesh.reference(sources), c.kind + " " + std::to_string(seed), errors);
+  }
+  CHECK(extreme > number_of_meshes / 60);
+  for (const std::size_t n : errors.counts()) CHECK(n > number_of_meshes / 60);
+}
+
+// Rings of faces around a vertex, each ring up to some ten times larger or smaller than the one before.
+Soup nested_rings(Random& random)
+{
+  const std::size_t k = 3 + uniform_index(random, 3), rings = 2 + uniform_index(random, 3);
+  const double x = uniform_index(random, 2) ? 0 : uniform(random, -3, 3), bending = std::pow(10, uniform(random, -5, 0));
+  double size = std::pow(10, uniform(random, -12.5, -2));
+  Soup soup;
+  soup.points.push_back(Point_3(x, 0, 0));
+  for (std::size_t i = 0; i < rings; ++i, size *= std::pow(10, uniform(random, 0, 6 * uniform(random))))
+    for (std::size_t j = 0; j < k; ++j)
+    {
+      const double angle = 2 * CGAL_PI * (double(j) + uniform(random, -0.2, 0.2)) / double(k), r = size * uniform(random, 0.6, 1.4);
+      soup.points.push_back(Point_3(x + r * std::cos(angle), r * std::sin(angle), bending * size * uniform(random, -1, 1)));
+      const std::size_t n = soup.points.size() - 1, next = j + 1 == k ? n + 1 - k : n + 1;
+      if (i == 0) soup.add_triangle({0, n, next});
+      else
+      {
+        soup.add_triangle({n - k, n, next - k});
+        soup.add_triangle({next - k, n, next});
+      }
+    }
+  return soup;
+}
+
+// Weights at 1e-11 to 1e-1 from a corner.
+std::array<double, 3> beside_corner(Random& random)
+{
+  const std::size_t k = uniform_index(random, 3);
+  const double size = std::pow(10, uniform(random, -11, -1));
+  std::array<double, 3> w;
+  w[(k + 1) % 3] = size * uniform(random, 0.1, 1);
+  w[(k + 2) % 3] = uniform_index(random, 3) ? size * uniform(random, 0.1, 1) : 0;
+  w[k] = 1 - (w[(k + 1) % 3] + w[(k + 2) % 3]);
+  return w;
+}
+
+Sources random_sources(const Soup& soup, std::size_t kind, Random& random)
+{
+  Sources s;
+  const auto triangle = [&] { return uniform_index(random, soup.triangles.size()); };
+  for (std::size_t i = 1 + uniform_index(random, 2); i > 0; --i)
+    if (kind == 0) s.vertices.push_back(uniform_index(random, soup.points.size()));
+    else if (kind == 1) s.points.push_back({triangle(), beside_corner(random)});
+    else if (kind == 2) s.edges.push_back({triangle(), uniform_index(random, 3)});
+    else
+    {
+      const std::size_t f = triangle();
+      std::vector<Location> polyline;
+      for (std::size_t j = 1 + uniform_index(random, 3); j > 0; --j) polyline.push_back({f, beside_corner(random)});
+      s.polylines.push_back(polyline);
+    }
+  return s;
+}
+
+// All kinds of sources, builds and updates.
+void nested_meshes()
+{
+  static const char* const names[4] = {"vertices", "points", "edges", "polylines"};
+  std::array<Errors, 4> errors;
+  for (unsigned seed = 1; seed <= number_of_meshes / 4; ++seed)
+  {
+    Random random(seed);
+    for (int i = 0; i < 8; ++i) random();
+    const Case mesh(nested_rings(random));
+    const std::size_t kind = seed % 4;
+    const std::string name = names[kind] + (" " + std::to_string(seed));
+    const Sources sources = random_sources(mesh.soup(), kind, random);
+    const Reference_distances reference = mesh.reference(sources);
+    Geodesic geodesic(mesh.mesh());
+    mesh.add(geodesic, sources);
+    geodesic.build(CGAL::parameters::keep_windows(seed % 3 == 0));
+    mesh.compare(geodesic, reference, name, errors[kind]);
+    const double limit = mesh.longest() * std::pow(10, uniform(random, -12, 0));
+    geodesic.build(CGAL::parameters::distance_limit(limit).keep_windows(seed % 3 == 0));
+    mesh.compare(geodesic, reference, name + " with a limit", errors[kind], limit);
+    geodesic.build(CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
+    mesh.compare(geodesic, reference, name + " with threads", errors[kind]);
+
+    Geodesic started(mesh.mesh());
+    const double start_value = mesh.longest() * std::pow(10, uniform(random, -12, 0));
+    mesh.add(started, sources, CGAL::parameters::start_value(start_value));
+    started.build();
+    mesh.compare(started, reference, name + " with a start value", errors[kind], std::numeric_limits<double>::infinity(), start_value);
+
+    Geodesic updated(mesh.mesh());
+    updated.add_source_point(*mesh.mesh().vertices_begin());
+    updated.build(CGAL::parameters::keep_windows(true));
+    mesh.add(updated, sources);
+    updated.update();
+    Sources all = sources;
+    all.vertices.push_back(0);
+    mesh.compare(updated, mesh.reference(all), name + " after an update", errors[kind]);
+    updated.remove_source(0);
+    updated.update();
+    mesh.compare(updated, reference, name + " without the first source", errors[kind]);
+  }
+  for (const Errors& e : errors) CHECK(std::accumulate(e.counts().begin() + 9, e.counts().end(), std::size_t(0)) > number_of_meshes / 60);
+}
+
+// Meshes by lengths: the second propagation lays faces out by the same lengths. Compared with the package on extended numbers.
+void lengths()
+{
+  typedef CGAL::Simple_cartesian<Extended_number> Extended_kernel;
+  typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Extended_kernel, Surface_mesh>> Extended_geodesic;
+  std::size_t compared = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed)
+  {
+    Random random(seed);
+    for (int i = 0; i < 8; ++i) random();
+    const Case mesh(nested_rings(random));
+    Surface_mesh copy = mesh.mesh();
+    const auto lengths = copy.add_property_map<Surface_mesh::Edge_index, double>("e:length", 0).first;
+    const auto same = copy.add_property_map<Surface_mesh::Edge_index, Extended_number>("e:extended_length", 0).first;
+    for (const auto e : copy.edges())
+    {
+      lengths[e] = std::sqrt(CGAL::squared_distance(copy.point(copy.vertex(e, 0)), copy.point(copy.vertex(e, 1))));
+      same[e] = lengths[e];
+    }
+    Geodesic geodesic(copy, CGAL::parameters::edge_length_map(lengths));
+    Extended_geodesic extended(copy, CGAL::parameters::edge_length_map(same));
+    const Surface_mesh::Vertex_index source(static_cast<unsigned>(uniform_index(random, 4)));
+    geodesic.add_source_point(source);
+    extended.add_source_point(source);
+    geodesic.build();
+    extended.build();
+    for (const auto v : copy.vertices())
+    {
+      const double d = extended.distance_to_sources(v).high(), e = geodesic.distance_to_sources(v);
+      if (!(d < 1e-3 * mesh.longest())) continue;
+      CHECK_DETAIL(std::abs(d - e) <= tolerance * d, values(e, d));
+      ++compared;
+    }
+  }
+  CHECK(compared > 500);
+}
+
+// Points of a mesh without any use of distances in space.
+struct No_points
+{
+  static double between(std::size_t, std::size_t, std::size_t) { return 0; }
+};
+
+// The vertices with graded distances: those nearer than 1/64 of an edge in reach, and only these.
+void graded_vertices()
+{
+  for (const double factor : {0.5, 0.99, 1.01, 2.})
+    for (const bool is_far : {false, true})
+    {
+      // a strip of quads: the first one has sides of length 1, or the sixth one
+      const double size = factor / CGAL::Geodesic_offset::internal::graded_ratio;
+      Soup soup;
+      for (int i = 0; i < 8; ++i)
+      {
+        const double x = size * i + (i > (is_far ? 6 : 0) ? 1 - size : 0);
+        soup.points.push_back(Point_3(x, 0, 0));
+        soup.points.push_back(Point_3(x, size, 0));
+      }
+      for (std::size_t i = 0; i + 2 < 16; i += 2)
+      {
+        soup.add_triangle({i, i + 2, i + 3});
+        soup.add_triangle({i, i + 3, i + 1});
+      }
+      const Generated_mesh<Surface_mesh> data(soup);
+      Geodesic geodesic(data.mesh);
+      geodesic.add_source_point(data.vertices[0]);
+      typedef CGAL::Geodesic_offset::internal::Index Index;
+      // the field as the package computes it, and its mesh
+      const auto& unfolded = CGAL::Geodesic_offset::internal::Mesh_access::data(geodesic.mesh()).unfolded();
+      const auto field = geodesic.build();
+      const auto& build = *CGAL::Geodesic_offset::internal::Field_access::shared_build(field);
+      const CGAL::Geodesic_offset::internal::Graded_places<No_points> places(unfolded, build.field, build.maximum, No_points());
+      std::vector<double> graded;
+      for (const Index v : places.vertices()) graded.push_back(build.field.distance[v]);
+      const std::vector<double> expected = factor < 1 && !is_far ? std::vector<double>{size} : std::vector<double>();
+      CHECK(graded == expected);
+      CHECK(places.faces().empty() == expected.empty());
+    }
+}
+
+// Operations have relative errors of at most 2^-103 and respect infinity.
+void extended_numbers()
+{
+  Random random(1);
+  const auto exact = [](const Extended_number& x) { return Number(x.high()) + Number(x.low()); };
+  const Number unit = Number(0x1p-103);
+  const auto is_close = [&](const Extended_number& x, const Number& y, const Number& scale) {
+    const Number error = exact(x) - y;
+    return (error < Number(0) ? -error : error) <= unit * scale;
+  };
+  for (int i = 0; i < 2000; ++i)
+  {
+    const auto number = [&] {
+      const double high = std::pow(10, uniform(random, -30, 30));
+      return Extended_number(uniform_index(random, 2) ? high : -high) + Extended_number(high * 0x1p-54 * uniform(random, -1, 1));
+    };
+    const Extended_number a = number(), b = uniform_index(random, 4) ? number() : -a * Extended_number(1 + 0x1p-70);
+    const Number x = exact(a), y = exact(b), size_of_x = x < Number(0) ? -x : x, size_of_y = y < Number(0) ? -y : y;
+    const Number larger = size_of_x < size_of_y ? size_of_y : size_of_x;
+    CHECK(is_close(a + b, x + y, larger) && is_close(a - b, x - y, larger));
+    CHECK(is_close(a * b, x * y, size_of_x * size_of_y));
+    CHECK(is_close(a / b, x / y, size_of_x / size_of_y));
+    const Extended_number root = CGAL::sqrt(CGAL::abs(a));
+    CHECK(is_close(root * root, size_of_x, Number(4) * size_of_x));
+    CHECK((a < b) == (x < y) && (a <= b) == (x <= y) && (a == b) == (x == y) && CGAL::compare(a, b) == (x < y ? CGAL::SMALLER : x > y ? CGAL::LARGER : CGAL::EQUAL));
+    CHECK(CGAL::sign(a) == (x < Number(0) ? CGAL::NEGATIVE : CGAL::POSITIVE));
+    const std::pair<double, double> bounds = CGAL::to_interval(a);
+    CHECK(Number(bounds.first) <= x && x <= Number(bounds.second));
+  }
+  typedef CGAL::Geodesic_offset::internal::Number_policy<Extended_number> Policy;
+  const Extended_number infinity = Policy::infinity(), one(1);
+  CHECK(infinity + one == infinity && infinity - one == infinity && infinity * Extended_number(2) == infinity);
+  CHECK(one / infinity == Extended_number(0) && CGAL::sqrt(infinity) == infinity && one < infinity && -infinity < one);
+  CHECK(!Policy::is_finite(infinity) && Policy::is_finite(one) && Policy::rounding(1) == Extended_number(0x1p-103));
+}
+
+} // namespace test_graded_distances
+
+GEODESIC_OFFSET_TEST(test_graded_distances)
+{
+  for (int i = 1; i + 1 < argc; ++i)
+    if (std::string(argv[i]) == "--meshes") number_of_meshes = std::size_t(std::atol(argv[i + 1]));
+  const std::pair<const char*, void (*)()> tests[] = {{"adversarial meshes", adversarial_meshes},
+                                                      {"nested meshes", nested_meshes},
+                                                      {"lengths", lengths},
+                                                      {"graded vertices", graded_vertices},
+                                                      {"extended numbers", extended_numbers}};
+  return run_tests("test_graded_distances", tests);
+}
