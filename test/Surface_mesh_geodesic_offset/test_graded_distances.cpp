@@ -332,14 +332,34 @@ struct No_points
   static double between(std::size_t, std::size_t, std::size_t) { return 0; }
 };
 
-// The vertices with graded distances: those nearer than 1/64 of an edge in reach, and only these.
+// The graded vertices of a build from the first vertex of a mesh.
+struct Graded
+{
+  std::vector<double> distances;
+  std::size_t faces = 0;
+
+  explicit Graded(const Soup& soup)
+  {
+    const Generated_mesh<Surface_mesh> data(soup);
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_point(data.vertices[0]);
+    const auto& unfolded = CGAL::Geodesic_offset::internal::Mesh_access::data(geodesic.mesh()).unfolded();
+    const auto field = geodesic.build();
+    const auto& build = *CGAL::Geodesic_offset::internal::Field_access::shared_build(field);
+    const CGAL::Geodesic_offset::internal::Graded_places<No_points> places(unfolded, build.field, build.maximum, No_points());
+    for (const auto v : places.vertices()) distances.push_back(build.field.distance[v]);
+    faces = places.faces().size();
+  }
+};
+
+// Vertices are graded up to 1/64 of an edge in reach, the value of graded_ratio, and only these.
 void graded_vertices()
 {
   for (const double factor : {0.5, 0.99, 1.01, 2.})
     for (const bool is_far : {false, true})
     {
-      // a strip of quads: the first one has sides of length 1, or the sixth one
-      const double size = factor / CGAL::Geodesic_offset::internal::graded_ratio;
+      // a strip of quads: the first one has sides of length 1, or the seventh one
+      const double size = factor / 64;
       Soup soup;
       for (int i = 0; i < 8; ++i)
       {
@@ -352,21 +372,32 @@ void graded_vertices()
         soup.add_triangle({i, i + 2, i + 3});
         soup.add_triangle({i, i + 3, i + 1});
       }
-      const Generated_mesh<Surface_mesh> data(soup);
-      Geodesic geodesic(data.mesh);
-      geodesic.add_source_point(data.vertices[0]);
-      typedef CGAL::Geodesic_offset::internal::Index Index;
-      // the field as the package computes it, and its mesh
-      const auto& unfolded = CGAL::Geodesic_offset::internal::Mesh_access::data(geodesic.mesh()).unfolded();
-      const auto field = geodesic.build();
-      const auto& build = *CGAL::Geodesic_offset::internal::Field_access::shared_build(field);
-      const CGAL::Geodesic_offset::internal::Graded_places<No_points> places(unfolded, build.field, build.maximum, No_points());
-      std::vector<double> graded;
-      for (const Index v : places.vertices()) graded.push_back(build.field.distance[v]);
-      const std::vector<double> expected = factor < 1 && !is_far ? std::vector<double>{size} : std::vector<double>();
-      CHECK(graded == expected);
-      CHECK(places.faces().empty() == expected.empty());
+      const Graded graded(soup);
+      const bool expected = factor < 1 && !is_far;
+      CHECK(graded.distances == (expected ? std::vector<double>{size} : std::vector<double>()));
+      CHECK((graded.faces > 0) == expected);
     }
+}
+
+// A fine grid beside a long edge: the second propagation takes a bounded number of faces, those nearest to the source.
+void large_places()
+{
+  const std::size_t n = 80;
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) soup.points.push_back(Point_3(double(i), double(j), 0));
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    for (std::size_t j = 0; j + 1 < n; ++j)
+    {
+      soup.add_triangle({i * n + j, (i + 1) * n + j, (i + 1) * n + j + 1});
+      soup.add_triangle({i * n + j, (i + 1) * n + j + 1, i * n + j + 1});
+    }
+  soup.points.push_back(Point_3(-1e5, 0, 0));
+  soup.add_triangle({1, n * n, 0});
+  const Graded graded(soup);
+  CHECK(graded.faces > 100 && graded.faces <= 1024);
+  CHECK(graded.distances.size() > 50);
+  for (const double d : graded.distances) CHECK(d < double(n) / 3);
 }
 
 // Operations have relative errors of at most 2^-103 and respect infinity.
@@ -415,6 +446,7 @@ GEODESIC_OFFSET_TEST(test_graded_distances)
                                                       {"nested meshes", nested_meshes},
                                                       {"lengths", lengths},
                                                       {"graded vertices", graded_vertices},
+                                                      {"large places", large_places},
                                                       {"extended numbers", extended_numbers}};
   return run_tests("test_graded_distances", tests);
 }

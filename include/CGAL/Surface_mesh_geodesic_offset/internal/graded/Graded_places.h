@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -35,32 +36,43 @@ public:
   // `maximum`: distances up to this value are final.
   Graded_places(const Unfolded_mesh<double>& mesh, const Geodesic_field<double>& field, double maximum, const Points& points)
     : m_mesh(mesh), m_distance(field.distance), m_maximum(maximum), m_rounding(rounding_of_reach * mesh.longest_edge()),
-      m_points(points)
+      m_most_faces((std::max)(std::size_t(least_most_faces), mesh.number_of_faces() / part_of_faces)), m_points(points)
   {
-    const double limit = (std::min)(maximum, mesh.longest_edge() / graded_ratio);
-    std::vector<Index> candidates;
+    double limit = (std::min)(maximum, mesh.longest_edge() / graded_ratio);
     for (Index v = 0; v < m_distance.size(); ++v)
-      if (m_distance[v] <= limit && m_distance[v] > 0) candidates.push_back(v);
-    if (candidates.empty()) return;
-    std::sort(candidates.begin(), candidates.end(), [this](Index v, Index w) {
+      if (m_distance[v] <= limit && m_distance[v] > 0) m_candidates.push_back(v);
+    std::sort(m_candidates.begin(), m_candidates.end(), [this](Index v, Index w) {
       return m_distance[v] > m_distance[w] || (m_distance[v] == m_distance[w] && v < w);
     });
-    m_is_settled.resize(mesh.number_of_vertices(), 0);
-    m_is_chosen.resize(mesh.number_of_faces(), 0);
-    m_seen_from.resize(mesh.number_of_faces(), no_index);
-    for (const Index v : candidates)
-      if (!m_is_settled[v]) explore(v);
+    while (!select(limit)) limit /= 4;
   }
 
-  // The graded vertices, and the faces within their distances around them: their shortest paths cross no other.
+  // The graded vertices, and the faces within their distances around them: their shortest paths cross no other. Where these are
+  // too many faces, only the vertices nearest to the sources, whose errors are the largest.
   const std::vector<Index>& vertices() const { return m_vertices; }
   const std::vector<Index>& faces() const { return m_faces; }
 
 private:
+  // Finds graded vertices up to a distance. Returns false if there are too many faces.
+  bool select(double limit)
+  {
+    const auto is_beyond = [this](Index v, double d) { return m_distance[v] > d; };
+    auto v = std::lower_bound(m_candidates.begin(), m_candidates.end(), limit, is_beyond);
+    m_vertices.clear();
+    m_faces.clear();
+    if (v == m_candidates.end()) return true;
+    m_is_settled.assign(m_mesh.number_of_vertices(), 0);
+    m_is_chosen.assign(m_mesh.number_of_faces(), 0);
+    m_seen_from.assign(m_mesh.number_of_faces(), no_index);
+    for (; v != m_candidates.end(); ++v)
+      if (!m_is_settled[*v] && !explore(*v)) return false;
+    return true;
+  }
+
   // Visits the faces around w up to three times its distance, and up to its distance from the sources. They contain all such
   // faces up to the distance of v around each vertex v up to twice the distance of w away from w, unless v is farther from the
-  // sources: v needs no visit of its own, except if w is not graded and v may be.
-  void explore(Index w)
+  // sources: v needs no visit of its own, except if w is not graded and v may be. Returns false if there are too many faces.
+  bool explore(Index w)
   {
     const double distance = m_distance[w] + m_rounding, radius = 3 * distance;
     std::vector<Index> faces;
@@ -76,6 +88,7 @@ private:
       {
         longest = (std::max)(longest, m_mesh[h].length);
         if (m_mesh.twin(h) != no_index && is_within(w, h, distance, radius)) visit(m_mesh.face(m_mesh.twin(h)));
+        if (faces.size() > m_most_faces) return false;
       }
     const bool is_graded = longest >= graded_ratio * m_distance[w];
     for (const Index f : faces)
@@ -95,6 +108,7 @@ private:
         if (is_graded) m_vertices.push_back(v);
       }
     }
+    return m_faces.size() <= places_of_faces * m_most_faces;
   }
 
   // False if no point of the edge of h is both up to `distance` from the sources and up to `radius` from w.
@@ -106,10 +120,16 @@ private:
     return (ends - m_mesh[h].length) / 2 <= distance + m_rounding && m_points.between(w, a, b) <= radius + m_rounding;
   }
 
+  // The second propagation takes some ten times longer per face than the first. So one place has no more than 1/128 of the faces,
+  // or 1024, which take some milliseconds; and all together, as along polylines, no more than four times as many.
+  static constexpr std::size_t part_of_faces = 128, least_most_faces = 1024, places_of_faces = 4;
+
   const Unfolded_mesh<double>& m_mesh;
   const std::vector<double>& m_distance;
   const double m_maximum, m_rounding;
+  const std::size_t m_most_faces; // around one vertex
   const Points& m_points;
+  std::vector<Index> m_candidates; // by falling distance
   std::vector<char> m_is_settled; // vertices
   std::vector<char> m_is_chosen; // faces
   std::vector<Index> m_seen_from; // per face, the last vertex from which it was visited
