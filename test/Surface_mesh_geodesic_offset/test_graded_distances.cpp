@@ -83,7 +83,7 @@ struct Sources
 {
   std::vector<std::size_t> vertices;
   std::vector<Location> points;
-  std::vector<std::vector<Location>> polylines; // consecutive points are in one triangle
+  std::vector<std::vector<Location>> polylines;  // consecutive points are in one triangle
   std::vector<std::array<std::size_t, 2>> edges; // triangle and side
 };
 
@@ -159,7 +159,10 @@ public:
   }
 
 private:
-  Face_location location(const Location& l) const { return Locations<Surface_mesh>(mesh()).in_triangle(m_data, m_soup, l.triangle, l.weights); }
+  Face_location location(const Location& l) const
+  {
+    return Locations<Surface_mesh>(mesh()).in_triangle(m_data, m_soup, l.triangle, l.weights);
+  }
 
   const Soup m_soup;
   const Generated_mesh<Surface_mesh> m_data;
@@ -201,7 +204,8 @@ Soup nested_rings(Random& random)
   for (std::size_t i = 0; i < rings; ++i, size *= std::pow(10, uniform(random, 0, 6 * uniform(random))))
     for (std::size_t j = 0; j < k; ++j)
     {
-      const double angle = 2 * CGAL_PI * (double(j) + uniform(random, -0.2, 0.2)) / double(k), r = size * uniform(random, 0.6, 1.4);
+      const double angle = 2 * CGAL_PI * (double(j) + uniform(random, -0.2, 0.2)) / double(k),
+                   r = size * uniform(random, 0.6, 1.4);
       soup.points.push_back(Point_3(x + r * std::cos(angle), r * std::sin(angle), bending * size * uniform(random, -1, 1)));
       const std::size_t n = soup.points.size() - 1, next = j + 1 == k ? n + 1 - k : n + 1;
       if (i == 0) soup.add_triangle({0, n, next});
@@ -272,7 +276,8 @@ void nested_meshes()
     const double start_value = mesh.longest() * std::pow(10, uniform(random, -12, 0));
     mesh.add(started, sources, CGAL::parameters::start_value(start_value));
     started.build();
-    mesh.compare(started, reference, name + " with a start value", errors[kind], std::numeric_limits<double>::infinity(), start_value);
+    mesh.compare(started, reference, name + " with a start value", errors[kind], std::numeric_limits<double>::infinity(),
+                 start_value);
 
     Geodesic updated(mesh.mesh());
     updated.add_source_point(*mesh.mesh().vertices_begin());
@@ -286,14 +291,16 @@ void nested_meshes()
     updated.update();
     mesh.compare(updated, reference, name + " without the first source", errors[kind]);
   }
-  for (const Errors& e : errors) CHECK(std::accumulate(e.counts().begin() + 9, e.counts().end(), std::size_t(0)) > number_of_meshes / 60);
+  for (const Errors& e : errors)
+    CHECK(std::accumulate(e.counts().begin() + 9, e.counts().end(), std::size_t(0)) > number_of_meshes / 60);
 }
 
 // Meshes by lengths: the second propagation lays faces out by the same lengths. Compared with the package on extended numbers.
 void lengths()
 {
   typedef CGAL::Simple_cartesian<Extended_number> Extended_kernel;
-  typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Extended_kernel, Surface_mesh>> Extended_geodesic;
+  typedef CGAL::Surface_mesh_geodesic_offset<CGAL::Surface_mesh_geodesic_offset_traits<Extended_kernel, Surface_mesh>>
+    Extended_geodesic;
   std::size_t compared = 0;
   for (unsigned seed = 1; seed <= 200; ++seed)
   {
@@ -414,7 +421,8 @@ void extended_numbers()
   {
     const auto number = [&] {
       const double high = std::pow(10, uniform(random, -30, 30));
-      return Extended_number(uniform_index(random, 2) ? high : -high) + Extended_number(high * 0x1p-54 * uniform(random, -1, 1));
+      return Extended_number(uniform_index(random, 2) ? high : -high) +
+             Extended_number(high * 0x1p-54 * uniform(random, -1, 1));
     };
     const Extended_number a = number(), b = uniform_index(random, 4) ? number() : -a * Extended_number(1 + 0x1p-70);
     const Number x = exact(a), y = exact(b), size_of_x = x < Number(0) ? -x : x, size_of_y = y < Number(0) ? -y : y;
@@ -424,7 +432,8 @@ void extended_numbers()
     CHECK(is_close(a / b, x / y, size_of_x / size_of_y));
     const Extended_number root = CGAL::sqrt(CGAL::abs(a));
     CHECK(is_close(root * root, size_of_x, Number(4) * size_of_x));
-    CHECK((a < b) == (x < y) && (a <= b) == (x <= y) && (a == b) == (x == y) && CGAL::compare(a, b) == (x < y ? CGAL::SMALLER : x > y ? CGAL::LARGER : CGAL::EQUAL));
+    CHECK((a < b) == (x < y) && (a <= b) == (x <= y) && (a == b) == (x == y));
+    CHECK(CGAL::compare(a, b) == (x < y ? CGAL::SMALLER : x > y ? CGAL::LARGER : CGAL::EQUAL));
     CHECK(CGAL::sign(a) == (x < Number(0) ? CGAL::NEGATIVE : CGAL::POSITIVE));
     const std::pair<double, double> bounds = CGAL::to_interval(a);
     CHECK(Number(bounds.first) <= x && x <= Number(bounds.second));
@@ -442,11 +451,8 @@ GEODESIC_OFFSET_TEST(test_graded_distances)
 {
   for (int i = 1; i + 1 < argc; ++i)
     if (std::string(argv[i]) == "--meshes") number_of_meshes = std::size_t(std::atol(argv[i + 1]));
-  const std::pair<const char*, void (*)()> tests[] = {{"adversarial meshes", adversarial_meshes},
-                                                      {"nested meshes", nested_meshes},
-                                                      {"lengths", lengths},
-                                                      {"graded vertices", graded_vertices},
-                                                      {"large places", large_places},
-                                                      {"extended numbers", extended_numbers}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"adversarial meshes", adversarial_meshes}, {"nested meshes", nested_meshes}, {"lengths", lengths},
+    {"graded vertices", graded_vertices},       {"large places", large_places},   {"extended numbers", extended_numbers}};
   return run_tests("test_graded_distances", tests);
 }

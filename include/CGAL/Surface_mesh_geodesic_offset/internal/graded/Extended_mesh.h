@@ -185,7 +185,8 @@ private:
     if (h == no_index) return std::nullopt;
     const std::size_t k = p.element % 3;
     if (image(m_face, m_mesh.face(p.element)) == m_extended.face(h))
-      return Surface_point<FT>::on_edge(h, position_in_frame(m_extended, h, FT(w[(k + 1) % 3] / sum), FT(w[(k + 2) % 3] / sum)).x);
+      return Surface_point<FT>::on_edge(h,
+                                        position_in_frame(m_extended, h, FT(w[(k + 1) % 3] / sum), FT(w[(k + 2) % 3] / sum)).x);
     // The third coordinate is zero, or next to it: then the position is no less accurate than the location.
     const FT part = w[(k + 2) % 3] == 0 ? w[(k + 1) % 3] / sum : to_scale(p.x) / to_scale(m_mesh[p.element].length);
     return Surface_point<FT>::on_edge(h, (FT(1) - part) * m_extended[h].length);
@@ -193,7 +194,7 @@ private:
 
   const Unfolded_mesh<double>& m_mesh;
   std::unordered_map<Index, Index> m_face, m_vertex; // of the mesh, to those here
-  int m_exponent = 0; // lengths here are those of the mesh divided by two to this power
+  int m_exponent = 0;                                // lengths here are those of the mesh divided by two to this power
   Unfolded_mesh<FT> m_extended;
 };
 

@@ -46,7 +46,7 @@ public:
   {
     if (!has_points()) return 0;
     const std::array<double, 3> p = (*this)(v), q = (*this)(a);
-    const std::array<double, 3> to_p = difference(p, q), along = a == b ? std::array<double, 3>{} : difference((*this)(b), q);
+    const std::array<double, 3> to_p = difference(p, q), along = difference(a == b ? q : (*this)(b), q);
     const double square = dot(along, along);
     const double t = square > 0 ? (std::max)(0., (std::min)(1., dot(to_p, along) / square)) : 0.;
     return std::hypot(to_p[0] - t * along[0], to_p[1] - t * along[1], to_p[2] - t * along[2]);
@@ -70,8 +70,8 @@ private:
 template <class Traits, class Package = Package_traits<Traits>>
 struct Has_graded_distances
 {
-  static constexpr bool value =
-    may_round_correctly() && std::is_same<typename Package::FT, double>::value && std::is_same<Functors_of<Traits>, Functors_of<Package>>::value;
+  static constexpr bool value = may_round_correctly() && std::is_same<typename Package::FT, double>::value &&
+                                std::is_same<Functors_of<Traits>, Functors_of<Package>>::value;
 };
 
 template <class Traits>
@@ -90,7 +90,8 @@ public:
   explicit Graded_distances(const Surface& surface) : m_surface(surface) {}
 
   // The distances of all graded vertices up to `maximum`, up to which those of the field are final.
-  std::map<Index, double> operator()(const Source_set<double>& sources, const Geodesic_field<double>& field, double maximum) const
+  std::map<Index, double> operator()(const Source_set<double>& sources, const Geodesic_field<double>& field,
+                                     double maximum) const
   {
     std::map<Index, double> result;
     const Points_of_surface<Surface> points(m_surface);
@@ -103,8 +104,8 @@ public:
     Geodesic_field<Extended> extended;
     try
     {
-      propagate(mesh, mesh.sources(sources, farthest), mesh.to_scale(farthest + 2 * rounding_of_reach * m_surface.unfolded.longest_edge()),
-                extended);
+      propagate(mesh, mesh.sources(sources, farthest),
+                mesh.to_scale(farthest + 2 * rounding_of_reach * m_surface.unfolded.longest_edge()), extended);
     }
     catch (const std::runtime_error&)
     { // too many windows, see Window_lists

@@ -41,9 +41,8 @@ public:
     double limit = (std::min)(maximum, mesh.longest_edge() / graded_ratio);
     for (Index v = 0; v < m_distance.size(); ++v)
       if (m_distance[v] <= limit && m_distance[v] > 0) m_candidates.push_back(v);
-    std::sort(m_candidates.begin(), m_candidates.end(), [this](Index v, Index w) {
-      return m_distance[v] > m_distance[w] || (m_distance[v] == m_distance[w] && v < w);
-    });
+    std::sort(m_candidates.begin(), m_candidates.end(),
+              [this](Index v, Index w) { return m_distance[v] > m_distance[w] || (m_distance[v] == m_distance[w] && v < w); });
     while (!select(limit)) limit /= 4;
   }
 
@@ -82,7 +81,9 @@ private:
       m_seen_from[f] = w;
       faces.push_back(f);
     };
-    m_mesh.for_each_fan(w, [&](Index first) { m_mesh.any_corner(first, [&](Index c) { return visit(m_mesh.face(c)), false; }); });
+    m_mesh.for_each_fan(w, [&](Index first) {
+      m_mesh.any_corner(first, [&](Index c) { return visit(m_mesh.face(c)), false; });
+    });
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
       {
@@ -130,9 +131,9 @@ private:
   const std::size_t m_most_faces; // around one vertex
   const Points& m_points;
   std::vector<Index> m_candidates; // by falling distance
-  std::vector<char> m_is_settled; // vertices
-  std::vector<char> m_is_chosen; // faces
-  std::vector<Index> m_seen_from; // per face, the last vertex from which it was visited
+  std::vector<char> m_is_settled;  // vertices
+  std::vector<char> m_is_chosen;   // faces
+  std::vector<Index> m_seen_from;  // per face, the last vertex from which it was visited
   std::vector<Index> m_vertices, m_faces;
 };
 

@@ -19,7 +19,7 @@
 #define CGAL_GEODESIC_OFFSET_EXCESS_PRECISION
 #endif
 // Reordered sums, quotients via reciprocals, and missing infinities, which denote unreachable vertices
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||              \
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||          \
   (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #define CGAL_GEODESIC_OFFSET_FAST_MATH
 #endif
