@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Bisector_conic.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Parameter_intervals.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_tolerances.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -48,6 +51,8 @@ public:
     for (const unsigned i : candidates) insert(o, u, size, windows[i], tolerances);
     const Segment segment{o, u, windows, all, tolerances};
     sample(segment);
+    m_changes.clear();
+    const auto add = [&](const Label_change& c) { m_changes.push_back(c); };
     Index label = first;
     double at = 0; // of the last sample with this label
     for (std::size_t i = 0, j; i < m_samples.size(); i = j)
@@ -58,12 +63,19 @@ public:
       {
         const double after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
         if (after - before <= tolerances.shortest_interval) continue;
-        write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, out);
+        write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, add);
         label = s.label;
       }
       at = t.t;
     }
-    if (label != last) out(Label_change{size, label, last});
+    if (label != last) add({size, label, last});
+    for (std::size_t i = 0; i < m_changes.size(); ++i)
+    {
+      const Label_change& c = m_changes[i];
+      const double low = i > 0 ? (m_changes[i - 1].t + c.t) / 2 : 0;
+      const double high = i + 1 < m_changes.size() ? (c.t + m_changes[i + 1].t) / 2 : size;
+      out(Label_change{crossing(segment, c, low, high), c.from, c.to});
+    }
   }
 
 private:
@@ -128,6 +140,34 @@ private:
       }
     }
     out(Label_change{t <= segment.tolerances.shortest_interval ? 0 : t, first, second});
+  }
+
+  // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change; that of the
+  // change if there is none. So arcs pass through the gates, also if the angle between the rays is so small that rounding moves the
+  // bisector by far more than itself.
+  static double crossing(const Segment& segment, const Label_change& change, double low, double high)
+  {
+    const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);
+    const double slack = segment.tolerances.slack, tie = segment.tolerances.tie;
+    const unsigned a = Nearest_windows(change.from, segment.windows, segment.all, at, slack).with_label,
+                   b = Nearest_windows(change.to, segment.windows, segment.all, at, slack).with_label;
+    if (a == Nearest_windows::none || b == Nearest_windows::none) return change.t;
+    const Voronoi_window &v = segment.windows[a], &w = segment.windows[b];
+    Bisector_conic conic;
+    if (!conic.make(v.is_parallel() ? w : v, v.is_parallel() ? v : w, tie)) return change.t;
+    double result = change.t, nearest = std::numeric_limits<double>::infinity();
+    for (const auto& i : Parameter_intervals::not_positive(conic.along(Linear_form{n.x, n.y, 0, dot(n, segment.o)})))
+      for (const double parameter : {i.begin, i.end})
+      {
+        if (!std::isfinite(parameter) || !(parameter > conic.lowest_parameter())) continue;
+        const Point p = conic.at(parameter).point();
+        const double t = dot(p - segment.o, segment.u), gap = std::abs(t - change.t);
+        if (!(low < t && t < high && gap < nearest)) continue;
+        if (!(v.holds_at(p, slack) && w.holds_at(p, slack) && std::abs(v.distance_at(p) - w.distance_at(p)) <= tie)) continue;
+        nearest = gap;
+        result = t;
+      }
+    return result;
   }
 
   struct Distances // traits of Window_bisector
@@ -234,6 +274,7 @@ private:
 
   std::vector<Piece> m_pieces, m_new; // by increasing position
   std::vector<Sample> m_samples;
+  std::vector<Label_change> m_changes;
 };
 
 } // namespace internal
