@@ -235,6 +235,7 @@ private:
     typedef std::pair<double, unsigned> Place;                                               // x coordinate, window
     std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
     std::vector<std::array<bool, 2>> meets_another(m_windows.size(), {false, false});        // where its bounding ray starts
+    std::vector<std::array<unsigned, 2>> meetings;                                           // of a right and a left ray
     std::vector<Place> left;
     for (unsigned i = 0; i < m_windows.size(); ++i) left.emplace_back(m_windows[i].start_of_bound(0).x, i);
     std::sort(left.begin(), left.end());
@@ -247,6 +248,7 @@ private:
         const double gap = length(m_windows[next->second].start_of_bound(0) - p);
         if (next->second == i || gap > m_tolerances.joint) continue;
         meets_another[i][1] = meets_another[next->second][0] = true;
+        meetings.push_back({i, next->second});
         const bool meet = meet_at_common_ray(i, next->second) ||
                           (gap <= m_tolerances.tie && m_windows[i].close_gap(m_windows[next->second], m_tolerances.tie));
         if (!meet && !(gap <= m_tolerances.tie && add_fan(i, next->second))) continue;
@@ -264,7 +266,17 @@ private:
         if (meets_another[i][std::size_t(k)] || w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
         append(w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie));
       }
+    for (const auto& [i, next] : meetings) set_tied(i, next);
     remove_rays(neighbor);
+  }
+
+  // Sets how far beyond the right ray of a window and the left one of another, which start at one point, both have the same distances.
+  void set_tied(unsigned i, unsigned next)
+  {
+    if (m_windows[i].label == m_windows[next].label) return;
+    const double tie = tie_of_rays(i, next);
+    m_windows[i].set_tied(1, m_windows[next], tie);
+    m_windows[next].set_tied(0, m_windows[i], tie);
   }
 
   // Beside a common ray, windows of both sources may alternate. Removes those that are only this ray; their neighbours meet at it.

@@ -189,7 +189,8 @@ struct Voronoi_window
     const double from_source = (std::min)(distance_from_source(p), other.distance_from_source(p));
     if (!(from_source > tie)) return;
     const double slope = length(gradient(p) - other.gradient(p));
-    tied[i] = (std::min)({tie / slope, std::sqrt(tie * from_source), length(other.rays.right - other.rays.left)});
+    const double chord = length(other.rays.right - other.rays.left);
+    tied[i] = (std::max)(tied[i], (std::min)({tie / slope, std::sqrt(tie * from_source), chord}));
   }
 
   // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
