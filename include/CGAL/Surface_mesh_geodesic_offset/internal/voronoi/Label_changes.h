@@ -163,7 +163,10 @@ private:
         const Point p = conic.at(parameter).point();
         const double t = dot(p - segment.o, segment.u), gap = std::abs(t - change.t);
         if (!(low < t && t < high && gap < nearest)) continue;
-        if (!(v.holds_at(p, slack) && w.holds_at(p, slack) && std::abs(v.distance_at(p) - w.distance_at(p)) <= tie)) continue;
+        const auto is_nearest = [&](Index label, const Voronoi_window& x) {
+          return x.holds_at(p, slack) && Nearest_windows(label, segment.windows, segment.all, p, slack).label_is_nearest(tie);
+        };
+        if (!is_nearest(v.label, v) || !is_nearest(w.label, w)) continue;
         nearest = gap;
         result = t;
       }
