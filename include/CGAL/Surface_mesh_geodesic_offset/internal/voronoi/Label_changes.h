@@ -38,21 +38,23 @@ class Label_changes
 {
 public:
   typedef Point_in_face<double> Point;
+  enum Place : bool { ON_EDGE, IN_FACE };
 
   // Calls out(change) for the changes along the segment from o in the direction of the unit vector u, in order. The labels of its
   // ends are given: where the distances say otherwise, up to rounding, there is a change at the end. `candidates`: windows whose
-  // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell.
+  // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell. `place`: on an
+  // edge, changes are where windows tie by their distances, as their chords end there; in the face, on bisectors of the face.
   template <class OutputFunction>
   void operator()(const Point& o, const Point& u, double size, Index first, Index last,
                   const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates,
-                  const std::vector<unsigned>& all, const Voronoi_tolerances& tolerances, const OutputFunction& out)
+                  const std::vector<unsigned>& all, const Voronoi_tolerances& tolerances, Place place, const OutputFunction& out)
   {
     m_pieces.clear();
-    for (const unsigned i : candidates) insert(o, u, size, windows[i], tolerances);
+    for (const unsigned i : candidates) insert(o, u, size, windows[i], i, tolerances);
     const Segment segment{o, u, windows, all, tolerances};
     sample(segment);
     m_changes.clear();
-    const auto add = [&](const Label_change& c) { m_changes.push_back(c); };
+    const auto add = [&](const Change& c) { m_changes.push_back(c); };
     Index label = first;
     double at = 0; // of the last sample with this label
     for (std::size_t i = 0, j; i < m_samples.size(); i = j)
@@ -63,18 +65,19 @@ public:
       {
         const double after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
         if (after - before <= tolerances.shortest_interval) continue;
-        write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, add);
+        if (i > 0 && at == s.t) add({at, label, s.label, m_samples[i - 1].window, s.window});
+        else write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, add);
         label = s.label;
       }
       at = t.t;
     }
-    if (label != last) add({size, label, last});
+    if (label != last) add({size, label, last, none, none});
     for (std::size_t i = 0; i < m_changes.size(); ++i)
     {
-      const Label_change& c = m_changes[i];
+      const Change& c = m_changes[i];
       const double low = i > 0 ? (m_changes[i - 1].t + c.t) / 2 : 0;
       const double high = i + 1 < m_changes.size() ? (c.t + m_changes[i + 1].t) / 2 : size;
-      out(Label_change{crossing(segment, c, low, high), c.from, c.to});
+      out(Label_change{place == IN_FACE ? crossing(segment, c, low, high) : c.t, c.from, c.to});
     }
   }
 
@@ -103,20 +106,30 @@ private:
   {
     double t;
     Index label;
+    unsigned window; // of the label; none, if it is not that of the interval
   };
+
+  struct Change : Label_change
+  {
+    unsigned before, after; // windows; none, if they are not known
+  };
+  static constexpr unsigned none = Nearest_windows::none;
 
   // Labels at the ends of intervals with one label, and in the middle of their pieces: that of the interval, unless rounding has left a
   // gap between cones there, in which the windows of the interval are farther than the path around the end of a cone.
   void sample(const Segment& segment)
   {
     m_samples.clear();
-    const auto add = [&](double t, Index label) { m_samples.push_back({t, segment.label_at(t, label)}); };
+    const auto add = [&](double t, const Piece& p) {
+      const Index label = segment.label_at(t, p.label);
+      m_samples.push_back({t, label, label == p.label ? p.number : none});
+    };
     for (std::size_t i = 0; i < m_pieces.size(); ++i)
     {
       const Piece& p = m_pieces[i];
-      if (i == 0 || m_pieces[i - 1].label != p.label) add(p.begin, p.label);
-      add((p.begin + p.end) / 2, p.label);
-      if (i + 1 == m_pieces.size() || m_pieces[i + 1].label != p.label) add(p.end, p.label);
+      if (i == 0 || m_pieces[i - 1].label != p.label) add(p.begin, p);
+      add((p.begin + p.end) / 2, p);
+      if (i + 1 == m_pieces.size() || m_pieces[i + 1].label != p.label) add(p.end, p);
     }
   }
 
@@ -139,19 +152,22 @@ private:
         return;
       }
     }
-    out(Label_change{t <= segment.tolerances.shortest_interval ? 0 : t, first, second});
+    out({t <= segment.tolerances.shortest_interval ? 0 : t, first, second, none, none});
   }
 
   // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change; that of the
   // change if there is none. So arcs pass through the gates, also if the angle between the rays is so small that rounding moves the
   // bisector by far more than itself.
-  static double crossing(const Segment& segment, const Label_change& change, double low, double high)
+  static double crossing(const Segment& segment, const Change& change, double low, double high)
   {
     const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);
     const double slack = segment.tolerances.slack, tie = segment.tolerances.tie;
-    const unsigned a = Nearest_windows(change.from, segment.windows, segment.all, at, slack).with_label,
-                   b = Nearest_windows(change.to, segment.windows, segment.all, at, slack).with_label;
-    if (a == Nearest_windows::none || b == Nearest_windows::none) return change.t;
+    const auto nearest_of = [&](Index label) {
+      return Nearest_windows(label, segment.windows, segment.all, at, slack).with_label;
+    };
+    const unsigned a = change.before != none ? change.before : nearest_of(change.from),
+                   b = change.after != none ? change.after : nearest_of(change.to);
+    if (a == none || b == none) return change.t;
     const Voronoi_window &v = segment.windows[a], &w = segment.windows[b];
     Bisector_conic conic;
     if (!conic.make(v.is_parallel() ? w : v, v.is_parallel() ? v : w, tie)) return change.t;
@@ -200,10 +216,12 @@ private:
   {
     double begin, end;
     Index label;
+    unsigned number;       // of the window in the face
     Window<double> window; // in the frame of the segment
   };
 
-  void insert(const Point& o, const Point& u, double size, const Voronoi_window& w, const Voronoi_tolerances& tolerances)
+  void insert(const Point& o, const Point& u, double size, const Voronoi_window& w, unsigned number,
+              const Voronoi_tolerances& tolerances)
   {
     double begin = 0, end = size;
     for (int k = 0; k < w.number_of_bounds; ++k)
@@ -228,28 +246,29 @@ private:
       const double low = (std::max)(p.begin, begin), high = (std::min)(p.end, end);
       if (!(low < high))
       {
-        if (p.begin >= end) put(at, end, w.label, in_segment); // fills a gap before p
+        if (p.begin >= end) put(at, end, w.label, number, in_segment); // fills a gap before p
         if (p.begin >= end) at = end;
-        put(p.begin, p.end, p.label, p.window);
+        put(p.begin, p.end, p.label, p.number, p.window);
         continue;
       }
-      put(at, low, w.label, in_segment);
-      put(p.begin, low, p.label, p.window);
-      compare(low, high, p, w.label, in_segment, tolerances.tie);
-      put(high, p.end, p.label, p.window);
+      put(at, low, w.label, number, in_segment);
+      put(p.begin, low, p.label, p.number, p.window);
+      compare(low, high, p, w.label, number, in_segment, tolerances.tie);
+      put(high, p.end, p.label, p.number, p.window);
       at = high;
     }
-    put(at, end, w.label, in_segment);
+    put(at, end, w.label, number, in_segment);
     m_pieces.swap(m_new);
   }
 
   // Puts the parts of two windows on a common interval.
-  void compare(double low, double high, const Piece& p, Index label, const Window<double>& window, double tie)
+  void compare(double low, double high, const Piece& p, Index label, unsigned number, const Window<double>& window, double tie)
   {
     const bool is_first = p.label <= label;
     Piece a = p, b = p;
     (is_first ? b : a).window = window;
     (is_first ? b : a).label = label;
+    (is_first ? b : a).number = number;
     for (Window<double>* w : {&a.window, &b.window})
     {
       w->b0 = low;
@@ -265,19 +284,19 @@ private:
     {
       const double to = i < bisector.number() ? bisector[i] : high;
       const Piece& nearer = a_is_nearer ? a : b;
-      put(at, to, nearer.label, nearer.window);
+      put(at, to, nearer.label, nearer.number, nearer.window);
       at = to;
     }
   }
 
-  void put(double begin, double end, Index label, const Window<double>& window)
+  void put(double begin, double end, Index label, unsigned number, const Window<double>& window)
   {
-    if (begin < end) m_new.push_back({begin, end, label, window});
+    if (begin < end) m_new.push_back({begin, end, label, number, window});
   }
 
   std::vector<Piece> m_pieces, m_new; // by increasing position
   std::vector<Sample> m_samples;
-  std::vector<Label_change> m_changes;
+  std::vector<Change> m_changes;
 };
 
 } // namespace internal
