@@ -213,6 +213,7 @@ private:
     if (w.is_empty()) return;
     Voronoi_window v(w, m_labels.of_window(w));
     v.is_upper_bound = is_upper_bound;
+    v.rays.start_value = CGAL::to_double(m_results.start_values.of(w.source_ref)); // windows over edges come without
     if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) return;
     append(v);
   }
@@ -316,11 +317,11 @@ private:
     const double tie = tie_of_rays(left, right);
     const auto ray = m_windows[left].common_ray(m_windows[right], tie);
     if (!ray) return false;
-    // A chord that ends at a corner is not longer than it seems.
+    // A chord that ends at a corner is not longer than it seems, nor is the start of rays beside a source.
     const auto may_end = [&](const Voronoi_window& w, int k) {
       const Point p = w.start_of_bound(k);
-      const bool is_inside = (k == 0 ? -1 : 1) * ray->left.value(p) >= -tie;
-      return w.is_bound(*ray, k, tie) && (is_inside || !this->is_corner(p));
+      const double beyond = (k == 0 ? 1 : -1) * ray->left.value(p);
+      return w.is_bound(*ray, k, tie) && (beyond <= tie || (beyond <= w.extension(k, tie) && !this->is_corner(p)));
     };
     if (!may_end(m_windows[left], 1) || !may_end(m_windows[right], 0)) return false;
     const Voronoi_window on_left(m_windows[left]), on_right(m_windows[right]);

@@ -193,6 +193,13 @@ struct Voronoi_window
     tied[i] = (std::max)(tied[i], (std::min)({tie / slope, std::sqrt(tie * from_source), chord}));
   }
 
+  // How far beyond the start of its left (0) or right (1) bounding ray a cone may reach: as far as paths from the end of a source segment
+  // are not longer than across it by more than a tie.
+  double extension(int k, double tie) const
+  {
+    return Voronoi_tolerances::tied_width(distance_from_source(start_of_bound(k)), tie);
+  }
+
   // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
   bool is_bound(const Common_ray& ray, int k, double tie) const
   {
