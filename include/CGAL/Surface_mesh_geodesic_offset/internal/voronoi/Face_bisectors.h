@@ -267,17 +267,18 @@ private:
         if (meets_another[i][std::size_t(k)] || w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
         append(w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie));
       }
-    for (const auto& [i, next] : meetings) set_tied(i, next);
+    for (const auto& [i, next] : meetings)
+    { // windows that do not continue each other
+      if (neighbor[i][1] == no_window) set_tied(i, 1, next);
+      if (neighbor[next][0] == no_window) set_tied(next, 0, i);
+    }
     remove_rays(neighbor);
   }
 
-  // Sets how far beyond the right ray of a window and the left one of another, which start at one point, both have the same distances.
-  void set_tied(unsigned i, unsigned next)
+  // Sets how far beyond its left (0) or right (1) ray the distances of a window tie with those of another source that starts there.
+  void set_tied(unsigned i, int k, unsigned next)
   {
-    if (m_windows[i].label == m_windows[next].label) return;
-    const double tie = tie_of_rays(i, next);
-    m_windows[i].set_tied(1, m_windows[next], tie);
-    m_windows[next].set_tied(0, m_windows[i], tie);
+    if (m_windows[i].label != m_windows[next].label) m_windows[i].set_tied(k, m_windows[next], tie_of_rays(i, next));
   }
 
   // Beside a common ray, windows of both sources may alternate. Removes those that are only this ray; their neighbours meet at it.
