@@ -75,9 +75,10 @@ public:
     for (std::size_t i = 0; i < m_changes.size(); ++i)
     {
       const Change& c = m_changes[i];
+      const bool may_move = place == IN_FACE && 0 < c.t && c.t < size;
       const double low = i > 0 ? (m_changes[i - 1].t + c.t) / 2 : 0;
       const double high = i + 1 < m_changes.size() ? (c.t + m_changes[i + 1].t) / 2 : size;
-      out(Label_change{place == IN_FACE ? crossing(segment, c, low, high) : c.t, c.from, c.to});
+      out(Label_change{may_move ? crossing(segment, c, low, high) : c.t, c.from, c.to});
     }
   }
 
@@ -92,6 +93,11 @@ private:
     double distance_from(Index label, double t) const
     {
       return least_distance_from(label, windows, all, o + t * u, tolerances.slack);
+    }
+
+    bool is_nearest(Index label, double t, double tie) const
+    {
+      return Nearest_windows(label, windows, all, o + t * u, tolerances.slack).label_is_nearest(tie);
     }
 
     // The label of the nearest source; of several that tie, the preferred one.
@@ -155,10 +161,10 @@ private:
     out({t <= segment.tolerances.shortest_interval ? 0 : t, first, second, none, none});
   }
 
-  // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change; that of the
-  // change if there is none. So arcs pass through the gates, also if the angle between the rays is so small that rounding moves the
+  // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change, where both
+  // sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also if the angle between the rays is so small that rounding moves the
   // bisector by far more than itself.
-  static double crossing(const Segment& segment, const Change& change, double low, double high)
+  double crossing(const Segment& segment, const Change& change, double low, double high) const
   {
     const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);
     const double slack = segment.tolerances.slack, tie = segment.tolerances.tie;
@@ -178,11 +184,14 @@ private:
         if (!std::isfinite(parameter) || !(parameter > conic.lowest_parameter())) continue;
         const Point p = conic.at(parameter).point();
         const double t = dot(p - segment.o, segment.u), gap = std::abs(t - change.t);
-        if (!(low < t && t < high && gap < nearest)) continue;
-        const auto is_nearest = [&](Index label, const Voronoi_window& x) {
-          return x.holds_at(p, slack) && Nearest_windows(label, segment.windows, segment.all, p, slack).label_is_nearest(tie);
+        if (!(low < t && t < high && gap < nearest) || !v.holds_at(p, slack) || !w.holds_at(p, slack)) continue;
+        const auto tie_at = [&](double s) {
+          return segment.is_nearest(v.label, s, tie) && segment.is_nearest(w.label, s, tie);
         };
-        if (!is_nearest(v.label, v) || !is_nearest(w.label, w)) continue;
+        const bool tie_between = std::all_of(m_samples.begin(), m_samples.end(), [&](const Sample& s) {
+          return (s.t <= t) == (s.t <= change.t) || tie_at(s.t);
+        });
+        if (!tie_between || !tie_at(t) || !tie_at((t + change.t) / 2)) continue;
         nearest = gap;
         result = t;
       }
