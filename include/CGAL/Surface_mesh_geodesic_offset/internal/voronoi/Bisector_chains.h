@@ -98,12 +98,11 @@ public:
 
 private:
   // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the mesh. Ends
-  // on the border remain what they are. The arcs of a node are no longer together than Voronoi_tolerances::largest_node of them.
+  // on the border remain what they are.
   void contract(const std::vector<Bisector_arc>& arcs, std::size_t number_of_nodes)
   {
     std::vector<std::size_t> number_at(number_of_nodes, 0);
     std::vector<Index> same(number_of_nodes);
-    std::vector<double> length_at(number_of_nodes, 0);
     for (Index n = 0; n < number_of_nodes; ++n) same[n] = n;
     const auto representative = [&](Index n) {
       while (same[n] != n) n = same[n] = same[same[n]];
@@ -117,11 +116,7 @@ private:
     const auto is_contracted = [&](const Bisector_arc& a) {
       if (!a.is_negligible() || number_at[a.start_node] == 1 || number_at[a.end_node] == 1) return false;
       const Index from = representative(a.start_node), to = representative(a.end_node);
-      if (from == to) return true;
-      const double length = length_at[from] + a.chord_length() + length_at[to];
-      if (length > Voronoi_tolerances::largest_node * a.negligible) return false;
       same[from] = to;
-      length_at[to] = length;
       return true;
     };
     for (const Bisector_arc& a : arcs)

@@ -150,8 +150,7 @@ public:
         const auto holds_along = [&](const Bisector_arc& a) { return links.holds(a, part.near, bisectors.has_wide_joints()); };
         const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions * m_all.size();
-        const bool may_link = !may_divide || part.diameter <= Voronoi_tolerances::part_of_linked_cell * m_cell.diameter();
-        if (!holds && may_link && links.connect(part.cell, part.near, new_node, write)) continue;
+        if (!holds && links.connect(part.cell, part.near, new_node, write)) continue;
         if (holds || !may_divide)
         {
           if (!fits) links.connect_straight(part.cell, new_node, write);

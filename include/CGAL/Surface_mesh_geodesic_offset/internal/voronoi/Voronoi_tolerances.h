@@ -66,18 +66,12 @@ struct Voronoi_tolerances
   // come over many edges may end that far from where their sources tie. Binding test: test_voronoi_diagram, cases of a file.
   double of_wide_joint() const { return 4 * of_link(); }
   double of_loose_joint() const { return 4 * joint; }
-  // Links are only in cells of at most this part of the diameter of the face: in larger ones, a curve may have another source between the
-  // points at which it is examined.
-  static constexpr double part_of_linked_cell = 1. / 16;
   // Intervals between the points at which an arc is examined; and further points towards its ends, since several bisectors may meet there,
   // or the end may have been moved: each at this part of the distance from the end, down to a joint.
   static constexpr int samples_of_link = 16;
   static constexpr double step_of_samples = 1. / 4;
   // Depth of the search for further sources between two samples of a segment; each of them has an interval of its own.
   static constexpr int most_changes_between = 8;
-  // Arcs that rounding does not tell from a point become one node if they are no longer together than so many of them: 2^19 u of the
-  // magnitude, 1.2e-10, so that curves that meet end no farther apart. Around a vertex of the mesh, each has the length of rounding.
-  static constexpr int largest_node = 8;
 
   static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
   void use_tie(double factor)
