@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -131,7 +132,7 @@ private:
     if (!is_of_neighbour(begin) && !is_of_neighbour((begin + end) / 2) && !is_of_neighbour(end)) return;
     std::vector<Label_change> changes;
     m_changes(at(begin), cell.direction[k], end - begin, label, label, m_windows, candidates, candidates, m_tolerances,
-              Label_changes::ON_EDGE, [&](const Label_change& c) { changes.push_back(c); });
+              std::nullopt, [&](const Label_change& c) { changes.push_back(c); });
     for (std::size_t i = 0; i + 1 < changes.size(); ++i)
     {
       const Index inner = changes[i].to;

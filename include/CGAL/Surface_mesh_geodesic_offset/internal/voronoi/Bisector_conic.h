@@ -60,13 +60,15 @@ public:
   enum Kind : unsigned char { SEGMENT, PARABOLA, HYPERBOLA };
 
   // Returns false if there is no bisector: one of the windows is nearer everywhere, or both have the same distances. On a ray on
-  // which a window is just as near as another one that is nearer beside the ray, cones may meet: is_ray().
-  bool make(const Voronoi_window& a, const Voronoi_window& b, double tie)
+  // which a window is just as near as another one that is nearer beside the ray, cones may meet: is_ray(). `center`: a point of
+  // the face, the same for all bisectors of two bundles of parallel rays. Where these are nearly one, rounding places the line, and at the
+  // center it does so least. Binding test: test_voronoi_diagram, parallel rays of nearly one direction.
+  bool make(const Voronoi_window& a, const Voronoi_window& b, double tie, const Point& center)
   {
     m_is_ray = false;
     m_has_inverse = false;
     m_low = -std::numeric_limits<double>::infinity();
-    if (a.is_parallel() && b.is_parallel()) return make_line(a, b);
+    if (a.is_parallel() && b.is_parallel()) return make_line(a, b, center);
     if (a.is_parallel()) return make_parabola(b, a, tie);
     if (b.is_parallel()) return make_parabola(a, b, tie);
     return a.sigma() < b.sigma() ? make_hyperbola(b, a, tie) : make_hyperbola(a, b, tie);
@@ -173,15 +175,14 @@ public:
   }
 
 private:
-  // The point of the line that is nearest to the origin of the frame, a corner of the face.
-  bool make_line(const Voronoi_window& a, const Voronoi_window& b)
+  bool make_line(const Voronoi_window& a, const Voronoi_window& b, const Point& center)
   {
     const Point g = a.image() - b.image();
     const double size = length(g);
     if (!(size > 4 * std::numeric_limits<double>::epsilon())) return false;
     const Point n = (1 / size) * g, u = quarter_turn(n);
-    const double off = a.sigma() - b.sigma(); // at the origin; falls by `size` along n
-    const Point p = (off / size) * n;
+    const double off = a.distance_at(center) - b.distance_at(center); // falls by `size` along n
+    const Point p = center + (off / size) * n;
     m_kind = SEGMENT;
     m_c0 = {p.x, p.y, a.distance_at(p)};
     m_c1 = {u.x, u.y, -dot(a.image(), u)};

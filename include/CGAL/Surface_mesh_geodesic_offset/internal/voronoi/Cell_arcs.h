@@ -68,7 +68,7 @@ private:
         add_parts(cell, candidates, conic, a, b, c, margin, out);
       }
     }
-    else if (conic.make(*v, *w, m_tolerances.tie))
+    else if (conic.make(*v, *w, m_tolerances.tie, m_center))
       add_parts(cell, candidates, conic, a, b, precedes(a, b) ? a : b, margin, out);
   }
 

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,7 @@ public:
   void find_changes(int k, const OutputFunction& out)
   {
     m_changes(m_cell.corner[k], m_cell.direction[k], CGAL::to_double(m_field.frame().edge_length(k)), m_cell.label[k],
-              m_cell.label[(k + 1) % 3], m_windows, m_all, m_all, m_tolerances, Label_changes::ON_EDGE, out);
+              m_cell.label[(k + 1) % 3], m_windows, m_all, m_all, m_tolerances, std::nullopt, out);
   }
 
   // Adds a gate at a distance from the start of halfedge k. Gates come in order.
@@ -162,7 +163,7 @@ public:
       }
       auto halves = part.cell.divided(
         [&](const Point& o, const Point& u, double size, Index first, Index last, const auto& add) {
-        m_changes(o, u, size, first, last, m_windows, inside, part.near, m_tolerances, Label_changes::IN_FACE, add);
+        m_changes(o, u, size, first, last, m_windows, inside, part.near, m_tolerances, m_cell.center(), add);
         },
         new_node);
       Part second = part;

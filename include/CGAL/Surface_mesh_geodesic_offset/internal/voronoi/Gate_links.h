@@ -153,7 +153,7 @@ private:
     const bool swaps = m_windows[a].is_parallel();
     Bisector_arc curve = arc;
     curve.is_link = false;
-    if (!curve.conic.make(m_windows[swaps ? b : a], m_windows[swaps ? a : b], m_tolerances.tie)) return false;
+    if (!curve.conic.make(m_windows[swaps ? b : a], m_windows[swaps ? a : b], m_tolerances.tie, m_face.center())) return false;
     if (curve.conic.is_ray()) return false;
     curve.from = curve.conic.parameter_of(arc.start);
     curve.to = curve.conic.parameter_of(arc.end);

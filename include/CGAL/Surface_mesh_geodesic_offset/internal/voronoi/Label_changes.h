@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -38,16 +39,16 @@ class Label_changes
 {
 public:
   typedef Point_in_face<double> Point;
-  enum Place : bool { ON_EDGE, IN_FACE };
 
   // Calls out(change) for the changes along the segment from o in the direction of the unit vector u, in order. The labels of its
   // ends are given: where the distances say otherwise, up to rounding, there is a change at the end. `candidates`: windows whose
-  // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell. `place`: on an
-  // edge, changes are where windows tie by their distances, as their chords end there; in the face, on bisectors of the face.
+  // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell. `center`:
+  // of the face, for segments in it, where changes are on bisectors; none on edges, where they are where windows tie, as chords end there.
   template <class OutputFunction>
   void operator()(const Point& o, const Point& u, double size, Index first, Index last,
                   const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates,
-                  const std::vector<unsigned>& all, const Voronoi_tolerances& tolerances, Place place, const OutputFunction& out)
+                  const std::vector<unsigned>& all, const Voronoi_tolerances& tolerances, const std::optional<Point>& center,
+                  const OutputFunction& out)
   {
     m_pieces.clear();
     for (const unsigned i : candidates) insert(o, u, size, windows[i], i, tolerances);
@@ -75,10 +76,10 @@ public:
     for (std::size_t i = 0; i < m_changes.size(); ++i)
     {
       const Change& c = m_changes[i];
-      const bool may_move = place == IN_FACE && 0 < c.t && c.t < size;
+      const bool may_move = center && 0 < c.t && c.t < size;
       const double low = i > 0 ? (m_changes[i - 1].t + c.t) / 2 : 0;
       const double high = i + 1 < m_changes.size() ? (c.t + m_changes[i + 1].t) / 2 : size;
-      out(Label_change{may_move ? crossing(segment, c, low, high) : c.t, c.from, c.to});
+      out(Label_change{may_move ? crossing(segment, c, low, high, *center) : c.t, c.from, c.to});
     }
   }
 
@@ -164,7 +165,7 @@ private:
   // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change, where both
   // sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also if the angle between the rays is so small that rounding moves the
   // bisector by far more than itself.
-  double crossing(const Segment& segment, const Change& change, double low, double high) const
+  double crossing(const Segment& segment, const Change& change, double low, double high, const Point& center) const
   {
     const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);
     const double slack = segment.tolerances.slack, tie = segment.tolerances.tie;
@@ -176,7 +177,7 @@ private:
     if (a == none || b == none) return change.t;
     const Voronoi_window &v = segment.windows[a], &w = segment.windows[b];
     Bisector_conic conic;
-    if (!conic.make(v.is_parallel() ? w : v, v.is_parallel() ? v : w, tie)) return change.t;
+    if (!conic.make(v.is_parallel() ? w : v, v.is_parallel() ? v : w, tie, center)) return change.t;
     double result = change.t, nearest = std::numeric_limits<double>::infinity();
     for (const auto& i : Parameter_intervals::not_positive(conic.along(Linear_form{n.x, n.y, 0, dot(n, segment.o)})))
       for (const double parameter : {i.begin, i.end})
