@@ -163,8 +163,8 @@ private:
   }
 
   // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change, where both
-  // sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also if the angle between the rays is so small that rounding moves the
-  // bisector by far more than itself.
+  // sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also where the angle between
+  // the rays is so small that rounding moves the bisector far.
   double crossing(const Segment& segment, const Change& change, double low, double high, const Point& center) const
   {
     const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);
