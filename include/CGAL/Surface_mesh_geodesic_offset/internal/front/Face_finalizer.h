@@ -54,7 +54,7 @@ public:
     Index f;
     while (queue.pop_face(f))
     {
-      if (is_finished(f) || is_postponed(f, queue)) continue;
+      if (is_finished(f) || m_state.postpone(f)) continue;
       if (finds_hidden(f, passed.hidden)) queue.push_face(queue.current() + 2, f);
       else finish(f, passed.faces);
     }
@@ -94,23 +94,7 @@ public:
     passed.push_back(f);
   }
 
-  // Upper bound of the distances in a face: the distance of a corner plus the longer of its two edges; the least of the three.
-  FT largest_distance(Index f) const
-  {
-    const Unfolded_mesh<FT>& mesh = m_state.mesh;
-    const auto* const edge = &mesh[3 * f];
-    const auto by_corner = [&](Index k, Index previous) {
-      const FT &a = edge[k].length, &b = edge[previous].length;
-      return FT(m_state.field.distance[edge[k].origin] + (certainly_less(a, b) ? b : a));
-    };
-    return lesser(lesser(by_corner(0, 2), by_corner(1, 0)), by_corner(2, 1));
-  }
-
 private:
-  // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very
-  // long edge is postponed several times.
-  static constexpr std::size_t most_buckets_ahead = 1 << 12;
-
   // True if the source of h has a longer distance than a path along an edge of the face of h, of at most `maximum`.
   bool is_hidden(Index h, const FT& maximum) const
   {
@@ -125,23 +109,6 @@ private:
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (is_hidden(h, m_state.maximum)) hidden.push_back(h);
     return hidden.size() > before;
-  }
-
-  // Puts the face into a later bucket if the front has not passed it, and returns true. The front has passed the face two
-  // buckets after that of the largest distance: one bucket later, gaps at that distance are closed
-  // (Wavefront_state::await_gap()).
-  bool is_postponed(Index f, Bucket_queue& queue) const
-  {
-    char& state = m_state.face_state[f];
-    if (state & State::BOUNDED) return false; // this is the bucket of a bound, which does not grow
-    const FT bound = largest_distance(f);
-    const bool is_bounded = Number_policy<FT>::is_finite(bound);
-    const std::size_t done = (is_bounded ? queue.bucket_of(bound) : queue.current()) + 2;
-    if (done <= queue.current()) return false;
-    const std::size_t next = (std::min)(done, queue.current() + most_buckets_ahead);
-    if (is_bounded && next == done) state |= State::BOUNDED;
-    queue.push_face(next, f);
-    return true;
   }
 
   State& m_state;

@@ -44,10 +44,10 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   list.processed = list.size;
   CGAL_assertion(!list.has_new());
   if constexpr (Number_policy<typename Traits::FT>::is_inexact) state.await_gap(h, list, batch.nearest_gap());
-  state.schedule(state.mesh.face(h));
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();
   for (const auto& a : propagated.updates()) front.update_apex(propagated.apex(), a);
+  state.schedule_by_distances(state.mesh.face(h));
   front.append(propagated.left(), arena);
   front.append(propagated.right(), arena);
 }

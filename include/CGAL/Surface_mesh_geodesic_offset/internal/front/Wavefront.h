@@ -124,7 +124,7 @@ public:
   // True if rounding has hidden a vertex from the window that gives its distance, as in needles.
   bool has_bent_paths() const { return m_state.has_bent_paths(); }
 
-  FT largest_distance(Index f) const { return m_passing.largest_distance(f); }
+  FT largest_distance(Index f) const { return m_state.largest_distance(f); }
 
 private:
   // Calls f for each pending face.
@@ -206,7 +206,7 @@ private:
   static constexpr double settling_margin = 0x1p-20;
 
   // Distances up to here are final: faces up to the end of the last bucket but one are finalized
-  // (Face_finalizer::is_postponed()); less a margin for rounding of at most a bucket.
+  // (Wavefront_state::postpone()); less a margin for rounding of at most a bucket.
   FT settled_distance() const
   {
     const double end = double(m_state.current() - 1) * m_state.bucket_width();

@@ -285,12 +285,45 @@ public:
   // Records a face reached by the front for examination when the front may have passed it. Its part must be awake.
   void schedule(Index f)
   {
-    if (face_state[f]) return;
-    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finished[f]);
-    face_state[f] = SCHEDULED;
+    if (!marks_reached(f)) return;
     Bucket_queue& queue = m_part[parts.of_face(f)].queue;
-    unfinished.add(f, queue.current());
     queue.push_face(queue.current() + 2, f);
+  }
+
+  // The same if the distances at the corners of f may be read, which mostly tell when the front will have passed it.
+  void schedule_by_distances(Index f)
+  {
+    if (!marks_reached(f)) return;
+    Bucket_queue& queue = m_part[parts.of_face(f)].queue;
+    if (!postpone(f)) queue.push_face(queue.current() + 2, f);
+  }
+
+  // Puts a scheduled face into a later bucket if the front has not passed it, and returns true. The front has passed the face
+  // two buckets after that of the largest distance: one bucket later, gaps at that distance are closed (await_gap()).
+  bool postpone(Index f)
+  {
+    char& state = face_state[f];
+    if (state & BOUNDED) return false; // this is the bucket of a bound, which does not grow
+    Bucket_queue& queue = m_part[parts.of_face(f)].queue;
+    const FT bound = largest_distance(f);
+    const bool is_bounded = Number_policy<FT>::is_finite(bound);
+    const std::size_t done = (is_bounded ? queue.bucket_of(bound) : queue.current()) + 2;
+    if (done <= queue.current()) return false;
+    const std::size_t next = (std::min)(done, queue.current() + most_buckets_ahead);
+    if (is_bounded && next == done) state |= BOUNDED;
+    queue.push_face(next, f);
+    return true;
+  }
+
+  // Upper bound of the distances in a face: the distance of a corner plus the longer of its two edges; the least of the three.
+  FT largest_distance(Index f) const
+  {
+    const auto* const edge = &mesh[3 * f];
+    const auto by_corner = [&](Index k, Index previous) {
+      const FT &a = edge[k].length, &b = edge[previous].length;
+      return FT(field.distance[edge[k].origin] + (certainly_less(a, b) ? b : a));
+    };
+    return lesser(lesser(by_corner(0, 2), by_corner(1, 0)), by_corner(2, 1));
   }
 
   // Adds a window to the list of g, trimmed by the distances at the ends of g.
@@ -382,6 +415,20 @@ public:
   Unfinished_faces unfinished;
 
 private:
+  // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very
+  // long edge is postponed several times.
+  static constexpr std::size_t most_buckets_ahead = 1 << 12;
+
+  // Marks a face as reached by the front. Returns false if it has been.
+  bool marks_reached(Index f)
+  {
+    if (face_state[f]) return false;
+    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finished[f]);
+    face_state[f] = SCHEDULED;
+    unfinished.add(f, m_part[parts.of_face(f)].queue.current());
+    return true;
+  }
+
   // Width of a bucket, in mean edges. The parallel front has wider buckets for larger rounds, as each round ends with a
   // barrier.
   static double bucket_edges(const Front_parts& parts) { return parts.number() > 1 ? 0.35 : 0.25; }
