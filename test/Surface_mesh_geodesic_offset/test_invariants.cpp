@@ -203,6 +203,39 @@ void gates_that_do_not_alternate()
   CHECK(is_stopped(divide, "is_consistent"));
 }
 
+// An update reads kept windows whose distances are within rounding of zero, as a source is 2e-7 of an edge from a corner. No
+// assertion fails, from an attack.
+void kept_windows_beside_source()
+{
+  const double rim[10][2] = {
+    {977907.2621949712, 0},
+    {1134277.7712716602, 824101.03939999861},
+    {361955.720036107, 1113985.1607415413},
+    {-392825.93363365467, 1208993.9089197977},
+    {-541698.95944042224, 393567.33140971797},
+    {-910891.84542556002, 1.1155207828698376e-10},
+    {-338642.62511329557, -246038.26894018537},
+    {-298157.35964224621, -917633.99725858204},
+    {427025.33183943288, -1314248.8337590231},
+    {942560.11330038728, -684810.00751428306}};
+  test::Surface_mesh mesh;
+  const test::Surface_mesh::Vertex_index center = mesh.add_vertex(Point_3(0, 0, 0));
+  std::vector<test::Surface_mesh::Vertex_index> v;
+  for (const auto& p : rim) v.push_back(mesh.add_vertex(Point_3(p[0], p[1], 0)));
+  std::vector<test::Surface_mesh::Face_index> f;
+  for (std::size_t i = 0; i < 10; ++i) f.push_back(mesh.add_face(center, v[i], v[(i + 1) % 10]));
+  const std::vector<Geodesic::Face_location> loop = {
+    {f[7], {{5.6554919309082141e-05, 0.43119312632695139, 0.5687503187537396}}},
+    {f[7], {{0, 2.320724213088981e-07, 0.99999976792757872}}},
+    {f[7], {{4.25915816853484e-05, 0.1297785241843574, 0.87017888423395728}}}};
+  const std::vector<Geodesic::Face_location> segment = {{f[0], {{0.5, 0, 0.5}}}, {f[9], {{0.5, 0.5, 0}}}};
+  Geodesic geodesic(mesh);
+  geodesic.add_source_polyline(loop, true);
+  geodesic.build(CGAL::parameters::keep_windows(true));
+  geodesic.add_source_polyline(segment);
+  CHECK(!is_stopped([&] { geodesic.update(); }, "are_in_order"));
+}
+
 } // namespace test_invariants
 
 GEODESIC_OFFSET_TEST(test_invariants)
@@ -211,13 +244,15 @@ GEODESIC_OFFSET_TEST(test_invariants)
   std::cout << "test_invariants: skipped, it was built without assertions" << std::endl;
   return skipped;
 #else
-  const std::pair<const char*, void (*)()> tests[] = {{"a swapped twin", swapped_twin},
-                                                      {"a border on one side", one_sided_border},
-                                                      {"a part that is asleep", part_asleep},
-                                                      {"a list that is not sorted", unsorted_list},
-                                                      {"a queue that goes back", queue_that_goes_back},
-                                                      {"lists and arenas", lists_and_arenas},
-                                                      {"gates", gates_that_do_not_alternate}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"a swapped twin", swapped_twin},
+    {"a border on one side", one_sided_border},
+    {"a part that is asleep", part_asleep},
+    {"a list that is not sorted", unsorted_list},
+    {"a queue that goes back", queue_that_goes_back},
+    {"lists and arenas", lists_and_arenas},
+    {"gates", gates_that_do_not_alternate},
+    {"kept windows beside a source", kept_windows_beside_source}};
   return run_tests("test_invariants", tests);
 #endif
 }

@@ -357,6 +357,11 @@ private:
     Window w = unpack_rays(p, distance, source_ref);
     w.d0 = w.distance_at(w.b0);
     w.d1 = w.distance_at(w.b1);
+    if constexpr (Number_policy<FT>::is_inexact)
+    { // beside a source, an image that crossed large faces gives distances below zero by their rounding
+      w.d0 = (std::max)(w.d0, FT(0));
+      w.d1 = (std::max)(w.d1, FT(0));
+    }
     return w;
   }
 
