@@ -69,7 +69,11 @@ public:
 
   // If the apex is not certainly in the rays of a window, upper bound of the excess length of a path around an end of its
   // interval.
-  double lateral_error(const Certified_window& w) const { return (std::max)(way_around(w, w.b0), way_around(w, w.b1)); }
+  double lateral_error(const Certified_window& w) const
+  {
+    return (std::max)(way_around(w, w.b0), way_around(w, w.b1)) + w.way_behind(m_apex.x, apex_y, place(w.b0), true) +
+           w.way_behind(m_apex.x, apex_y, place(w.b1), false);
+  }
 
   // Error bound of a window's distance at the apex.
   double error_at_apex(const Certified_window& w, double distance, double lateral) const

@@ -75,6 +75,7 @@ public:
       const double s = m_mesh.to_unit(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
       if (!Number_policy<double>::is_finite(s))
         throw std::runtime_error("Surface_mesh_geodesic_enclosure: a start value divided by the longest edge is not finite");
+      least_start_value = (std::min)(least_start_value, s);
       add_point(place.first, s);
       if (!initial.primitives[i].is_segment) continue;
       add_point(place.second, s);
@@ -136,6 +137,7 @@ public:
 
   std::vector<Certified_source_vertex> vertices; // by their indices
   std::vector<Certified_source> in_faces; // sorted by face
+  double least_start_value = Number_policy<double>::infinity();
 
   // Calls f(source) for the sources in a face.
   template <class Function>

@@ -130,6 +130,16 @@ struct Certified_window
            (is_parallel() || by_image < 2 * r * r ? by_image / r : 2 * r);
   }
 
+  // Excess length of the path around an end b of the interval over the distance of a point p for which side_of() is uncertain,
+  // if p is outside the interval and behind b, seen along the ray. A ray from a point that passes b has passed p before. Parallel
+  // rays start at a segment, and p may be behind it, where their distance is too small. Binding test: test_certified_segments.
+  double way_behind(const Double_double& px, double py, const Double_double& b, bool is_begin) const
+  {
+    const double along = (px.high - b.high) + (px.low - b.low), ahead = -(x * along + y * py);
+    if (!is_parallel() || (is_begin ? along >= 0 : along <= 0) || ahead >= 0) return 0;
+    return (std::abs(along) + py - ahead) * (1 + length_error);
+  }
+
   double minimum() const
   {
     if (!is_parallel() && b0 < x && x < b1) return sigma - y;
