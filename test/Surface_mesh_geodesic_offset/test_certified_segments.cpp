@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Certified bounds beside segments that touch edges nearly at right angles, with start values, on flat rectangles, some with rows
-// of faces as thin as 1e-9. All coordinates and weights have few digits, so that the distance, that of the nearest segment in the
-// plane, is computed with 113 bits from exact places.
+// Certified bounds beside segments that touch edges nearly at right angles, with start values, on flat rectangles: some have rows
+// of faces as thin as 1e-9, and some are a billion times smaller than the start values. Coordinates and weights have few digits,
+// so that the distance, that of the nearest segment in the plane, is computed with 113 bits from exact places.
 //
 //   test_certified_segments [N]      N times as many rectangles
 
@@ -62,12 +62,12 @@ Number distance(const Point& p, const Segment& s)
 class Rectangle
 {
 public:
-  explicit Rectangle(unsigned seed) : m_random(seed)
+  explicit Rectangle(unsigned seed) : m_random(seed), m_scale(seed % 3 == 0 ? 0x1p-30 : 1)
   {
     const std::vector<double> x = lines(2 + number(4)), y = lines(2 + number(3));
     std::vector<Mesh::Vertex_index> v;
     for (double b : y)
-      for (double a : x) v.push_back(m_mesh.add_vertex(test::Kernel::Point_3(a, b, 0)));
+      for (double a : x) v.push_back(m_mesh.add_vertex(test::Kernel::Point_3(m_scale * a, m_scale * b, 0)));
     for (std::size_t j = 0; j + 1 < y.size(); ++j)
       for (std::size_t i = 0; i + 1 < x.size(); ++i)
       {
@@ -134,6 +134,7 @@ private:
   }
 
   std::mt19937 m_random;
+  const double m_scale;
   Mesh m_mesh;
   std::vector<Face> m_faces;
 };

@@ -257,7 +257,8 @@ private:
     const Double_double_2 a = beyond_edge(s.face, k, s.first, false);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, {-n.x, -n.y}, true, w, s.start_value, &s.first);)
     const Double_double_2 axis = beyond_edge(s.face, k, along, true);
-    const Double_double sigma = w.image().x * a.x + w.image().y * a.y + s.start_value;
+    const Double_double to_origin = w.image().x * a.x + w.image().y * a.y; // length of the ray to the origin
+    const Double_double sigma = to_origin + s.start_value;
     w.sigma = sigma.high;
     w.sigma_low = sigma.low;
     // part of the edge in front of the segment, between the rays from both ends
@@ -274,8 +275,8 @@ private:
     const double first_0 = -(ex * a.x.high + ey * a.y.high), first_1 = first_0 + ex * length;
     if (!clip(first_0 + allowance, first_1 + allowance)) return false;
     if (!clip(size.high - first_0 + allowance, size.high - first_1 + allowance)) return false;
-    const double before = s.start_value - allowance;
-    if (!clip(w.distance_at(0.) - before, w.distance_at(length) - before)) return false;
+    // without the start value, whose rounding may be larger than the face
+    if (!clip(to_origin.high + allowance, to_origin.high - w.x * length + allowance)) return false;
     const double rounding = length_error * length;
     from = (std::max)(0., from - rounding);
     to = (std::min)(length, to + rounding);
