@@ -27,11 +27,18 @@ struct Certified_case
   typedef Reference_distances::Triangle Triangle;
   typedef Reference_distances::Location Location;
 
+  struct Segment
+  {
+    Reference_distances::Segment place;
+    double start_value;
+  };
+
   std::string kind;
   std::vector<Point> points;
   std::vector<Triangle> triangles;
   std::vector<std::size_t> source_vertices;
   std::vector<Location> sources, queries;
+  std::vector<Segment> segments;
 };
 
 class Certified_cases
@@ -41,7 +48,8 @@ public:
   typedef Certified_case::Triangle Triangle;
   typedef Certified_case::Location Location;
 
-  static Certified_case adversarial(unsigned seed)
+  // With segments, the sources are segments with start values.
+  static Certified_case adversarial(unsigned seed, bool has_segments = false)
   {
     Certified_cases c(seed);
     switch (seed % 8)
@@ -55,6 +63,7 @@ public:
     case 6: c.flat_faces(); break;
     default: c.graded_needles(); break;
     }
+    if (has_segments) c.use_segments();
     return c.finished();
   }
 
@@ -403,6 +412,28 @@ private:
       case_.sources.push_back(any_location());
   }
 
+  // One to three segments, some of which are parallel to an edge. Start values are zero, of the size of the mesh, or much larger.
+  void use_segments()
+  {
+    case_.source_vertices.clear();
+    case_.sources.clear();
+    for (std::size_t n = 1 + index(3); n > 0; --n)
+    {
+      const Location a = any_location(), b = any_location();
+      Reference_distances::Segment s{a.triangle, a.weights, b.weights};
+      if (one_of(2))
+      {
+        s.second = s.first;
+        const std::size_t from = index(3), to = (from + 1 + index(2)) % 3;
+        const double part = one_of(2) ? s.first[from] : s.first[from] * number(0.1, 0.9);
+        s.second[from] -= part;
+        s.second[to] += part;
+      }
+      if (s.first == s.second) continue;
+      case_.segments.push_back({s, one_of(2) ? 0 : one_of(2) ? number(0, 1) : power(-12, 6)});
+    }
+  }
+
   // Removes unused points.
   Certified_case finished()
   {
@@ -421,7 +452,7 @@ private:
     std::vector<std::size_t> sources;
     for (std::size_t v : case_.source_vertices)
       if (number[v] != std::size_t(-1)) sources.push_back(number[v]);
-    if (sources.empty() && case_.sources.empty()) sources.push_back(0);
+    if (sources.empty() && case_.sources.empty() && case_.segments.empty()) sources.push_back(0);
     case_.source_vertices = sources;
     case_.points = used;
     for (int i = 0; i < 6; ++i) case_.queries.push_back(any_location());

@@ -30,11 +30,11 @@ namespace test {
 struct Certified_counts
 {
   std::size_t meshes = 0;
-  std::size_t bounds = 0; // compared pairs of bounds
+  std::size_t bounds = 0;     // compared pairs of bounds
   std::size_t violations = 0; // bounds that exclude the distance
   std::size_t violated_meshes = 0;
-  std::size_t invalid = 0; // meshes that are not triangle meshes, or have faces without area
-  std::size_t refused = 0; // builds that threw std::runtime_error, as documented for needles
+  std::size_t invalid = 0;    // meshes that are not triangle meshes, or have faces without area
+  std::size_t refused = 0;    // builds that threw std::runtime_error, as documented for needles
   std::vector<double> widths; // relative to the upper bound
 
   /// Quantile of the widths.
@@ -82,16 +82,22 @@ public:
       Enclosure enclosure(data.mesh);
       for (std::size_t v : c.source_vertices) enclosure.add_source_point(data.vertices[v]);
       for (const auto& s : c.sources) enclosure.add_source_point(location(data, c, s));
-      Reference_distances reference(c.points, c.triangles);
-      reference.solve(c.source_vertices, c.sources, c.queries);
+      for (const auto& s : c.segments)
+      {
+        const std::size_t t = s.place.triangle;
+        const std::vector<Enclosure::Face_location> ends = {location(data, c, {t, s.place.first}),
+                                                            location(data, c, {t, s.place.second})};
+        enclosure.add_source_polyline(ends, false, CGAL::parameters::start_value(s.start_value));
+      }
+      const std::vector<Number> distances = distances_of(c);
       for (const bool keeps : {false, true})
       {
         enclosure.build(CGAL::parameters::keep_windows(keeps));
         for (std::size_t v = 0; v < c.points.size(); ++v)
-          compare(enclosure.distance_bounds(data.vertices[v]), reference.of_vertex(v), counts,
+          compare(enclosure.distance_bounds(data.vertices[v]), distances[v], counts,
                   [&] { return name + ", vertex " + std::to_string(v); });
         for (std::size_t q = 0; keeps && q < c.queries.size(); ++q)
-          compare(enclosure.distance_bounds(location(data, c, c.queries[q])), reference.of_query(q), counts,
+          compare(enclosure.distance_bounds(location(data, c, c.queries[q])), distances[c.points.size() + q], counts,
                   [&] { return name + ", query " + std::to_string(q); });
       }
     }
@@ -149,6 +155,26 @@ public:
   }
 
 private:
+  // Distances of the vertices and queries.
+  static std::vector<Number> distances_of(const Certified_case& c)
+  {
+    Reference_distances reference(c.points, c.triangles);
+    std::vector<Number> result(c.points.size() + c.queries.size(), Reference_distances::infinity());
+    const auto solve = [&](const std::vector<std::size_t>& vertices, const std::vector<Certified_case::Location>& locations,
+                           const std::vector<Reference_distances::Segment>& segments, double start_value) {
+      reference.solve(vertices, locations, c.queries, segments);
+      for (std::size_t i = 0; i < result.size(); ++i)
+      {
+        const Number& d = i < c.points.size() ? reference.of_vertex(i) : reference.of_query(i - c.points.size());
+        if (d < Reference_distances::infinity()) result[i] = (std::min)(result[i], Number(d + Number(start_value)));
+      }
+    };
+    if (!c.source_vertices.empty() || !c.sources.empty()) solve(c.source_vertices, c.sources, {}, 0);
+    for (const auto& s : c.segments)
+      solve({}, {{s.place.triangle, s.place.first}, {s.place.triangle, s.place.second}}, {s.place}, s.start_value);
+    return result;
+  }
+
   template <class Name>
   void compare(const std::pair<double, double>& bounds, const Number& distance, Certified_counts& counts, const Name& name)
   {

@@ -4,10 +4,11 @@
 // Search for certified bounds that exclude the distance, on small meshes, by an independent reference with 113 bits; also
 // the widths of the bounds.
 //
-//   certified_search [--seed N] [--meshes N] [--general] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE VERTEX]...
+//   certified_search [--seed N] [--meshes N] [--general | --segments] [--kind NAME] [--printed N] [--write PREFIX] [OFF_FILE VERTEX]...
 //
 // Case i has seed N + i, which determines its mesh, sources and queries; so `--seed N --meshes 1` repeats a case. The
-// meshes are adversarial, or general ones with --general; --kind selects one kind. --write PREFIX writes the last case as
+// meshes are adversarial, or general ones with --general; with --segments, the sources of adversarial meshes are segments with
+// start values; --kind selects one kind. --write PREFIX writes the last case as
 // PREFIX.off. Files are meshes with a source vertex each; without --meshes only they are run.
 //
 // Output: violations, then a table by kind: meshes, those with a face without area in doubles, builds rejected as
@@ -79,7 +80,7 @@ int run(int argc, char** argv)
 {
   unsigned seed = 1;
   std::size_t meshes = 1000, printed = 20;
-  bool is_general = false, has_meshes = false;
+  bool is_general = false, has_segments = false, has_meshes = false;
   std::string kind, write;
   std::vector<test::Certified_case> files;
   std::vector<std::string> names;
@@ -89,6 +90,11 @@ int run(int argc, char** argv)
     if (name == "--general")
     {
       is_general = true;
+      continue;
+    }
+    if (name == "--segments")
+    {
+      has_segments = true;
       continue;
     }
     if (i + 1 == argc) throw std::invalid_argument(name + " needs a value, or is unknown");
@@ -115,7 +121,8 @@ int run(int argc, char** argv)
     for (std::size_t i = 0; i < meshes; ++i)
     {
       const unsigned s = seed + static_cast<unsigned>(i);
-      const test::Certified_case c = is_general ? test::Certified_cases::general(s) : test::Certified_cases::adversarial(s);
+      const test::Certified_case c =
+        is_general ? test::Certified_cases::general(s) : test::Certified_cases::adversarial(s, has_segments);
       if (!kind.empty() && c.kind != kind) continue;
       if (!write.empty()) write_off(write + ".off", c);
       search.run(c, c.kind + ", seed " + std::to_string(s));
