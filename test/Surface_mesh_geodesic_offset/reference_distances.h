@@ -284,10 +284,13 @@ private:
     visited_[f] = false;
   }
 
+  Number perimeter(std::size_t f) const { return sides_[f][0].length + sides_[f][1].length + sides_[f][2].length; }
+
   // Straight pieces from inside a segment, to both sides.
   void leave(const Segment& s)
   {
     start_ = 0;
+    rounding_of_strip_ = Number(1e-33) * perimeter(s.triangle);
     visited_.assign(triangles_.size(), false);
     const std::array<Number, 3> first = in_plane({s.triangle, s.first}), second = in_plane({s.triangle, s.second});
     const std::array<Planar, 3> corners = placed(s.triangle, 0, {0, 0}, {sides_[s.triangle][0].length, 0});
@@ -313,10 +316,10 @@ private:
   }
 
   // Corners and queries of a triangle in the strip [low, high] x [0, infinity), which includes points on the segment up to 1e-30 of
-  // the sides of the triangle.
+  // the sides of the triangle, or to the rounding of those of the segment's triangle.
   void reach_in_strip(std::size_t f, const std::array<Planar, 3>& corners, const Number& low, const Number& high)
   {
-    const Number rounding = Number(1e-30) * (sides_[f][0].length + sides_[f][1].length + sides_[f][2].length);
+    const Number rounding = (std::max)(Number(1e-30) * perimeter(f), rounding_of_strip_);
     const auto reach = [&](const Planar& p, Number& distance) {
       if (low <= p.x && p.x <= high && p.y >= -rounding) lower(distance, (std::max)(p.y, Number(0)));
     };
@@ -389,7 +392,7 @@ private:
   std::vector<Query> queries_;
   std::vector<Number> distances_, bounds_; // of vertices, followed by those of queries
   std::vector<bool> done_, visited_;
-  Number farthest_ = 0, start_ = 0;
+  Number farthest_ = 0, start_ = 0, rounding_of_strip_ = 0;
 };
 
 } // namespace test
