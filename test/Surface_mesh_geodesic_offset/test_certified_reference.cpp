@@ -159,6 +159,15 @@ void known_cases()
   CHECK(search.total().violations == 0 && search.total().refused == 0 && search.total().invalid == 0);
 }
 
+// Sources whose rays pass a vertex next to them: within the error of an image, and into a face that is thinner than its former
+// displacement beside an edge. From searches.
+void near_vertices()
+{
+  Certified_search search(std::cout, 10);
+  for (unsigned seed : {90144505u, 100024398u}) search.run(Certified_cases::adversarial(seed, true), std::to_string(seed));
+  CHECK(search.total().violations == 0 && search.total().meshes == 2);
+}
+
 template <class Case>
 void run(const Case& case_of_seed, std::size_t meshes, double median)
 {
@@ -279,6 +288,7 @@ GEODESIC_OFFSET_TEST(test_certified_reference)
                                                       {"many faces without a bend", many_faces_without_a_bend},
                                                       {"general meshes", general_meshes},
                                                       {"adversarial meshes", adversarial_meshes},
+                                                      {"near a vertex", near_vertices},
                                                       {"segments with start values", segments}};
   return run_tests("test_certified_reference", tests);
 }

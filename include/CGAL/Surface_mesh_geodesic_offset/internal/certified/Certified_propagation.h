@@ -186,7 +186,7 @@ private:
   bool turn(const Certified_window& w, const Rotation& rotation, const Double_double_2& image, Certified_window& child) const
   {
     const Double_double_2 turned = rotation(image);
-    if (turned.y.high >= -Certified_mesh::flat * (std::abs(turned.x.high) + length)) return false;
+    if (turned.y.high >= -along_edge * (std::abs(turned.x.high) + length)) return false;
     child.set_image(turned);
     child.bits = w.bits_of_child();
     return true;

@@ -46,7 +46,7 @@ public:
         search(face, place);
       }
     // a path that passes a vertex within the error of an image may be shorter by this amount, see the error analysis
-    return {(std::max)(m_lower * (1 - 2 * unit_roundoff), 0.), m_upper};
+    return {(std::max)(m_lower * (1 - 2 * unit_roundoff) - m_sources.loss, 0.), m_upper};
   }
 
 private:

@@ -89,6 +89,7 @@ public:
     vertices.erase(std::unique(vertices.begin(), vertices.end(), is_same), vertices.end());
     std::stable_sort(in_faces.begin(), in_faces.end(),
                      [](const Certified_source& a, const Certified_source& b) { return a.face < b.face; });
+    find_loss();
   }
 
   // Computes the position of a point in the face frame, moved back into the closed face if rounding placed it outside.
@@ -138,6 +139,7 @@ public:
   std::vector<Certified_source_vertex> vertices; // by their indices
   std::vector<Certified_source> in_faces; // sorted by face
   double least_start_value = Number_policy<double>::infinity();
+  double loss = 0; // by which a distance may be shorter than all windows and vertices tell, see loss_beside_vertex()
 
   // Calls f(source) for the sources in a face.
   template <class Function>
@@ -169,8 +171,9 @@ public:
       {
         if (k == s.on_edge) continue;
         w.set_image(beyond_edge(s.face, k, s.first, false));
-        // a point that rounding moved onto the edge is displaced inward by less than the error of an image
-        if (w.y > -0.01 * image_error) w.set_image({w.image().x, -0.01 * image_error});
+        // a point that rounding moved onto the edge is displaced inward
+        const double inward = -4 * along_edge * (std::abs(w.x) + m_mesh.length(g));
+        if (w.y > inward) w.set_image({w.image().x, inward});
         w.set_interval(0., m_mesh.length(g));
         CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, s.first, false, w, s.start_value);
                                          check_window(w, m_mesh.length(g));)
@@ -184,6 +187,24 @@ public:
   }
 
 private:
+  // A vertex is at least as far from another one as from the opposite edges.
+  void find_loss()
+  {
+    const auto beside = [this](double r) { loss = (std::max)(loss, loss_beside_vertex(r)); };
+    for (const Certified_source& s : in_faces)
+      for (int k = 0; k < 3 && !s.is_segment; ++k)
+      {
+        const Double_double_2 c = corner(s.face, k);
+        beside(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high}));
+      }
+    for (Index h = 0; h < m_mesh.unfolded().number_of_halfedges(); ++h)
+    {
+      if (m_mesh.unfolded().source(h) == no_index) continue;
+      beside(m_mesh.length(h));
+      beside(m_mesh.apex(h).y.high);
+    }
+  }
+
   double moved_in(Index face) const
   {
     return length_error * (m_mesh.length(3 * face) + m_mesh.length(3 * face + 1) + m_mesh.length(3 * face + 2));
@@ -253,7 +274,7 @@ private:
     // the rays have direction n; the image is in the opposite direction
     const Double_double_2 n = to_left ? Double_double_2{-along.y, along.x} : Double_double_2{along.y, -along.x};
     w.set_image(beyond_edge(s.face, k, {-n.x, -n.y}, true));
-    if (w.y >= -Certified_mesh::flat) return false;
+    if (w.y >= -along_edge) return false;
     const Double_double_2 a = beyond_edge(s.face, k, s.first, false);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(set_precise(s.face, k, {-n.x, -n.y}, true, w, s.start_value, &s.first);)
     const Double_double_2 axis = beyond_edge(s.face, k, along, true);

@@ -33,6 +33,20 @@ constexpr double exit_error = 6 * unit_roundoff;
 constexpr double image_error = 0x1p-72;
 constexpr Index most_faces = 0xffff;
 
+// An image this near to the line of an edge, relative to its distance and the edge, is on it: its rays are along the edge. Two
+// roundings of a rotation. In faces that are thinner than this, seen from the image, the rays are lost; so it must not be larger,
+// though images have larger errors. Binding test: test_certified_reference, near a vertex.
+constexpr double along_edge = 0x1p-96;
+
+// Windows lose the paths that pass a vertex within the error o of their image, at a distance r from it. The path via the vertex
+// is longer by at most 2 r, and by 4 o^2 / r if h, at most 2 o, is how far the path is off the vertex: h^2 / 2 (1 / r + 1 / D)
+// behind the vertex, where the distance D to the next bend counts as r at least. With o up to 4 times the image_error. Binding
+// test: test_certified_reference, near a vertex.
+inline double loss_beside_vertex(double r)
+{
+  return r > 0 ? (std::min)(2 * r, 64 * (image_error / r) * image_error) : 0.;
+}
+
 // Error of a corner or an apex, relative to the length of the edges.
 constexpr double corner_error = 0x1p-97;
 

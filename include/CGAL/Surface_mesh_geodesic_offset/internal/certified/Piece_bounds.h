@@ -105,7 +105,7 @@ public:
       has_no_maximum = are_in_half_plane();
     }
     // A path that passes a vertex within the error of an image may be shorter by this error; see the error analysis.
-    const double lower = (std::max)({m_lower * (1 - 2 * unit_roundoff), inner.first - reach, 0.});
+    const double lower = (std::max)({m_lower * (1 - 2 * unit_roundoff) - m_sources.loss, inner.first - reach, 0.});
     return {lower, upper, piece.size > 1 ? inner : Bounds(lower, upper), has_no_maximum};
   }
 
