@@ -578,6 +578,31 @@ void rounding_of_levels()
     }
 }
 
+// A source outside counts however near its start value is to the level, and so does a point that belongs to no piece. From an
+// attack.
+void outside_points()
+{
+  const Generated_mesh<test::Surface_mesh> data(planar_grid(4, 4, Diagonals::forward));
+  Enclosure enclosure(data.mesh);
+  const double start = 1e9, depth = 1e-4;
+  enclosure.add_source_point(Face_location(data.faces[0], {{0.25, 0.5, 0.25}}), CGAL::parameters::start_value(start));
+  enclosure.build(CGAL::parameters::keep_windows(true));
+  const Certificate none = enclosure.certify_offset(start + depth, std::vector<Polyline>());
+  CHECK_DETAIL(none.tolerance >= 0.99 * depth, values(none.tolerance, depth));
+  enclosure.clear_sources();
+  enclosure.add_source_point(data.vertices[0]);
+  enclosure.build(CGAL::parameters::keep_windows(true));
+  Polyline point;
+  point.locations = {Face_location(data.faces.back(), {{0.25, 0.5, 0.25}})};
+  const double far = enclosure.distance_bounds(point.locations[0]).first, level = 2 * far;
+  for (const bool is_closed : {false, true})
+  {
+    point.is_closed = is_closed;
+    const Certificate c = enclosure.certify_offset(level, std::vector<Polyline>{point});
+    CHECK_DETAIL(c.tolerance >= 0.99 * (level - far), values(c.tolerance, level - far));
+  }
+}
+
 } // namespace test_certified_offsets
 
 GEODESIC_OFFSET_TEST(test_certified_offsets)
@@ -589,6 +614,7 @@ GEODESIC_OFFSET_TEST(test_certified_offsets)
                                                       {"near the farthest point", near_the_farthest_point},
                                                       {"sampled regions", sampled_regions},
                                                       {"rounding of levels", rounding_of_levels},
+                                                      {"outside points", outside_points},
                                                       {"faults", faults},
                                                       {"no region, and other sources", no_region_and_other_sources}};
   const int result = run_tests("test_certified_offsets", tests);

@@ -168,6 +168,26 @@ void near_vertices()
   CHECK(search.total().violations == 0 && search.total().meshes == 2);
 }
 
+// A source in a flat cap, beside its obtuse corner: outside the line of one edge by rounding, it is near another one. From an
+// attack.
+void in_flat_cap()
+{
+  Certified_case c;
+  c.points = {{-0x1.cep-20, -0x1.08p-19, 0},
+              {-0x1.2a962p-1, -0x1.553ddd78p-1, 0},
+              {-0x1.31a03be48b832p-3, -0x1.5d496904c85aap-3, 0}};
+  c.triangles = {{0, 2, 1}};
+  Certified_search search(std::cout, 10);
+  std::array<double, 3> weights = {0x1.c093039bc51d2p-34, 0x1.562bc5b548e16p-36, 1};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    std::rotate(weights.begin(), weights.begin() + 1, weights.end());
+    c.sources = {{0, weights}};
+    search.run(c, "flat cap " + std::to_string(k));
+  }
+  CHECK(search.total().violations == 0 && search.total().meshes == 3);
+}
+
 template <class Case>
 void run(const Case& case_of_seed, std::size_t meshes, double median)
 {
@@ -289,6 +309,7 @@ GEODESIC_OFFSET_TEST(test_certified_reference)
                                                       {"general meshes", general_meshes},
                                                       {"adversarial meshes", adversarial_meshes},
                                                       {"near a vertex", near_vertices},
+                                                      {"in a flat cap", in_flat_cap},
                                                       {"segments with start values", segments}};
   return run_tests("test_certified_reference", tests);
 }

@@ -446,6 +446,29 @@ void extended_numbers()
   CHECK(!Policy::is_finite(infinity) && Policy::is_finite(one) && Policy::rounding(1) == Extended_number(0x1p-103));
 }
 
+// Two fans touch at a vertex, each with a source; the nearer one is not in the fan of the other. From an attack.
+void touching_fans()
+{
+  test::Surface_mesh mesh;
+  std::vector<test::Surface_mesh::Vertex_index> v;
+  for (const auto& p :
+       {Point_3(0, 0, 0), Point_3(-1, -1, 0), Point_3(0, -1, 0), Point_3(1e-3, 0, 0), Point_3(2e-3, 1e-3, 0), Point_3(0, 1, 0)})
+    v.push_back(mesh.add_vertex(p));
+  const auto f = mesh.add_face(v[0], v[1], v[2]);
+  mesh.add_face(v[0], v[3], v[4]);
+  mesh.add_face(v[0], v[4], v[5]);
+  const auto h = mesh.halfedge(f);
+  const test::Surface_mesh::Vertex_index corner[] = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+  Face_location at(f, {{0, 0, 0}});
+  for (std::size_t k = 0; k < 3; ++k) at.second[k] = corner[k] == v[0] ? 1 - 0x1p-12 : corner[k] == v[2] ? 0x1p-12 : 0;
+  Geodesic geodesic(mesh);
+  geodesic.add_source_point(at);
+  geodesic.add_source_point(v[3]);
+  geodesic.build();
+  CHECK_DETAIL(std::abs(geodesic.distance_to_sources(v[0]) - 0x1p-12) <= 1e-16,
+               values(geodesic.distance_to_sources(v[0]), 0x1p-12));
+}
+
 } // namespace test_graded_distances
 
 GEODESIC_OFFSET_TEST(test_graded_distances)
@@ -453,7 +476,12 @@ GEODESIC_OFFSET_TEST(test_graded_distances)
   for (int i = 1; i + 1 < argc; ++i)
     if (std::string(argv[i]) == "--meshes") number_of_meshes = std::size_t(std::atol(argv[i + 1]));
   const std::pair<const char*, void (*)()> tests[] = {
-    {"adversarial meshes", adversarial_meshes}, {"nested meshes", nested_meshes}, {"lengths", lengths},
-    {"graded vertices", graded_vertices},       {"large places", large_places},   {"extended numbers", extended_numbers}};
+    {"adversarial meshes", adversarial_meshes},
+    {"nested meshes", nested_meshes},
+    {"lengths", lengths},
+    {"graded vertices", graded_vertices},
+    {"large places", large_places},
+    {"extended numbers", extended_numbers},
+    {"touching fans", touching_fans}};
   return run_tests("test_graded_distances", tests);
 }

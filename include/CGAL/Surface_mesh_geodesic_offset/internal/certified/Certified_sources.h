@@ -111,12 +111,22 @@ public:
     }
     else
     {
-      place = {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)};
+      // The nearest point of the closed face. Beside an obtuse corner, the line of another edge may be nearer than the face.
+      const Double_double_2 given = {m_mesh.to_unit(position.x), m_mesh.to_unit(position.y)};
+      place = given;
+      double least = Number_policy<double>::infinity();
+      bool is_outside = false;
       for (int i = 0; i < 3; ++i)
       {
-        const Double_double_2 c = corner(face, i), v = in_frame(direction(face, i), {place.x - c.x, place.y - c.y});
-        if (v.y.high < 0) place = on_edge(face, i, v.x);
+        const Double_double_2 c = corner(face, i), v = in_frame(direction(face, i), {given.x - c.x, given.y - c.y});
+        const Double_double_2 q = on_edge(face, i, v.x);
+        is_outside = is_outside || v.y.high < 0;
+        const double d = internal::length(Point{(q.x - given.x).high, (q.y - given.y).high});
+        if (d >= least) continue;
+        least = d;
+        place = q;
       }
+      if (!is_outside) place = given;
     }
     return true;
   }

@@ -70,6 +70,7 @@ public:
   bool add_polyline(const std::vector<Place>& points, bool is_closed)
   {
     const std::size_t curve = m_curves++, n = points.size();
+    if (n == 1) add_segment(points[0], points[0], curve);
     for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
       if (!add_segment(points[i], points[(i + 1) % n], curve)) return fail(Limit::NOT_JOINED, points[i], curve);
     if (!is_closed && n > 0) add_ends(points.front(), points.back(), curve);
@@ -112,14 +113,8 @@ public:
     find_sides();
     find_reversed();
     // points first: they show how much is needed at least
-    for (const Curve_piece& p : m_pieces)
-    {
-      m_bounds.set_face(p.face);
-      const std::size_t end = m_bounds.end_of_candidates();
-      allow_for(m_bounds(Face_piece::point(p.geometry.hull[0]), p.moved, 0, end, false).at_inner_point, p.geometry.hull[0],
-                p.face, p.curve);
-      m_bounds.drop_candidates(end);
-    }
+    for (const Curve_piece& p : m_pieces) bound_point({p.face, p.geometry.hull[0], p.curve}, p.moved);
+    for (const Curve_point& p : m_points) bound_point(p, 0);
     for (const Curve_piece& p : m_pieces)
     {
       m_bounds.set_face(p.face);
@@ -135,6 +130,14 @@ public:
   static constexpr double joint_tolerance = 0x1p-30;
 
 private:
+  // A point of a curve that belongs to no piece: a polyline of one point, or a repeated point.
+  struct Curve_point
+  {
+    Index face;
+    Double_double_2 place;
+    std::size_t curve;
+  };
+
   // The tolerance is the smallest one up to this part of the distance and the size of a face, twice the errors of the bounds of
   // a point.
   static constexpr double resolution = 0x1p-45;
@@ -153,12 +156,16 @@ private:
 
   bool add_segment(const Place& from, const Place& to, std::size_t curve)
   {
-    if (m_region.key(from) == m_region.key(to)) return true;
     for (Index face : faces_of(m_mesh.unfolded(), from))
     {
       Double_double_2 p, q;
       unsigned p_edges, q_edges;
       if (!place_in(face, from, p, p_edges) || !place_in(face, to, q, q_edges)) continue;
+      if (m_region.key(from) == m_region.key(to))
+      {
+        m_points.push_back({face, p, curve});
+        return true;
+      }
       const int edge = (p_edges & q_edges) ? edge_of_bit(p_edges & q_edges) : -1;
       m_pieces.push_back({face, from, to, Face_piece::segment(p, q), p, q, 0., curve, edge});
       return true;
@@ -203,6 +210,14 @@ private:
     m_ends.push_back({last, curve});
   }
 
+  void bound_point(const Curve_point& p, double moved)
+  {
+    m_bounds.set_face(p.face);
+    const std::size_t end = m_bounds.end_of_candidates();
+    allow_for(m_bounds(Face_piece::point(p.place), moved, 0, end, false).at_inner_point, p.place, p.face, p.curve);
+    m_bounds.drop_candidates(end);
+  }
+
   // Open curves go on as others, or end at the border.
   bool check_ends()
   {
@@ -245,20 +260,28 @@ private:
     set_limit(limit, face, place, bounds, curve);
   }
 
-  // The first source of a component is inside; so must the others be. Sources with start values from the level on, up to its
-  // rounding, are nowhere nearer, and may be on either side.
+  // The first source of a component is inside; so must the others be. Those with start values near the level, up to its rounding,
+  // may be on either side, and decide none; outside, the tolerance is at least their depth below the level.
   void find_sides()
   {
     const double level = (1 - level_rounding) * m_distance;
+    put_sources(0, level);
+    for (std::size_t i = 0; i < m_region.number_of_parts(); ++i)
+      if (!m_region.has_side(i)) m_region.set_side(i, false);
+    put_sources(level, m_distance);
+  }
+
+  // Sources with start values from `least` to less than `most`.
+  void put_sources(double least, double most)
+  {
+    const auto is_put = [=](double start_value) { return start_value >= least && start_value < most; };
     for (const Certified_source_vertex& s : m_sources.vertices)
       if (const Index corner = m_mesh.unfolded().corner(s.vertex);
-          s.start_value < level && !m_region.is_on_curve(s.vertex) && corner != no_index)
+          is_put(s.start_value) && !m_region.is_on_curve(s.vertex) && corner != no_index)
         put_source({m_region.part(corner, 0), false, true}, s.start_value, corner / 3,
                    m_sources.corner(corner / 3, int(corner % 3)));
     for (const Certified_source& s : m_sources.in_faces)
-      if (s.start_value < level) put_source(m_side(s.face, s.first), s.start_value, s.face, s.first);
-    for (std::size_t i = 0; i < m_region.number_of_parts(); ++i)
-      if (!m_region.has_side(i)) m_region.set_side(i, false);
+      if (is_put(s.start_value)) put_source(m_side(s.face, s.first), s.start_value, s.face, s.first);
   }
 
   void put_source(const Face_side::Side& side, double start_value, Index face, const Double_double_2& place)
@@ -471,6 +494,7 @@ private:
   const double m_distance;
   Piece_bounds m_bounds;
   std::vector<Curve_piece> m_pieces;
+  std::vector<Curve_point> m_points;
   std::vector<std::pair<Place, std::size_t>> m_ends; // of open curves, with the curve
   std::size_t m_curves = 0, m_triangles = 0;
   std::vector<Triangle> m_queue; // a heap

@@ -89,7 +89,8 @@ class Graded_distances
 public:
   explicit Graded_distances(const Surface& surface) : m_surface(surface) {}
 
-  // The distances of all graded vertices up to `maximum`, up to which those of the field are final.
+  // The distances of all graded vertices up to `maximum`, up to which those of the field are final. They improve those of the
+  // field by no more than the rounding of these.
   std::map<Index, double> operator()(const Source_set<double>& sources, const Geodesic_field<double>& field,
                                      double maximum) const
   {
@@ -111,8 +112,10 @@ public:
     { // too many windows, see Window_lists
       return result;
     }
+    const double rounding = rounding_of_reach * m_surface.unfolded.longest_edge();
     for (const Index v : places.vertices())
-      if (const Extended& d = extended.distance[mesh.vertex(v)]; Number_policy<Extended>::is_finite(d))
+      if (const Extended& d = extended.distance[mesh.vertex(v)];
+          Number_policy<Extended>::is_finite(d) && std::abs(mesh.from_scale(d) - field.distance[v]) <= rounding)
         result.emplace(v, (std::min)(maximum, mesh.from_scale(d)));
     return result;
   }

@@ -81,14 +81,20 @@ private:
       m_seen_from[f] = w;
       faces.push_back(f);
     };
-    m_mesh.for_each_fan(w, [&](Index first) {
-      m_mesh.any_corner(first, [&](Index c) { return visit(m_mesh.face(c)), false; });
-    });
+    const auto visit_all_at = [&](Index v) {
+      m_mesh.for_each_fan(v, [&](Index first) {
+        m_mesh.any_corner(first, [&](Index c) { return visit(m_mesh.face(c)), false; });
+      });
+    };
+    visit_all_at(w);
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h)
       {
         longest = (std::max)(longest, m_mesh[h].length);
         if (m_mesh.twin(h) != no_index && is_within(w, h, distance, radius)) visit(m_mesh.face(m_mesh.twin(h)));
+        if (const Index v = m_mesh.source(h);
+            m_mesh.has_several_fans(v) && m_points.between(w, v, v) <= radius + m_rounding)
+          visit_all_at(v);
         if (faces.size() > m_most_faces) return false;
       }
     const bool is_graded = longest >= graded_ratio * m_distance[w];
