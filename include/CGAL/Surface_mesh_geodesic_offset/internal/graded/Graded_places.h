@@ -92,8 +92,7 @@ private:
       {
         longest = (std::max)(longest, m_mesh[h].length);
         if (m_mesh.twin(h) != no_index && is_within(w, h, distance, radius)) visit(m_mesh.face(m_mesh.twin(h)));
-        if (const Index v = m_mesh.source(h);
-            m_mesh.has_several_fans(v) && m_points.between(w, v, v) <= radius + m_rounding)
+        if (const Index v = m_mesh.source(h); m_mesh.has_several_fans(v) && m_points.between(w, v, v) <= radius + m_rounding)
           visit_all_at(v);
         if (faces.size() > m_most_faces) return false;
       }
