@@ -73,12 +73,9 @@ public:
     Certified_counts& counts = counts_[c.kind];
     ++counts.meshes;
     const std::size_t before = counts.violations;
-    Soup soup;
-    for (const auto& p : c.points) soup.points.push_back(Point_3(p[0], p[1], p[2]));
-    for (const auto& t : c.triangles) soup.add_triangle(t);
     try
     {
-      const Generated_mesh<Surface_mesh> data(soup);
+      const Generated_mesh<Surface_mesh> data(soup_of(c));
       Enclosure enclosure(data.mesh);
       for (std::size_t v : c.source_vertices) enclosure.add_source_point(data.vertices[v]);
       for (const auto& s : c.sources) enclosure.add_source_point(location(data, c, s));

@@ -58,6 +58,15 @@ public:
   /// Distance of unreachable vertices.
   static Number infinity() { return Number(std::numeric_limits<double>::max()); }
 
+  /// Newton's iteration from the root in double: 53, 106, 212 bits.
+  static Number root(const Number& square)
+  {
+    if (!(square > Number(0))) return Number(0);
+    Number r(std::sqrt(double(square)));
+    for (int i = 0; i < 3; ++i) r = (r + square / r) / Number(2);
+    return r;
+  }
+
   /// The triangles form a manifold with border and consistent orientation.
   Reference_distances(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
     : triangles_(triangles), sides_(triangles.size()), number_of_vertices_(points.size())
@@ -138,14 +147,6 @@ private:
   static Number cross(const Planar& a, const Planar& b) { return a.x * b.y - a.y * b.x; }
   static Number absolute(const Number& x) { return x < Number(0) ? -x : x; }
 
-  // Newton's iteration from the root in double: 53, 106, 212 bits.
-  static Number root(const Number& square)
-  {
-    if (!(square > Number(0))) return Number(0);
-    Number r(std::sqrt(double(square)));
-    for (int i = 0; i < 3; ++i) r = (r + square / r) / Number(2);
-    return r;
-  }
   static Number length(const Planar& p) { return root(p.x * p.x + p.y * p.y); }
 
   // Square of twice the area, from the two shortest sides, which lose the fewest digits.

@@ -41,14 +41,6 @@ struct Segment
   Number start_value;
 };
 
-Number root(const Number& square)
-{
-  if (!(square > Number(0))) return Number(0);
-  Number r(std::sqrt(double(square)));
-  for (int i = 0; i < 3; ++i) r = (r + square / r) / Number(2);
-  return r;
-}
-
 Number distance(const Point& p, const Segment& s)
 {
   const Number ux = s.b.x - s.a.x, uy = s.b.y - s.a.y, square = ux * ux + uy * uy;
@@ -56,7 +48,7 @@ Number distance(const Point& p, const Segment& s)
   if (square > Number(0)) t = ((p.x - s.a.x) * ux + (p.y - s.a.y) * uy) / square;
   t = (std::max)(Number(0), (std::min)(Number(1), t));
   const Number dx = p.x - s.a.x - t * ux, dy = p.y - s.a.y - t * uy;
-  return root(dx * dx + dy * dy) + s.start_value;
+  return test::Reference_distances::root(dx * dx + dy * dy) + s.start_value;
 }
 
 class Rectangle

@@ -38,14 +38,6 @@ constexpr double tolerance = 1e-13; // relative
 
 std::size_t number_of_meshes = 6000;
 
-Soup soup_of(const Certified_case& c)
-{
-  Soup soup;
-  for (const auto& p : c.points) soup.points.push_back(Point_3(p[0], p[1], p[2]));
-  for (const auto& t : c.triangles) soup.add_triangle(t);
-  return soup;
-}
-
 std::pair<double, double> shortest_and_longest_edge(const Soup& soup)
 {
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Prefetch.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Double_double.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Precise_mesh.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Unfolded_mesh.h>
 
@@ -69,6 +70,9 @@ public:
         throw std::invalid_argument("Surface_mesh_geodesic_enclosure: an edge is shorter than 1e-60 times the longest one");
     for (Index f = 0; f < unfolded.number_of_faces(); ++f)
       if (unfolded.source(3 * f) != no_index) find_corners(f, points);
+    for (Index h = 0; h < m_halfedges.size(); ++h) // a vertex is at least as far from another one as from the opposite edges
+      if (unfolded.source(h) != no_index)
+        m_loss = (std::max)({m_loss, loss_beside_vertex(length(h)), loss_beside_vertex(apex(h).y.high)});
     for (Index v = 0; v < unfolded.number_of_vertices(); ++v) m_can_bend[v] = bends(v);
     CGAL_GEODESIC_OFFSET_CERTIFICATE(m_precise = std::make_shared<Precise_mesh>(unfolded, points); check_frames();)
   }
@@ -87,6 +91,9 @@ public:
     const Double_double& l = m_halfedges[m_unfolded.previous(h)].length;
     return {c.x * l, c.y * l};
   }
+
+  // Of paths that pass a vertex beside another one, see loss_beside_vertex().
+  double loss_beside_vertices() const { return m_loss; }
 
   // True if shortest paths bend at a vertex. False if the excess of its angle is below `flat`, see the error analysis.
   bool can_be_pseudo_source(Index v) const { return m_can_bend[v] != 0; }
@@ -151,7 +158,7 @@ private:
   // Product of the corners as unit complex numbers, as in Unfolded_mesh::fan_of(). Returns false if the errors leave the
   // result undecided.
   template <class Number>
-  bool bends(Index v, double corner_error, bool& result) const
+  bool bends(Index v, double error_of_corner, bool& result) const
   {
     Number x(1.), y(0.);
     int half_turns = 0, degree = 0;
@@ -167,7 +174,7 @@ private:
       y = x * cy + y * cx;
       x = t;
       ++degree;
-      if (high(x) > 0 && high(y) < 0 && high(y) >= -corner_error * degree) is_certain = false; // a very narrow corner
+      if (high(x) > 0 && high(y) < 0 && high(y) >= -error_of_corner * degree) is_certain = false; // a very narrow corner
       if (high(y) < 0 || (high(y) == 0 && high(x) < 0))
       {
         x = -x;
@@ -177,7 +184,7 @@ private:
       c = m_unfolded.corner_ccw(c);
     } while (c != no_index && c != first);
     const int limit = c == no_index ? 1 : 2; // half turns of a flat vertex
-    const bool is_near = std::abs(high(y)) <= corner_error * degree;
+    const bool is_near = std::abs(high(y)) <= error_of_corner * degree;
     if (is_near && high(x) < 0) ++half_turns;
     result = is_near ? half_turns > limit : half_turns >= limit;
     if (!is_certain && std::is_same<Number, Double_double>::value) return result = true; // additional rays are harmless
@@ -205,6 +212,7 @@ private:
   double m_unit = 1;
   std::vector<Halfedge> m_halfedges;
   std::vector<char> m_can_bend;
+  double m_loss = 0;
 };
 
 } // namespace internal

@@ -71,8 +71,9 @@ public:
   // interval.
   double lateral_error(const Certified_window& w) const
   {
-    return (std::max)(way_around(w, w.b0), way_around(w, w.b1)) + w.way_behind(m_apex.x, apex_y, place(w.b0), true) +
-           w.way_behind(m_apex.x, apex_y, place(w.b1), false);
+    const Certified_window::Excess begin = w.excess_at(m_apex.x, apex_y, place(w.b0), true, ZERO),
+                                   end = w.excess_at(m_apex.x, apex_y, place(w.b1), false, ZERO);
+    return (std::max)(begin.around, end.around) + begin.behind + end.behind;
   }
 
   // Error bound of a window's distance at the apex.
@@ -194,8 +195,6 @@ private:
 
   // Sum rounded up.
   static double sum_of_radii(double a, double b) { return (a + b) * (1 + 2 * unit_roundoff); }
-
-  double way_around(const Certified_window& w, double b) const { return w.way_around(m_apex.x, apex_y, place(b)); }
 
   // Excess length of paths around an end of the interval for rays outside the parent's interval. Outward rounding displaces
   // the rays by at most 22 u of the distance of the exit from the corner, the error of the image by at most 4 sqrt(2) off,

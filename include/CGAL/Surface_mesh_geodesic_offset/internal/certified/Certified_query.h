@@ -78,20 +78,11 @@ private:
         const Sign from = w.side_of(p.x, height, b0), to = w.side_of(p.x, height, b1);
         if (from == POSITIVE || to == NEGATIVE) return;
         const double d = w.distance_at(p.x.high, height);
-        double error = w.radius + length_error * d + moved + 4 * w.error_of_image(), behind = 0;
-        if (from == ZERO)
-        {
-          error += w.way_around(p.x, height, b0);
-          behind = w.way_behind(p.x, height, b0, true);
-        }
-        if (to == ZERO)
-        {
-          error += w.way_around(p.x, height, b1);
-          behind += w.way_behind(p.x, height, b1, false);
-        }
+        const Certified_window::Excess begin = w.excess_at(p.x, height, b0, true, from), end = w.excess_at(p.x, height, b1, false, to);
+        const double error = w.radius + length_error * d + moved + 4 * w.error_of_image() + begin.around + end.around;
         if (d + error < m_sources.least_start_value) return; // p is behind the segment that the rays start from
         CGAL_GEODESIC_OFFSET_CERTIFICATE(check_query(w, precise(p.x), Precise(height), precise(b0), precise(b1), d, error);)
-        add_bounds(d - error, d + error + behind);
+        add_bounds(d - error, d + error + begin.behind + end.behind);
       });
       // transformation to the frame of the next halfedge
       const Double_double_2& c = m_mesh[m_mesh.unfolded().next(h)].corner;

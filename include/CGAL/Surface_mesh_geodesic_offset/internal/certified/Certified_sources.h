@@ -197,22 +197,15 @@ public:
   }
 
 private:
-  // A vertex is at least as far from another one as from the opposite edges.
   void find_loss()
   {
-    const auto beside = [this](double r) { loss = (std::max)(loss, loss_beside_vertex(r)); };
+    loss = m_mesh.loss_beside_vertices();
     for (const Certified_source& s : in_faces)
       for (int k = 0; k < 3 && !s.is_segment; ++k)
       {
         const Double_double_2 c = corner(s.face, k);
-        beside(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high}));
+        loss = (std::max)(loss, loss_beside_vertex(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high})));
       }
-    for (Index h = 0; h < m_mesh.unfolded().number_of_halfedges(); ++h)
-    {
-      if (m_mesh.unfolded().source(h) == no_index) continue;
-      beside(m_mesh.length(h));
-      beside(m_mesh.apex(h).y.high);
-    }
   }
 
   double moved_in(Index face) const

@@ -154,6 +154,17 @@ struct Certified_window
     return (std::abs(along) + py - ahead) * (1 + length_error);
   }
 
+  // Both excess lengths at an end of the interval, by side_of() there; that behind it counts for upper bounds only.
+  struct Excess
+  {
+    double around = 0, behind = 0;
+  };
+  Excess excess_at(const Double_double& px, double py, const Double_double& b, bool is_begin, Sign side) const
+  {
+    if (side != ZERO) return Excess();
+    return {way_around(px, py, b), way_behind(px, py, b, is_begin)};
+  }
+
   double minimum() const
   {
     if (!is_parallel() && b0 < x && x < b1) return sigma - y;

@@ -222,15 +222,10 @@ private:
       is_left = is_left && from == POSITIVE;
       is_right = is_right && to == NEGATIVE;
       is_inside = is_inside && from != POSITIVE && to != NEGATIVE;
-      if (from == ZERO)
+      for (const Certified_window::Excess& end : {w.excess_at(x, y, b0, true, from), w.excess_at(x, y, b1, false, to)})
       {
-        around = (std::max)(around, w.way_around(x, y, b0));
-        behind = (std::max)(behind, w.way_behind(x, y, b0, true));
-      }
-      if (to == ZERO)
-      {
-        around = (std::max)(around, w.way_around(x, y, b1));
-        behind = (std::max)(behind, w.way_behind(x, y, b1, false));
+        around = (std::max)(around, end.around);
+        behind = (std::max)(behind, end.behind);
       }
     }
     if (is_left || is_right) return;

@@ -47,7 +47,7 @@ BOOST_FORCEINLINE void process_halfedge(Index h, Wavefront_state<typename Traits
   const auto& propagated = batch.propagated();
   part.counts.windows_propagated += propagated.number_of_windows();
   for (const auto& a : propagated.updates()) front.update_apex(propagated.apex(), a);
-  state.schedule_by_distances(state.mesh.face(h));
+  state.schedule(state.mesh.face(h), true);
   front.append(propagated.left(), arena);
   front.append(propagated.right(), arena);
 }

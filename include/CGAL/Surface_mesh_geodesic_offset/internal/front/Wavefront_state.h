@@ -282,20 +282,16 @@ public:
     queue.push_vertex(queue.bucket_of(a.distance), v);
   }
 
-  // Records a face reached by the front for examination when the front may have passed it. Its part must be awake.
-  void schedule(Index f)
+  // Records a face reached by the front for examination when the front may have passed it. Its part must be awake. If the
+  // distances at its corners may be read, they mostly tell when that is.
+  void schedule(Index f, bool may_read_distances = false)
   {
-    if (!marks_reached(f)) return;
+    if (face_state[f]) return;
+    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finished[f]);
+    face_state[f] = SCHEDULED;
     Bucket_queue& queue = m_part[parts.of_face(f)].queue;
-    queue.push_face(queue.current() + 2, f);
-  }
-
-  // The same if the distances at the corners of f may be read, which mostly tell when the front will have passed it.
-  void schedule_by_distances(Index f)
-  {
-    if (!marks_reached(f)) return;
-    Bucket_queue& queue = m_part[parts.of_face(f)].queue;
-    if (!postpone(f)) queue.push_face(queue.current() + 2, f);
+    unfinished.add(f, queue.current());
+    if (!may_read_distances || !postpone(f)) queue.push_face(queue.current() + 2, f);
   }
 
   // Puts a scheduled face into a later bucket if the front has not passed it, and returns true. The front has passed the face
@@ -418,16 +414,6 @@ private:
   // Largest number of buckets by which a face is postponed, so that the number of buckets stays bounded. A face with a very
   // long edge is postponed several times.
   static constexpr std::size_t most_buckets_ahead = 1 << 12;
-
-  // Marks a face as reached by the front. Returns false if it has been.
-  bool marks_reached(Index f)
-  {
-    if (face_state[f]) return false;
-    CGAL_precondition(is_awake(parts.of_face(f)) && !is_finished[f]);
-    face_state[f] = SCHEDULED;
-    unfinished.add(f, m_part[parts.of_face(f)].queue.current());
-    return true;
-  }
 
   // Width of a bucket, in mean edges. The parallel front has wider buckets for larger rounds, as each round ends with a
   // barrier.

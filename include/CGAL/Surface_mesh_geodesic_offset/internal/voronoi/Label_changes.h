@@ -66,13 +66,13 @@ public:
       {
         const double after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
         if (after - before <= tolerances.shortest_interval) continue;
-        if (i > 0 && at == s.t) add({at, label, s.label, m_samples[i - 1].window, s.window});
+        if (i > 0 && at == s.t) add({{at, label, s.label}, m_samples[i - 1].window, s.window});
         else write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, add);
         label = s.label;
       }
       at = t.t;
     }
-    if (label != last) add({size, label, last, none, none});
+    if (label != last) add({{size, label, last}, none, none});
     for (std::size_t i = 0; i < m_changes.size(); ++i)
     {
       const Change& c = m_changes[i];
@@ -159,7 +159,7 @@ private:
         return;
       }
     }
-    out({t <= segment.tolerances.shortest_interval ? 0 : t, first, second, none, none});
+    out({{t <= segment.tolerances.shortest_interval ? 0 : t, first, second}, none, none});
   }
 
   // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change, where both
