@@ -120,12 +120,14 @@ public:
   // tangent `less`. Precondition: no border lies between.
   bool is_reflex(const Ray& a, const Ray& b, const FT& less = FT(0)) const
   {
-    if (same_corner_in_order(a, b)) return false;
     const Ray half = turn_ccw(a, 2, less);
     if (half.corner == no_index) return false;
+    const auto is_behind_half = [&] { return !CGAL::is_negative(cross(half.x, half.y, b.x, b.y)); };
+    if (half.corner == a.corner && corner_contains_half_turn(a, less)) return !same_corner_in_order(a, b) || is_behind_half();
+    if (same_corner_in_order(a, b)) return false;
     for (Index c = m_mesh->corner_ccw(a.corner); c != no_index; c = m_mesh->corner_ccw(c))
     {
-      if (c == half.corner) return c != b.corner || !CGAL::is_negative(cross(half.x, half.y, b.x, b.y));
+      if (c == half.corner) return c != b.corner || is_behind_half();
       if (c == b.corner || c == a.corner) return false;
     }
     return false;
@@ -312,6 +314,14 @@ private:
       }
     }
     return ray;
+  }
+
+  // True if a half turn from a, minus an angle with tangent `less`, ends in the corner of a.
+  bool corner_contains_half_turn(const Ray& a, const FT& less) const
+  {
+    const auto& h = (*m_mesh)[a.corner];
+    return !CGAL::is_zero(less) &&
+           !CGAL::is_positive(cross<FT>(h.apex_x, h.apex_y, -a.x - less * a.y, less * a.x - a.y));
   }
 
   bool comes_first(Index c, Index from, Index to) const
