@@ -7,6 +7,8 @@
 #include "level_check.h"
 #include "locations.h"
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace test_degenerate_sources {
@@ -217,6 +219,41 @@ void gap_between_sources_with_start_values()
     }
 }
 
+// A short segment along an edge, from a vertex with a corner of nearly half a turn: the half turn behind the segment, less the
+// uncertainty of its direction, may end in this corner.
+void ends_in_corner_of_nearly_half_a_turn()
+{
+  for (double height = 1e-7; height > 1e-12; height /= 3)
+  {
+    const Point_3 p[] = {{0, 0, 0}, {0.75, height, 0}, {-0.25, height, 0}, {-0.25, 1, 0}, {0.75, 1, 0}, {0.25, -1, 0}};
+    Surface_mesh mesh;
+    std::vector<Surface_mesh::Vertex_index> v;
+    for (const Point_3& q : p) v.push_back(mesh.add_vertex(q));
+    for (const auto& f : {std::array<int, 3>{0, 1, 2}, {2, 1, 4}, {2, 4, 3}, {0, 2, 5}, {0, 5, 1}})
+      mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
+    const Locations<Surface_mesh> locations(mesh);
+    for (const int other : {1, 2}) // the segment lies on either edge of the corner
+      for (double part = 1e-3; part > 1e-6; part /= 3)
+        for (const bool is_reversed : {false, true})
+        {
+          const auto h = mesh.halfedge(v[0], v[other]);
+          std::vector<Face_location> ends{locations.on_edge(h, 0), locations.on_edge(h, part)};
+          if (is_reversed) std::swap(ends[0], ends[1]);
+          Geodesic geodesic(mesh);
+          geodesic.add_source_polyline(ends);
+          const auto field = geodesic.build();
+          Report::instance().set_context("corner of nearly half a turn, height " + std::to_string(height));
+          for (std::size_t i = 0; i < v.size(); ++i)
+          {
+            const double d = field.distance_to_sources(v[i]),
+                         expected =
+                           std::sqrt(CGAL::squared_distance(p[i], Kernel::Segment_3(p[0], p[0] + part * (p[other] - p[0]))));
+            CHECK_DETAIL(std::abs(d - expected) <= 1e-13, values(d, expected));
+          }
+        }
+  }
+}
+
 } // namespace test_degenerate_sources
 
 GEODESIC_OFFSET_TEST(test_degenerate_sources)
@@ -226,6 +263,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_sources)
   ends_beside_edges();
   beside_the_tip_of_a_narrow_cone();
   gap_between_sources_with_start_values();
+  ends_in_corner_of_nearly_half_a_turn();
   print_level_totals();
   return Report::instance().finish("test_degenerate_sources");
 }
