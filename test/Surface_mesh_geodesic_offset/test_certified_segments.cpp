@@ -164,6 +164,39 @@ std::size_t check_rectangle(unsigned seed)
   return 1;
 }
 
+// An edge far shorter than the rounding of a point of its faces as the source, and a vertex beside it, as far from it as it is long.
+// The nearest point is inside the edge.
+void check_short_edges()
+{
+  for (double size = 1e-10; size > 1e-40; size /= 7)
+    for (const bool is_polyline : {false, true})
+    {
+      Mesh mesh;
+      std::vector<Mesh::Vertex_index> v;
+      for (const test::Point_3& p :
+           {test::Point_3(0, 0, 0), test::Point_3(size, 0, 0), test::Point_3(-0.5, 0.8, 0), test::Point_3(0.6 * size, size, 0)})
+        v.push_back(mesh.add_vertex(p));
+      const Face f = mesh.add_face(v[0], v[1], v[2]);
+      mesh.add_face(v[2], v[1], v[3]);
+      Enclosure enclosure(mesh);
+      const auto h = mesh.halfedge(v[0], v[1]);
+      Location first{f, {{0, 0, 0}}}, second = first;
+      const auto start = mesh.halfedge(f);
+      const Mesh::Vertex_index corner[] = {mesh.source(start), mesh.target(start), mesh.target(mesh.next(start))};
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        first.second[k] = corner[k] == v[0];
+        second.second[k] = corner[k] == v[1];
+      }
+      if (is_polyline) enclosure.add_source_polyline(std::vector<Location>{first, second});
+      else enclosure.add_source_edges(std::vector<Mesh::Edge_index>{mesh.edge(h)});
+      enclosure.build();
+      const std::pair<double, double> bounds = enclosure.distance_bounds(v[3]);
+      CHECK_DETAIL(bounds.first <= size && size <= bounds.second,
+                   test::values(bounds.first, size) + test::values(bounds.second, size));
+    }
+}
+
 } // namespace test_certified_segments
 
 GEODESIC_OFFSET_TEST(test_certified_segments)
@@ -171,6 +204,7 @@ GEODESIC_OFFSET_TEST(test_certified_segments)
   const unsigned times = argc > 1 ? unsigned(std::stoul(argv[1])) : 1;
   std::size_t n = 0;
   for (unsigned seed = 1; seed <= 10000 * times; ++seed) n += test_certified_segments::check_rectangle(seed);
+  test_certified_segments::check_short_edges();
   std::cout << n << " flat rectangles" << std::endl;
   return test::Report::instance().finish("test_certified_segments");
 }

@@ -149,7 +149,9 @@ public:
   std::vector<Certified_source_vertex> vertices; // by their indices
   std::vector<Certified_source> in_faces; // sorted by face
   double least_start_value = Number_policy<double>::infinity();
-  double loss = 0; // by which a distance may be shorter than all windows and vertices tell, see loss_beside_vertex()
+  // By which a distance may be shorter than all windows and vertices tell: see loss_beside_vertex(), and by half the longest segment
+  // that has no windows.
+  double loss = 0;
 
   // Calls f(source) for the sources in a face.
   template <class Function>
@@ -199,13 +201,14 @@ public:
 private:
   void find_loss()
   {
-    loss = m_mesh.loss_beside_vertices();
+    double beside = m_mesh.loss_beside_vertices();
     for (const Certified_source& s : in_faces)
       for (int k = 0; k < 3 && !s.is_segment; ++k)
       {
         const Double_double_2 c = corner(s.face, k);
-        loss = (std::max)(loss, loss_beside_vertex(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high})));
+        beside = (std::max)(beside, loss_beside_vertex(internal::length(Point{(s.first.x - c.x).high, (s.first.y - c.y).high})));
       }
+    loss += beside;
   }
 
   double moved_in(Index face) const
@@ -248,7 +251,9 @@ private:
       if (!place_in_face(p, face, a, ea) || !place_in_face(q, face, b, eb)) continue;
       const Certified_source s{face, a, b, true, (ea & eb) ? edge_of_bit(ea & eb) : -1, moved_in(face), start_value};
       const Double_double x = b.x - a.x, y = b.y - a.y;
-      if (std::abs(x.high) + std::abs(y.high) > s.moved) in_faces.push_back(s);
+      const double size = std::abs(x.high) + std::abs(y.high);
+      if (size > s.moved) in_faces.push_back(s);
+      else loss = (std::max)(loss, size);
     }
   }
 
