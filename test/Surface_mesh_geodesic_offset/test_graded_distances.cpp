@@ -461,6 +461,30 @@ void touching_fans()
                values(geodesic.distance_to_sources(v[0]), 0x1p-12));
 }
 
+// The start value of a source vertex is next to its distance from another source, whose distance in double is rounded below. From an
+// attack.
+void start_value_of_graded_vertex()
+{
+  for (int i = 1; i < 200; ++i)
+    for (const double part : {1e-6, 1e-7, 1e-8})
+    {
+      const double w = 1e-10 * (1 + 0.013 * i), start = w / (1 + w) * (1 - part);
+      test::Surface_mesh mesh;
+      const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0));
+      const auto f = mesh.add_face(a, b, mesh.add_vertex(Point_3(0, 1, 0)));
+      const auto h = mesh.halfedge(f);
+      const test::Surface_mesh::Vertex_index corner[] = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+      Face_location at(f, {{0, 0, 0}});
+      for (std::size_t k = 0; k < 3; ++k) at.second[k] = corner[k] == a ? w : corner[k] == b ? 1 : 0;
+      Geodesic geodesic(mesh);
+      geodesic.add_source_point(at);
+      geodesic.add_source_point(b, CGAL::parameters::start_value(start));
+      geodesic.build();
+      CHECK_DETAIL(std::abs(geodesic.distance_to_sources(b) - start) <= 1e-13 * start,
+                   values(geodesic.distance_to_sources(b), start));
+    }
+}
+
 } // namespace test_graded_distances
 
 GEODESIC_OFFSET_TEST(test_graded_distances)
@@ -474,6 +498,7 @@ GEODESIC_OFFSET_TEST(test_graded_distances)
     {"graded vertices", graded_vertices},
     {"large places", large_places},
     {"extended numbers", extended_numbers},
-    {"touching fans", touching_fans}};
+    {"touching fans", touching_fans},
+    {"start value of a graded vertex", start_value_of_graded_vertex}};
   return run_tests("test_graded_distances", tests);
 }

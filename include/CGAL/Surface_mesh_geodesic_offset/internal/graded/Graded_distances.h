@@ -102,17 +102,16 @@ public:
     for (const Index v : places.vertices()) farthest = (std::max)(farthest, field.distance[v]);
     const Extended_mesh mesh(m_surface.unfolded, places.faces(), points);
     if (!mesh.unfolded().is_laid_out()) return result;
+    const double rounding = rounding_of_reach * m_surface.unfolded.longest_edge(), reach = farthest + 2 * rounding;
     Geodesic_field<Extended> extended;
     try
     {
-      propagate(mesh, mesh.sources(sources, farthest),
-                mesh.to_scale(farthest + 2 * rounding_of_reach * m_surface.unfolded.longest_edge()), extended);
+      propagate(mesh, mesh.sources(sources, reach), mesh.to_scale(reach), extended);
     }
     catch (const std::runtime_error&)
     { // too many windows, see Window_lists
       return result;
     }
-    const double rounding = rounding_of_reach * m_surface.unfolded.longest_edge();
     for (const Index v : places.vertices())
       if (const Extended& d = extended.distance[mesh.vertex(v)];
           Number_policy<Extended>::is_finite(d) && std::abs(mesh.from_scale(d) - field.distance[v]) <= rounding)
