@@ -67,7 +67,7 @@ public:
 
 private:
   typedef typename Surface_::Number Number;
-  typedef Geodesic_offset::internal::Bisector_arc Arc;
+  typedef Geodesic_offset::internal::Bisector_arc<double> Arc;
   typedef Geodesic_offset::internal::Bisector_side Side;
   typedef Geodesic_offset::internal::Point_in_face<double> Point_in_face;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
@@ -88,7 +88,7 @@ public:
   Geodesic_bisector_kind kind() const
   {
     if (m_arc->is_straight()) return Geodesic_bisector_kind::SEGMENT;
-    return m_arc->conic.kind() == Geodesic_offset::internal::Bisector_conic::PARABOLA
+    return m_arc->conic.kind() == Geodesic_offset::internal::Bisector_conic<double>::PARABOLA
            ? Geodesic_bisector_kind::PARABOLA
            : Geodesic_bisector_kind::HYPERBOLA;
   }

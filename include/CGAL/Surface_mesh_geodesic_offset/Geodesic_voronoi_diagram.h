@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/Vertex_results.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Geodesic_mesh_data.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/offsets/Chord_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_extraction.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Extended_bisectors.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -48,8 +48,8 @@ diagram, are valid after its destruction, and must not outlive the mesh. All mem
 template <class Surface_>
 class Geodesic_bisector
 {
-  typedef Geodesic_offset::internal::Bisector_chain Chain;
-  typedef Geodesic_offset::internal::Bisector_diagram Diagram;
+  typedef Geodesic_offset::internal::Bisector_chain<double> Chain;
+  typedef Geodesic_offset::internal::Bisector_diagram<double> Diagram;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
   friend class Geodesic_voronoi_diagram<Surface_>;
@@ -103,7 +103,7 @@ public:
   /// all pieces, in order.
   auto pieces() const
   {
-    const auto view = [context = m_context.get()](const Geodesic_offset::internal::Bisector_arc& a) {
+    const auto view = [context = m_context.get()](const Geodesic_offset::internal::Bisector_arc<double>& a) {
       return Piece(*context, a);
     };
     const auto& arcs = chain().arcs;
@@ -222,7 +222,7 @@ throw `std::logic_error`.
 template <class Surface_>
 class Geodesic_voronoi_diagram
 {
-  typedef Geodesic_offset::internal::Bisector_diagram Diagram;
+  typedef Geodesic_offset::internal::Bisector_diagram<double> Diagram;
   typedef Geodesic_offset::internal::Curve_context<Surface_> Context;
 
 public:
@@ -250,7 +250,7 @@ public:
     if (internal::Number_policy<typename Surface_::Number>::is_finite(build.maximum))
       throw std::logic_error("Surface_mesh_geodesic_offset: a Voronoi diagram needs distances everywhere, but they were not "
                              "computed beyond a distance");
-    m_diagram = std::make_shared<Diagram>(internal::find_bisectors(mesh.unfolded(), build.initial, build.field));
+    m_diagram = std::make_shared<Diagram>(internal::find_bisectors_of_build(*mesh.shared_surface, build));
   }
 #endif
 
@@ -374,7 +374,7 @@ private:
   }
 
   // Null for a face with one source.
-  const Geodesic_offset::internal::Face_cells* cells_of(face_descriptor f) const
+  const Geodesic_offset::internal::Face_cells<double>* cells_of(face_descriptor f) const
   {
     const auto cells = diagram().cells.find(Geodesic_offset::internal::Index(m_context->surface->index_of(f)));
     return cells == diagram().cells.end() ? nullptr : &cells->second;

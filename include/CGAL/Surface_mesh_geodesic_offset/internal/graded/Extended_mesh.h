@@ -85,18 +85,27 @@ public:
 
   Index vertex(Index v) const { return m_vertex.at(v); }
 
+  // Per vertex here, that of the mesh.
+  std::vector<Index> original_vertices() const
+  {
+    std::vector<Index> result(m_vertex.size());
+    for (const auto& [original, v] : m_vertex) result[v] = original;
+    return result;
+  }
+
   FT to_scale(double length) const { return scaled(length); }
   double from_scale(const FT& length) const { return std::ldexp(length.high(), m_exponent); }
 
-  // The parts of sources in the faces, up to a start value. Polylines are divided where they leave the faces.
-  Extended_sources sources(const Sources& all, double largest_start_value) const
+  // The parts of sources in the faces, up to a start value. Polylines are divided where they leave the faces. The ids of parts are
+  // consecutive; the ids of their sources are appended to `source_of`.
+  Extended_sources sources(const Sources& all, double largest_start_value, std::vector<Index>& source_of) const
   {
     Extended_sources result;
-    std::size_t id = 0;
-    all.for_each([&](const Sources::Source& s) {
+    all.for_each([&](std::size_t id, const Sources::Source& s) {
       if (!(s.start_value <= largest_start_value)) return;
       add_parts(s, [&](Extended_sources::Kind kind, std::vector<Surface_point<FT>> points, std::vector<Index> halfedges) {
-        result.insert(id++, {kind, std::move(points), std::move(halfedges), to_scale(s.start_value), {}});
+        result.insert(source_of.size(), {kind, std::move(points), std::move(halfedges), to_scale(s.start_value), {}});
+        source_of.push_back(Index(id));
       });
     });
     return result;

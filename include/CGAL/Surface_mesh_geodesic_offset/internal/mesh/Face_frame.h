@@ -24,6 +24,8 @@ namespace internal {
 template <class FT>
 struct Point_in_face
 {
+  typedef FT Number;
+
   FT x, y;
 };
 
@@ -37,8 +39,9 @@ inline Point_in_face<FT> operator+(const Point_in_face<FT>& a, const Point_in_fa
 {
   return {a.x + b.x, a.y + b.y};
 }
+// The factor may have a type that converts to FT.
 template <class FT>
-inline Point_in_face<FT> operator*(const FT& s, const Point_in_face<FT>& a)
+inline Point_in_face<FT> operator*(const typename Point_in_face<FT>::Number& s, const Point_in_face<FT>& a)
 {
   return {s * a.x, s * a.y};
 }
@@ -82,14 +85,12 @@ public:
     m_direction[0] = {FT(1), FT(0)};
     // A short edge needs the vectors at the corners, since a difference of corners loses digits. If the other edge is
     // shorter, the difference is better: then the direction fits the corners within the rounding of the direction itself.
-    if (m_length[1] < m_length[0])
-      m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
-    else
-      m_direction[1] = (FT(1) / m_length[1]) * (m_corner[2] - m_corner[1]);
+    if (m_length[1] < m_length[0]) m_direction[1] = {-mesh[h + 1].apex_x / m_length[0], mesh[h + 1].apex_y / m_length[0]};
+    else m_direction[1] = (FT(1) / m_length[1]) * (m_corner[2] - m_corner[1]);
     m_direction[2] = {-mesh[h].apex_x / m_length[2], -mesh[h].apex_y / m_length[2]};
   }
 
-  const Point& corner(int k) const { return m_corner[k]; } // source of halfedge k
+  const Point& corner(int k) const { return m_corner[k]; }       // source of halfedge k
   const Point& direction(int k) const { return m_direction[k]; } // unit vector along halfedge k
   const FT& edge_length(int k) const { return m_length[k]; }
   FT longest_edge() const { return (std::max)({m_length[0], m_length[1], m_length[2]}); }
@@ -136,10 +137,7 @@ public:
     w[(k + 2) % 3] = FT(0);
     return w;
   }
-  Point point(const std::array<FT, 3>& w) const
-  {
-    return {w[1] * m_corner[1].x + w[2] * m_corner[2].x, w[2] * m_corner[2].y};
-  }
+  Point point(const std::array<FT, 3>& w) const { return {w[1] * m_corner[1].x + w[2] * m_corner[2].x, w[2] * m_corner[2].y}; }
 
 private:
   Per_corner<Point> m_corner, m_direction;

@@ -44,8 +44,7 @@ public:
     if (source_is_near) m_near.add_end(true, level - d0);
     if (target_is_near) m_near.add_end(false, level - d1);
     add_side(h, false);
-    if (g != no_index)
-      add_side(g, true);
+    if (g != no_index) add_side(g, true);
     else
     { // no list beyond the border; windows that leave the face here
       const Face_frame<FT>& frame = field.frame();

@@ -38,11 +38,11 @@ public:
 
   void insert(std::size_t id, Source source) { m_sources.emplace(id, std::move(source)); }
 
-  // Calls f(source) for each source.
+  // Calls f(id, source) for each source.
   template <class Function>
   void for_each(const Function& f) const
   {
-    for (const auto& s : m_sources) f(s.second);
+    for (const auto& s : m_sources) f(s.first, s.second);
   }
 
   // \throws std::invalid_argument if rays cannot start from the source

@@ -24,22 +24,23 @@ namespace internal {
 
 // Where a bisector runs along a side, the label of the side is that of one of the two cells, or a third one that ties there; it is the
 // same for both cells. So the arc belongs to the cell whose label is not that of the side.
+template <class NT>
 class Arcs_along_sides
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   // The tolerances may change between calls.
-  Arcs_along_sides(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances)
+  Arcs_along_sides(const std::vector<Voronoi_window<NT>>& windows, const Voronoi_tolerances<NT>& tolerances)
     : m_windows(windows), m_tolerances(tolerances)
   {
   }
 
   // Divides arcs along sides at the gates, and removes the parts that belong to the neighbour.
-  void keep_own(const Voronoi_cell& cell, std::vector<Bisector_arc>& arcs) const
+  void keep_own(const Voronoi_cell<NT>& cell, std::vector<Bisector_arc<NT>>& arcs) const
   {
-    std::vector<Bisector_arc> own;
-    for (const Bisector_arc& a : arcs)
+    std::vector<Bisector_arc<NT>> own;
+    for (const Bisector_arc<NT>& a : arcs)
     {
       int k = 0;
       while (k < 3 && !is_along(cell, k, a)) ++k;
@@ -51,16 +52,16 @@ public:
 
   // A side may have a label that no window of the cell has there, but one beyond the side: adds links along it, between this label and that
   // of the cell.
-  void add_links(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, std::vector<Bisector_arc>& arcs)
+  void add_links(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, std::vector<Bisector_arc<NT>>& arcs)
   {
     for (int k = 0; k < 3; ++k)
     {
-      double begin = 0;
+      NT begin = 0;
       Index label = cell.label[k];
-      for (const Voronoi_gate& g : cell.gates)
+      for (const Voronoi_gate<NT>& g : cell.gates)
       {
         if (g.side != k) continue;
-        const double end = dot(g.point - cell.corner[k], cell.direction[k]);
+        const NT end = dot(g.point - cell.corner[k], cell.direction[k]);
         add_links(cell, candidates, k, begin, end, label, arcs);
         begin = end;
         label = g.to;
@@ -70,32 +71,32 @@ public:
   }
 
 private:
-  bool is_along(const Voronoi_cell& cell, int k, const Bisector_arc& a) const
+  bool is_along(const Voronoi_cell<NT>& cell, int k, const Bisector_arc<NT>& a) const
   {
     return a.is_on(cell.outside(k), m_tolerances.along_side());
   }
 
-  static void add_own_parts(const Voronoi_cell& cell, int k, const Bisector_arc& a, std::vector<Bisector_arc>& own)
+  static void add_own_parts(const Voronoi_cell<NT>& cell, int k, const Bisector_arc<NT>& a, std::vector<Bisector_arc<NT>>& own)
   {
     const auto position = [&](const Point& p) { return dot(p - cell.corner[k], cell.direction[k]); };
     const bool is_forward = position(a.end) > position(a.start);
     const Index inner = is_forward ? a.left.label : a.right.label;
-    std::vector<double> ends{a.from, a.to};
-    for (const Voronoi_gate& g : cell.gates)
+    std::vector<NT> ends{a.from, a.to};
+    for (const Voronoi_gate<NT>& g : cell.gates)
     {
-      const double t = g.side == k ? a.conic.parameter_near(g.point, a.conic.between(a.from, a.to, 0.5)) : a.from;
+      const NT t = g.side == k ? a.conic.parameter_near(g.point, a.conic.between(a.from, a.to, 0.5)) : a.from;
       if (a.from < t && t < a.to) ends.push_back(t);
     }
     std::sort(ends.begin(), ends.end());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {
-      Bisector_arc part(a);
+      Bisector_arc<NT> part(a);
       part.from = ends[i];
       part.to = ends[i + 1];
       part.start = part.conic.at(part.from).point();
       part.end = part.conic.at(part.to).point();
       Index label = cell.label[k]; // of the side
-      for (const Voronoi_gate& g : cell.gates)
+      for (const Voronoi_gate<NT>& g : cell.gates)
         if (g.side == k && position(g.point) <= position(part.middle())) label = g.to;
       if (label == inner) continue;
       Bisector_side& beyond = is_forward ? part.right : part.left;
@@ -111,44 +112,44 @@ private:
   }
 
   // For the part of side k from `begin` to `end`, with a label.
-  void add_links(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, int k, double begin, double end,
-                 Index label, std::vector<Bisector_arc>& arcs)
+  void add_links(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, int k, NT begin, NT end, Index label,
+                 std::vector<Bisector_arc<NT>>& arcs)
   {
-    const auto at = [&](double t) { return cell.corner[k] + t * cell.direction[k]; };
-    const auto is_of_neighbour = [&](double t) {
+    const auto at = [&](NT t) { return cell.corner[k] + t * cell.direction[k]; };
+    const auto is_of_neighbour = [&](NT t) {
       const Point p = at(t);
-      const double most = least_path_length(m_windows, candidates, p) + m_tolerances.of_neighbour();
+      const NT most = least_path_length(m_windows, candidates, p) + m_tolerances.of_neighbour();
       return std::none_of(candidates.begin(), candidates.end(), [&](unsigned c) {
-        const Voronoi_window& w = m_windows[c];
+        const Voronoi_window<NT>& w = m_windows[c];
         return w.label == label && w.distance_at(p) <= most && w.contains(p, m_tolerances.slack);
       });
     };
     if (end - begin <= m_tolerances.joint) return;
     if (candidates.empty())
     { // the face has the label of its first corner
-      if (label != cell.label[0]) arcs.push_back(Bisector_arc::link(at(begin), at(end), cell.label[0], label));
+      if (label != cell.label[0]) arcs.push_back(Bisector_arc<NT>::link(at(begin), at(end), cell.label[0], label));
       return;
     }
     if (!is_of_neighbour(begin) && !is_of_neighbour((begin + end) / 2) && !is_of_neighbour(end)) return;
-    std::vector<Label_change> changes;
+    std::vector<Label_change<NT>> changes;
     m_changes(at(begin), cell.direction[k], end - begin, label, label, m_windows, candidates, candidates, m_tolerances,
-              std::nullopt, [&](const Label_change& c) { changes.push_back(c); });
+              std::nullopt, [&](const Label_change<NT>& c) { changes.push_back(c); });
     for (std::size_t i = 0; i + 1 < changes.size(); ++i)
     {
       const Index inner = changes[i].to;
-      const double from = begin + changes[i].t, to = begin + changes[i + 1].t;
+      const NT from = begin + changes[i].t, to = begin + changes[i + 1].t;
       if (inner == label || to - from <= m_tolerances.joint || !is_of_neighbour((from + to) / 2)) continue;
       const Point p = at((from + to) / 2);
-      const bool is_known = std::any_of(arcs.begin(), arcs.end(), [&](const Bisector_arc& a) {
+      const bool is_known = std::any_of(arcs.begin(), arcs.end(), [&](const Bisector_arc<NT>& a) {
         return is_along(cell, k, a) && dot(p - a.start, cell.direction[k]) * dot(p - a.end, cell.direction[k]) <= 0;
       });
-      if (!is_known) arcs.push_back(Bisector_arc::link(at(from), at(to), inner, label));
+      if (!is_known) arcs.push_back(Bisector_arc<NT>::link(at(from), at(to), inner, label));
     }
   }
 
-  const std::vector<Voronoi_window>& m_windows;
-  const Voronoi_tolerances& m_tolerances;
-  Label_changes m_changes;
+  const std::vector<Voronoi_window<NT>>& m_windows;
+  const Voronoi_tolerances<NT>& m_tolerances;
+  Label_changes<NT> m_changes;
 };
 
 } // namespace internal

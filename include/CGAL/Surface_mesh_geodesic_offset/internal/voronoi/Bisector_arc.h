@@ -24,42 +24,42 @@ struct Bisector_side
 {
   Index label = no_index;  // of the source
   Index window = no_index; // in the face; no_index for a link
-  Source_ref source_ref;
   Index pseudo_source = no_index;
 
   // `number`: of the window in the face.
-  static Bisector_side of(const Voronoi_window& w, Index number)
+  template <class NT>
+  static Bisector_side of(const Voronoi_window<NT>& w, Index number)
   {
     Bisector_side s;
     s.label = w.label;
     s.window = number;
-    s.source_ref = w.rays.source_ref;
     const Index v = w.rays.pseudo_source();
     if (!Merge_error_code::is_merged(v)) s.pseudo_source = v;
     return s;
   }
 };
 
+template <class NT>
 struct Bisector_arc
 {
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   Index face = no_index;
   Index start_node = no_index, end_node = no_index;
   Bisector_side left, right;
   Point start, end;
   unsigned char start_edge = 3, end_edge = 3; // halfedge of the face that has the point; 3: none
-  Bisector_conic conic;                       // unless is_link
-  double from = 0, to = 0;                    // its parameters at start and end
-  double negligible = 0, smallest_loop = 0;   // lengths of arcs and closed chains that rounding does not tell from a point
+  Bisector_conic<NT> conic;                   // unless is_link
+  NT from = 0, to = 0;                        // its parameters at start and end
+  NT negligible = 0, smallest_loop = 0;       // lengths of arcs and closed chains that rounding does not tell from a point
   Index edge = no_index;                      // smaller halfedge of the edge on which the whole arc lies
-  double along_edge = 0;                      // length in the direction of this halfedge
+  NT along_edge = 0;                          // length in the direction of this halfedge
   bool is_link = false; // straight between two nodes that rounding does not tell apart, or leaves without an arc
 
   // A straight arc without windows.
-  static Bisector_arc link(const Point& from, const Point& to, Index left, Index right)
+  static Bisector_arc<NT> link(const Point& from, const Point& to, Index left, Index right)
   {
-    Bisector_arc arc;
+    Bisector_arc<NT> arc;
     arc.start = from;
     arc.end = to;
     arc.left.label = left;
@@ -69,36 +69,58 @@ struct Bisector_arc
   }
 
   // True if the ends and the middle are on a line.
-  bool is_on(const Half_plane<double>& line, double tolerance) const
+  bool is_on(const Half_plane<NT>& line, NT tolerance) const
   {
-    const auto is_near = [&](const Point& p) { return std::abs(line.value(p)) <= tolerance; };
+    const auto is_near = [&](const Point& p) { return CGAL::abs(line.value(p)) <= tolerance; };
     return is_near(start) && is_near(middle()) && is_near(end);
   }
 
-  bool is_straight() const { return is_link || conic.kind() == Bisector_conic::SEGMENT; }
+  bool is_straight() const { return is_link || conic.kind() == Bisector_conic<NT>::SEGMENT; }
 
   Point middle() const { return at(0.5); }
 
   // The point between the start (0) and the end (1).
-  Point at(double part) const
-  {
-    return is_link ? start + part * (end - start) : conic.at(conic.between(from, to, part)).point();
-  }
+  Point at(NT part) const { return is_link ? start + part * (end - start) : conic.at(conic.between(from, to, part)).point(); }
 
-  double chord_length() const { return length(middle() - start) + length(end - middle()); }
+  NT chord_length() const { return length(middle() - start) + length(end - middle()); }
 
   // True if rounding does not tell the arc from a point.
   bool is_negligible() const { return length(end - start) <= negligible && length(middle() - start) <= negligible; }
 
   // True if `a` is the next part of this arc: of the same windows, and with the same parameter of the common end.
-  bool continues_in(const Bisector_arc& a) const
+  bool continues_in(const Bisector_arc<NT>& a) const
   {
     return !is_link && !a.is_link && face == a.face && left.window == a.left.window && right.window == a.right.window &&
            (from < to) == (a.from < a.to) && length(conic.at(a.from).point() - a.conic.at(a.from).point()) == 0 &&
            length(end - a.start) <= negligible;
   }
 
-  void append(const Bisector_arc& a)
+  // The arc in double, times `scale`.
+  Bisector_arc<double> in_double(double scale) const
+  {
+    const auto scaled = [scale](const NT& x) { return scale * CGAL::to_double(x); };
+    Bisector_arc<double> a;
+    a.face = face;
+    a.start_node = start_node;
+    a.end_node = end_node;
+    a.left = left;
+    a.right = right;
+    a.start = {scaled(start.x), scaled(start.y)};
+    a.end = {scaled(end.x), scaled(end.y)};
+    a.start_edge = start_edge;
+    a.end_edge = end_edge;
+    a.conic = conic.in_double(scale);
+    a.from = CGAL::to_double(from);
+    a.to = CGAL::to_double(to);
+    a.negligible = scaled(negligible);
+    a.smallest_loop = scaled(smallest_loop);
+    a.edge = edge;
+    a.along_edge = scaled(along_edge);
+    a.is_link = is_link;
+    return a;
+  }
+
+  void append(const Bisector_arc<NT>& a)
   {
     end_node = a.end_node;
     end = a.end;

@@ -27,39 +27,44 @@ namespace Geodesic_offset {
 namespace internal {
 
 // Where three arcs or more meet. The place is that of the end of an arc.
+template <class NT>
 struct Bisector_vertex
 {
   Index face;
-  Point_in_face<double> point;
+  Point_in_face<NT> point;
   unsigned char edge;                // halfedge of the face that has the point; 3: none
   std::vector<std::size_t> curves{}; // that end here; one with both ends twice
 };
 
+template <class NT>
 struct Bisector_chain
 {
-  std::vector<Bisector_arc> arcs;
+  std::vector<Bisector_arc<NT>> arcs;
   bool is_closed;
   std::size_t start_vertex, end_vertex; // no_vertex: on the border
   static constexpr std::size_t no_vertex = ~std::size_t(0);
 };
 
+template <class NT>
 struct Bisector_diagram
 {
-  std::vector<Bisector_chain> chains;
-  std::vector<Bisector_vertex> vertices;
-  std::vector<Index> label_of_face;            // of the center: of all points, if no bisector crosses the face
-  std::unordered_map<Index, Face_cells> cells; // of the faces that bisectors may cross
+  std::vector<Bisector_chain<NT>> chains;
+  std::vector<Bisector_vertex<NT>> vertices;
+  std::vector<Index> label_of_face;                // of the center: of all points, if no bisector crosses the face
+  std::unordered_map<Index, Face_cells<NT>> cells; // of the faces that bisectors may cross
   std::size_t divisions = 0, forced_cells = 0;
+  bool is_uncertain = false; // windows contradict each other, or curves are left out as smaller than rounding
 };
 
+template <class NT>
 class Bisector_chains
 {
 public:
   // `arcs`: those of all faces. Each node is the end of two arcs, of three or more (a vertex), or of one, on the border.
-  Bisector_chains(std::vector<Bisector_arc>&& arcs, std::size_t number_of_nodes) : m_begin(number_of_nodes + 1, 0)
+  Bisector_chains(std::vector<Bisector_arc<NT>>&& arcs, std::size_t number_of_nodes) : m_begin(number_of_nodes + 1, 0)
   {
     contract(arcs, number_of_nodes);
-    for (const Bisector_arc& a : m_arcs)
+    for (const Bisector_arc<NT>& a : m_arcs)
     {
       ++m_begin[a.start_node];
       ++m_begin[a.end_node];
@@ -73,16 +78,17 @@ public:
       m_incident[--m_begin[m_arcs[i].start_node]] = i;
     }
     m_is_used.assign(m_arcs.size(), 0);
-    m_vertex.assign(number_of_nodes, Bisector_chain::no_vertex);
+    m_vertex.assign(number_of_nodes, Bisector_chain<NT>::no_vertex);
   }
 
-  void write(Bisector_diagram& out)
+  void write(Bisector_diagram<NT>& out)
   {
+    out.is_uncertain = out.is_uncertain || m_has_contracted;
     for (std::size_t n = 0; n + 1 < m_begin.size(); ++n)
       if (degree(n) > 1 && !is_inner(n))
       {
         m_vertex[n] = out.vertices.size();
-        const Bisector_arc& a = m_arcs[m_incident[m_begin[n]]];
+        const Bisector_arc<NT>& a = m_arcs[m_incident[m_begin[n]]];
         const bool at_start = a.start_node == n;
         out.vertices.push_back({a.face, at_start ? a.start : a.end, at_start ? a.start_edge : a.end_edge});
       }
@@ -99,7 +105,7 @@ public:
 private:
   // Copies the arcs without those that rounding does not tell from a point, which become one node, as around a vertex of the mesh. Ends
   // on the border remain what they are.
-  void contract(const std::vector<Bisector_arc>& arcs, std::size_t number_of_nodes)
+  void contract(const std::vector<Bisector_arc<NT>>& arcs, std::size_t number_of_nodes)
   {
     std::vector<std::size_t> number_at(number_of_nodes, 0);
     std::vector<Index> same(number_of_nodes);
@@ -108,20 +114,21 @@ private:
       while (same[n] != n) n = same[n] = same[same[n]];
       return n;
     };
-    for (const Bisector_arc& a : arcs)
+    for (const Bisector_arc<NT>& a : arcs)
     {
       ++number_at[a.start_node];
       ++number_at[a.end_node];
     }
-    const auto is_contracted = [&](const Bisector_arc& a) {
+    const auto is_contracted = [&](const Bisector_arc<NT>& a) {
       if (!a.is_negligible() || number_at[a.start_node] == 1 || number_at[a.end_node] == 1) return false;
       const Index from = representative(a.start_node), to = representative(a.end_node);
       same[from] = to;
+      m_has_contracted = true;
       return true;
     };
-    for (const Bisector_arc& a : arcs)
+    for (const Bisector_arc<NT>& a : arcs)
       if (!is_contracted(a)) m_arcs.push_back(a);
-    for (Bisector_arc& a : m_arcs)
+    for (Bisector_arc<NT>& a : m_arcs)
     {
       a.start_node = representative(a.start_node);
       a.end_node = representative(a.end_node);
@@ -134,7 +141,7 @@ private:
     if (degree(node) != 2) return false;
     const std::size_t i = m_incident[m_begin[node]], j = m_incident[m_begin[node] + 1];
     if (i == j) return true;
-    const Bisector_arc &a = m_arcs[i], &b = m_arcs[j];
+    const Bisector_arc<NT>&a = m_arcs[i], &b = m_arcs[j];
     const bool is_same_direction = (a.start_node == node) != (b.start_node == node);
     return a.left.label == (is_same_direction ? b.left.label : b.right.label) &&
            a.right.label == (is_same_direction ? b.right.label : b.left.label);
@@ -143,15 +150,15 @@ private:
   std::size_t degree(std::size_t node) const { return m_begin[node + 1] - m_begin[node]; }
 
   // Follows a chain from an arc that starts at a node.
-  void follow(std::size_t arc, Index node, Bisector_diagram& out)
+  void follow(std::size_t arc, Index node, Bisector_diagram<NT>& out)
   {
-    Bisector_chain chain;
+    Bisector_chain<NT> chain;
     const Index first = node;
-    std::vector<Bisector_arc> arcs;
+    std::vector<Bisector_arc<NT>> arcs;
     for (;;)
     {
       m_is_used[arc] = 1;
-      Bisector_arc a = m_arcs[arc];
+      Bisector_arc<NT> a = m_arcs[arc];
       if (a.start_node != node) a.reverse();
       CGAL_assertion(a.start_node == node);
       CGAL_assertion(arcs.empty() || (arcs.back().left.label == a.left.label && arcs.back().right.label == a.right.label));
@@ -164,22 +171,27 @@ private:
     }
     chain.is_closed = is_inner(first);
     CGAL_assertion(!chain.is_closed || node == first);
-    chain.start_vertex = chain.is_closed ? Bisector_chain::no_vertex : m_vertex[first];
-    chain.end_vertex = chain.is_closed ? Bisector_chain::no_vertex : m_vertex[node];
+    chain.start_vertex = chain.is_closed ? Bisector_chain<NT>::no_vertex : m_vertex[first];
+    chain.end_vertex = chain.is_closed ? Bisector_chain<NT>::no_vertex : m_vertex[node];
     join(std::move(arcs), chain);
-    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs, out.cells))) return;
-    if (chain.start_vertex != Bisector_chain::no_vertex) out.vertices[chain.start_vertex].curves.push_back(out.chains.size());
-    if (chain.end_vertex != Bisector_chain::no_vertex) out.vertices[chain.end_vertex].curves.push_back(out.chains.size());
+    if (chain.arcs.empty() || (chain.is_closed && has_no_area(chain.arcs, out.cells)))
+    {
+      out.is_uncertain = true;
+      return;
+    }
+    if (chain.start_vertex != Bisector_chain<NT>::no_vertex)
+      out.vertices[chain.start_vertex].curves.push_back(out.chains.size());
+    if (chain.end_vertex != Bisector_chain<NT>::no_vertex) out.vertices[chain.end_vertex].curves.push_back(out.chains.size());
     out.chains.push_back(std::move(chain));
   }
 
   // True if a closed chain is around a part of the mesh that is larger than the chain, as a needle: on both sides, the source of the side
   // is nearer at a corner than a point within the chain allows.
-  static bool is_around_needle(const std::vector<Bisector_arc>& arcs, double length,
-                               const std::unordered_map<Index, Face_cells>& cells)
+  static bool is_around_needle(const std::vector<Bisector_arc<NT>>& arcs, NT length,
+                               const std::unordered_map<Index, Face_cells<NT>>& cells)
   {
-    double lead_of_left = 0, lead_of_right = 0;
-    for (const Bisector_arc& a : arcs)
+    NT lead_of_left = 0, lead_of_right = 0;
+    for (const Bisector_arc<NT>& a : arcs)
     {
       const auto found = cells.find(a.face);
       if (found == cells.end()) continue;
@@ -191,13 +203,13 @@ private:
 
   // True if rounding does not tell a closed chain from a point or, in a face, from a line, or it follows edges only, each of them there
   // and back: a tie along edges.
-  static bool has_no_area(const std::vector<Bisector_arc>& arcs, const std::unordered_map<Index, Face_cells>& cells)
+  static bool has_no_area(const std::vector<Bisector_arc<NT>>& arcs, const std::unordered_map<Index, Face_cells<NT>>& cells)
   {
-    std::map<Index, double> along;
-    double negligible = 0, length = 0, longest = 0, area = 0, widest = 0;
+    std::map<Index, NT> along;
+    NT negligible = 0, length = 0, longest = 0, area = 0, widest = 0;
     bool is_in_face = true;
-    const Point_in_face<double> origin = arcs.front().start;
-    for (const Bisector_arc& a : arcs)
+    const Point_in_face<NT> origin = arcs.front().start;
+    for (const Bisector_arc<NT>& a : arcs)
     {
       const auto start = a.start - origin, middle = a.middle() - origin, end = a.end - origin;
       length += a.chord_length();
@@ -206,41 +218,42 @@ private:
       longest = (std::max)(longest, a.smallest_loop);
       widest = (std::max)(widest, a.negligible);
     }
-    if (is_in_face && (length <= longest || std::abs(area) <= widest * length)) return true;
+    if (is_in_face && (length <= longest || CGAL::abs(area) <= widest * length)) return true;
     if (length <= longest && !is_around_needle(arcs, length, cells)) return true;
-    for (const Bisector_arc& a : arcs)
+    for (const Bisector_arc<NT>& a : arcs)
     {
       if (a.edge == no_index) return false;
       along[a.edge] += a.along_edge;
       negligible += a.negligible;
     }
-    return std::all_of(along.begin(), along.end(), [&](const auto& a) { return std::abs(a.second) <= negligible; });
+    return std::all_of(along.begin(), along.end(), [&](const auto& a) { return CGAL::abs(a.second) <= negligible; });
   }
 
   // Leaves out arcs that rounding does not tell from a point, and joins the parts of one arc. A chain of such arcs that is closed, or
   // from border to border, is nothing.
-  static void join(std::vector<Bisector_arc>&& arcs, Bisector_chain& chain)
+  static void join(std::vector<Bisector_arc<NT>>&& arcs, Bisector_chain<NT>& chain)
   {
     std::size_t longest = 0;
     for (std::size_t i = 0; i < arcs.size(); ++i)
       if (!arcs[i].is_negligible()) longest = i;
     if (arcs[longest].is_negligible())
     {
-      const bool has_vertex = chain.start_vertex != Bisector_chain::no_vertex || chain.end_vertex != Bisector_chain::no_vertex;
+      const bool has_vertex =
+        chain.start_vertex != Bisector_chain<NT>::no_vertex || chain.end_vertex != Bisector_chain<NT>::no_vertex;
       if (has_vertex) chain.arcs.push_back(arcs[longest]);
       return;
     }
     // but an end on the border remains there, and arcs that are left out in a row are not longer than one of them
-    double left_out = 0;
+    NT left_out = 0;
     const auto is_left_out = [&](std::size_t i) {
-      const bool ends_at_border = (i == 0 && chain.start_vertex == Bisector_chain::no_vertex) ||
-                                  (i + 1 == arcs.size() && chain.end_vertex == Bisector_chain::no_vertex);
+      const bool ends_at_border = (i == 0 && chain.start_vertex == Bisector_chain<NT>::no_vertex) ||
+                                  (i + 1 == arcs.size() && chain.end_vertex == Bisector_chain<NT>::no_vertex);
       return arcs[i].is_negligible() && !(ends_at_border && !chain.is_closed) &&
              left_out + arcs[i].chord_length() <= arcs[i].negligible;
     };
     for (std::size_t i = 0; i < arcs.size(); ++i)
     {
-      const Bisector_arc& a = arcs[i];
+      const Bisector_arc<NT>& a = arcs[i];
       if (is_left_out(i))
       {
         left_out += a.chord_length();
@@ -258,10 +271,11 @@ private:
     }
   }
 
-  std::vector<Bisector_arc> m_arcs;
+  std::vector<Bisector_arc<NT>> m_arcs;
   std::vector<std::size_t> m_begin, m_incident; // per node, its arcs
   std::vector<char> m_is_used;                  // per arc
-  std::vector<std::size_t> m_vertex;            // per node, of the diagram
+  bool m_has_contracted = false;
+  std::vector<std::size_t> m_vertex; // per node, of the diagram
 };
 
 } // namespace internal

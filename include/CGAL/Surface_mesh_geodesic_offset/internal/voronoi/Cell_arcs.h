@@ -25,21 +25,22 @@ namespace internal {
 
 // The bisector of two windows of different sources belongs to the diagram where it is in the cell and in both cones, and where no
 // other window is nearer. Each of these conditions is quadratic in the parameter of the bisector.
+template <class NT>
 class Cell_arcs
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   // `center`, `radius`: a disk around the face. The tolerances may change between calls.
-  Cell_arcs(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Point& center,
-            double radius)
+  Cell_arcs(const std::vector<Voronoi_window<NT>>& windows, const Voronoi_tolerances<NT>& tolerances, const Point& center,
+            NT radius)
     : m_windows(windows), m_tolerances(tolerances), m_center(center), m_radius(radius)
   {
   }
 
   // Adds the arcs in a cell, of some of the windows, that reach up to `margin` beyond its sides.
-  void operator()(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin,
-                  std::vector<Bisector_arc>& out) const
+  void operator()(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, NT margin,
+                  std::vector<Bisector_arc<NT>>& out) const
   {
     for (std::size_t i = 0; i < candidates.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -49,16 +50,16 @@ public:
 
 private:
   // Adds the parts of the bisector of two windows that belong to the diagram.
-  void add_arcs(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, unsigned a, unsigned b, double margin,
-                std::vector<Bisector_arc>& out) const
+  void add_arcs(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, unsigned a, unsigned b, NT margin,
+                std::vector<Bisector_arc<NT>>& out) const
   {
-    const Voronoi_window *v = &m_windows[a], *w = &m_windows[b];
+    const Voronoi_window<NT>*v = &m_windows[a], *w = &m_windows[b];
     if (v->is_parallel()) // the base is a point, if one of them is
     {
       std::swap(v, w);
       std::swap(a, b);
     }
-    Bisector_conic conic;
+    Bisector_conic<NT> conic;
     if (is_same_function(*v, *w))
     { // the bounds of the cone of the smaller label
       const unsigned c = v->label < w->label ? a : b;
@@ -73,18 +74,18 @@ private:
   }
 
   // `nearer`: the one of the two windows that is nearer in its cone, if the bisector is a ray. The ray is then a bound of this cone.
-  void add_parts(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const Bisector_conic& conic, unsigned a,
-                 unsigned b, unsigned nearer, double margin, std::vector<Bisector_arc>& out) const
+  void add_parts(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, const Bisector_conic<NT>& conic,
+                 unsigned a, unsigned b, unsigned nearer, NT margin, std::vector<Bisector_arc<NT>>& out) const
   {
-    const Voronoi_window &v = m_windows[a], &w = m_windows[b];
-    Parameter_intervals parts(conic.lowest_parameter(), std::numeric_limits<double>::infinity());
-    const auto keep = [&](const Half_plane<double>& h, double m) {
-      parts.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{h.n.x, h.n.y, 0, h.m + m})));
+    const Voronoi_window<NT>&v = m_windows[a], &w = m_windows[b];
+    Parameter_intervals<NT> parts(conic.lowest_parameter(), std::numeric_limits<NT>::infinity());
+    const auto keep = [&](const Half_plane<NT>& h, NT m) {
+      parts.intersect(Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{h.n.x, h.n.y, 0, h.m + m})));
       return !parts.is_empty();
     };
     for (int k = 0; k < 3; ++k)
       if (!keep(cell.outside(k), margin)) return;
-    for (const Voronoi_window* const x : {&v, &w})
+    for (const Voronoi_window<NT>* const x : {&v, &w})
       for (int k = 0; k < x->number_of_bounds; ++k)
         if (!keep(x->bound[std::size_t(k)], m_tolerances.slack)) return;
     for (const unsigned c : candidates)
@@ -95,8 +96,8 @@ private:
     }
     for (const auto& p : parts)
     {
-      if (!std::isfinite(p.begin) || !std::isfinite(p.end)) continue;
-      const double middle = conic.between(p.begin, p.end, 0.5);
+      if (!is_finite(p.begin) || !is_finite(p.end)) continue;
+      const NT middle = conic.between(p.begin, p.end, 0.5);
       const Point point = conic.at(middle).point();
       bool a_is_on_left;
       if (conic.is_ray())
@@ -122,16 +123,16 @@ private:
   // True if no window but `nearer`, whose cone ends at a ray, precedes window a at a point beyond this ray.
   bool is_nearest_beyond_ray(const std::vector<unsigned>& candidates, unsigned a, unsigned nearer, const Point& p) const
   {
-    const double d = m_windows[a].distance_at(p);
+    const NT d = m_windows[a].distance_at(p);
     return std::none_of(candidates.begin(), candidates.end(), [&](unsigned c) {
       if (c == a || c == nearer || !m_windows[c].contains(p, 0) || is_same_function(m_windows[a], m_windows[c])) return false;
       return m_windows[c].distance_at(p) <= d + (this->precedes(c, a) ? m_tolerances.tie : -m_tolerances.tie);
     });
   }
 
-  Bisector_arc arc(const Bisector_conic& conic, unsigned a, unsigned b, double from, double to, bool a_is_on_left) const
+  Bisector_arc<NT> arc(const Bisector_conic<NT>& conic, unsigned a, unsigned b, NT from, NT to, bool a_is_on_left) const
   {
-    Bisector_arc arc;
+    Bisector_arc<NT> arc;
     arc.conic = conic;
     arc.from = from;
     arc.to = to;
@@ -144,61 +145,62 @@ private:
   }
 
   // True if p is on a bounding ray of a window, up to rounding: the left one (0) or the right one (1).
-  bool is_on_bound(const Voronoi_window& w, int k, const Point& p) const
+  bool is_on_bound(const Voronoi_window<NT>& w, int k, const Point& p) const
   {
     return w.bound[std::size_t(k)].value(p) > -4 * m_tolerances.slack;
   }
 
-  bool is_same_function(const Voronoi_window& v, const Voronoi_window& w) const
+  bool is_same_function(const Voronoi_window<NT>& v, const Voronoi_window<NT>& w) const
   {
     return v.is_same_function(w, m_center, m_radius, m_tolerances.tie);
   }
 
   // Subtracts the points where window c is nearer than the windows v and w (a and b) of the bisector; where they tie, the order of
   // windows decides.
-  void subtract_nearer(const Bisector_conic& conic, const Voronoi_window& v, const Voronoi_window& w, unsigned a, unsigned b,
-                       unsigned c, Parameter_intervals& parts) const
+  void subtract_nearer(const Bisector_conic<NT>& conic, const Voronoi_window<NT>& v, const Voronoi_window<NT>& w, unsigned a,
+                       unsigned b, unsigned c, Parameter_intervals<NT>& parts) const
   {
-    const Voronoi_window& x = m_windows[c];
+    const Voronoi_window<NT>& x = m_windows[c];
     const bool like_v = is_same_function(v, x), like_w = !like_v && is_same_function(w, x);
-    Parameter_intervals nearer(conic.lowest_parameter(), std::numeric_limits<double>::infinity());
+    Parameter_intervals<NT> nearer(conic.lowest_parameter(), std::numeric_limits<NT>::infinity());
     if (like_v || like_w)
     {
-      const Voronoi_window& y = like_v ? v : w;
+      const Voronoi_window<NT>& y = like_v ? v : w;
       if (x.label != y.label ? y.label < x.label : (like_v ? a : b) < c) return;
     }
     else
     {
       const bool precedes_v = precedes(c, a), precedes_w = precedes(c, b);
       const bool wins_ties = precedes_v == precedes_w || is_rival(conic, x, v, w, parts) ? precedes_v : precedes_w;
-      const double tie = wins_ties ? m_tolerances.tie : -m_tolerances.tie;
+      const NT tie = wins_ties ? m_tolerances.tie : -m_tolerances.tie;
       if (x.is_parallel())
       {
         const Point n = x.image();
-        nearer.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{-n.x, -n.y, -1, -x.sigma() + tie})));
+        nearer.intersect(Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{-n.x, -n.y, -1, -x.sigma() + tie})));
       }
       else if (!v.is_parallel())
       { // (|p - x|^2 - (d - sigma)^2) / 2 <= tie (d - sigma), with |p - v|^2 = (d - sigma_v)^2
         const Point to = x.image() - v.image(), sum = x.image() + v.image();
-        const double k = x.sigma() - v.sigma(), size = std::hypot(to.x, to.y, k);
+        const NT k = x.sigma() - v.sigma(), size = hypotenuse(to.x, to.y, k);
         if (k >= length(to) + m_tolerances.tie) return; // nowhere nearer
-        const Linear_form form{-to.x / size, -to.y / size, (k - tie) / size,
-                               ((k * (x.sigma() + v.sigma()) - dot(to, sum)) / 2 - tie * x.sigma()) / size};
-        nearer.intersect(Parameter_intervals::not_positive(conic.along(form)));
+        const Linear_form<NT> form{-to.x / size, -to.y / size, (k - tie) / size,
+                                   ((k * (x.sigma() + v.sigma()) - dot(to, sum)) / 2 - tie * x.sigma()) / size};
+        nearer.intersect(Parameter_intervals<NT>::not_positive(conic.along(form)));
       }
       else
       {
         // relative to the nearest point of the line, which may be the image
-        const double t = conic.nearest_parameter(x.image());
-        const Quadratic excess = conic.along_line(x.image(), x.sigma(), t, tie);
-        nearer.intersect(Parameter_intervals::not_positive(excess, t));
-        nearer.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{0, 0, -1, -x.sigma()})));
+        const NT t = conic.nearest_parameter(x.image());
+        const Quadratic<NT> excess = conic.along_line(x.image(), x.sigma(), t, tie);
+        nearer.intersect(Parameter_intervals<NT>::not_positive(excess, t));
+        nearer.intersect(Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{0, 0, -1, -x.sigma()})));
       }
     }
     for (int k = 0; k < x.number_of_bounds && !nearer.is_empty(); ++k)
     {
-      const Half_plane<double>& h = x.bound[std::size_t(k)];
-      nearer.intersect(Parameter_intervals::not_positive(conic.along(Linear_form{h.n.x, h.n.y, 0, h.m + m_tolerances.slack})));
+      const Half_plane<NT>& h = x.bound[std::size_t(k)];
+      nearer.intersect(
+        Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{h.n.x, h.n.y, 0, h.m + m_tolerances.slack})));
     }
     parts.subtract(nearer);
   }
@@ -206,28 +208,28 @@ private:
   // Order of windows that tie.
   bool precedes(unsigned a, unsigned b) const
   {
-    const Voronoi_window &v = m_windows[a], &w = m_windows[b];
+    const Voronoi_window<NT>&v = m_windows[a], &w = m_windows[b];
     return v.precedes(w) || (!w.precedes(v) && a < b);
   }
 
   // True if x may have a ray in common with v, rather than with w: their distances are equal along a ray, or else its label, or a more
   // similar direction.
-  bool is_rival(const Bisector_conic& conic, const Voronoi_window& x, const Voronoi_window& v, const Voronoi_window& w,
-                const Parameter_intervals& parts) const
+  bool is_rival(const Bisector_conic<NT>& conic, const Voronoi_window<NT>& x, const Voronoi_window<NT>& v,
+                const Voronoi_window<NT>& w, const Parameter_intervals<NT>& parts) const
   {
     const bool ties_with_v = x.ties_on_ray(v, m_tolerances.tie), ties_with_w = x.ties_on_ray(w, m_tolerances.tie);
     if (ties_with_v != ties_with_w) return ties_with_v;
     if (x.label == v.label || x.label == w.label) return x.label == v.label;
     const auto& part = *parts.begin();
-    if (!std::isfinite(part.begin) || !std::isfinite(part.end)) return true;
+    if (!is_finite(part.begin) || !is_finite(part.end)) return true;
     const Point p = conic.at(conic.between(part.begin, part.end, 0.5)).point(), u = x.gradient(p);
     return dot(u, v.gradient(p)) >= dot(u, w.gradient(p));
   }
 
-  const std::vector<Voronoi_window>& m_windows;
-  const Voronoi_tolerances& m_tolerances;
+  const std::vector<Voronoi_window<NT>>& m_windows;
+  const Voronoi_tolerances<NT>& m_tolerances;
   const Point m_center;
-  const double m_radius;
+  const NT m_radius;
 };
 
 } // namespace internal

@@ -28,15 +28,17 @@ namespace internal {
 
 // Arcs are connected by the proximity of their ends and of the gates. The result counts only if every gate and every end of an arc has
 // a partner between the same sources, or is one of several around a point of as many sources. Otherwise the caller divides the cell.
+template <class NT>
 class Cell_bisectors
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
-  Cell_bisectors(const Cell_bisectors&) = delete; // members refer to others
-  Cell_bisectors& operator=(const Cell_bisectors&) = delete;
+  Cell_bisectors(const Cell_bisectors<NT>&) = delete; // members refer to others
+  Cell_bisectors<NT>& operator=(const Cell_bisectors<NT>&) = delete;
 
-  Cell_bisectors(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Voronoi_cell& face)
+  Cell_bisectors(const std::vector<Voronoi_window<NT>>& windows, const Voronoi_tolerances<NT>& tolerances,
+                 const Voronoi_cell<NT>& face)
     : m_tolerances(tolerances), m_aspect(face.diameter() / face.least_height()),
       m_find_arcs(windows, m_tolerances, face.center(), face.radius()), m_along_sides(windows, m_tolerances),
       m_motion(windows, m_tolerances, m_arcs, m_ends)
@@ -46,17 +48,17 @@ public:
   // Finds the arcs, and passes them to out(arc) with the nodes of the gates, and new_node() for others. Returns false, without
   // output, if they do not fit together.
   template <class New_node, class OutputFunction>
-  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
+  bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
                const OutputFunction& out)
   {
     // With rounding, a bisector along a side lies on both sides of it or on none; the gates may need either. Windows that come over
     // many edges may differ by more than a tie.
     for (const bool joins_loose_ends : {false, true})
-      for (const double factor : Voronoi_tolerances::tie_factors)
+      for (const NT factor : Voronoi_tolerances<NT>::tie_factors)
         if (connect(cell, candidates, factor, 1, joins_loose_ends, new_node, out)) return true;
-    for (const double joint_factor : Voronoi_tolerances::joint_factors)
+    for (const NT joint_factor : Voronoi_tolerances<NT>::joint_factors)
     {
-      const bool is_explained = joint_factor <= (std::max)(Voronoi_tolerances::usual_joint_factor, m_aspect);
+      const bool is_explained = joint_factor <= (std::max)(NT(Voronoi_tolerances<NT>::usual_joint_factor), m_aspect);
       if (is_explained && connect(cell, candidates, 1, joint_factor, false, new_node, out)) return true;
     }
     return false;
@@ -68,7 +70,7 @@ public:
 
 private:
   template <class New_node, class OutputFunction>
-  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double tie_factor, double joint_factor,
+  bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, NT tie_factor, NT joint_factor,
                bool joins_loose_ends, const New_node& new_node, const OutputFunction& out)
   {
     m_tolerances.use_tie(tie_factor);
@@ -79,7 +81,7 @@ private:
   }
 
   template <class New_node, class OutputFunction>
-  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, double margin, bool joins_loose_ends,
+  bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, NT margin, bool joins_loose_ends,
                const New_node& new_node, const OutputFunction& out)
   {
     m_motion.set_cell(cell, candidates);
@@ -94,19 +96,19 @@ private:
       if (m_arcs.size() == found || !fit_together(cell, joins_loose_ends)) return false;
     }
     for (const auto& members : m_clusters) set_nodes(cell, members, new_node);
-    for (const Bisector_arc& arc : m_arcs)
+    for (const Bisector_arc<NT>& arc : m_arcs)
       if (arc.start_node != no_index) out(arc);
-    for (const Bisector_arc& l : m_links) out(l);
+    for (const Bisector_arc<NT>& l : m_links) out(l);
     return true;
   }
 
   // Sorts the ends of the arcs and the gates into clusters. Returns false if these do not fit together.
-  bool fit_together(const Voronoi_cell& cell, bool joins_loose_ends)
+  bool fit_together(const Voronoi_cell<NT>& cell, bool joins_loose_ends)
   {
     m_ends.clear();
     for (std::size_t i = 0; i < m_arcs.size(); ++i)
     {
-      const Bisector_arc& a = m_arcs[i];
+      const Bisector_arc<NT>& a = m_arcs[i];
       m_ends.push_back({a.start, i, false, false, a.left.label, a.right.label});
       m_ends.push_back({a.end, i, false, true, a.right.label, a.left.label});
     }
@@ -155,11 +157,11 @@ private:
 
   // Joins clusters that do not fit alone, nearest first, if their arcs may end in one point: they meet at a small angle, or some
   // of the sources nearly coincide, and rounding moves their ends along them.
-  void join_loose_ends(const Voronoi_cell& cell)
+  void join_loose_ends(const Voronoi_cell<NT>& cell)
   {
     struct Pair
     {
-      double gap;
+      NT gap;
       std::size_t first, second;
     };
     std::vector<std::size_t> loose;
@@ -169,7 +171,7 @@ private:
     for (std::size_t i = 0; i < loose.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
       {
-        const double gap = length(point_of(loose[i]) - point_of(loose[j]));
+        const NT gap = length(point_of(loose[i]) - point_of(loose[j]));
         if (gap <= m_tolerances.loose_joint) pairs.push_back({gap, loose[j], loose[i]});
       }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
@@ -189,12 +191,12 @@ private:
 
   bool repeats_another(std::size_t arc) const
   {
-    const Bisector_arc& a = m_arcs[arc];
+    const Bisector_arc<NT>& a = m_arcs[arc];
     for (std::size_t i = 0; i < arc; ++i)
     {
       const bool same = m_cluster[2 * i] == m_cluster[2 * arc] && m_cluster[2 * i + 1] == m_cluster[2 * arc + 1];
       const bool reverse = m_cluster[2 * i] == m_cluster[2 * arc + 1] && m_cluster[2 * i + 1] == m_cluster[2 * arc];
-      const Bisector_arc& b = m_arcs[i];
+      const Bisector_arc<NT>& b = m_arcs[i];
       if (!(same || reverse) || length(a.middle() - b.middle()) > m_joint) continue;
       if ((same ? a.left.label : a.right.label) == b.left.label && (same ? a.right.label : a.left.label) == b.right.label)
         return true;
@@ -205,13 +207,13 @@ private:
   bool is_within_cluster(std::size_t arc) const
   {
     if (m_cluster[2 * arc] != m_cluster[2 * arc + 1]) return false;
-    const Bisector_arc& a = m_arcs[arc];
+    const Bisector_arc<NT>& a = m_arcs[arc];
     return length(a.middle() - a.start) <= 2 * m_joint;
   }
 
   // True if the ends of a cluster are in one point: of two sources with two ends, or of n sources with n ends; or the sectors between
   // the ends, in the order of their directions, have one source each, as where two polylines cross.
-  bool fits(const Voronoi_cell& cell, const std::vector<std::size_t>& members) const
+  bool fits(const Voronoi_cell<NT>& cell, const std::vector<std::size_t>& members) const
   {
     if (members.empty()) return true;
     if (members.size() == 1) return false;
@@ -225,11 +227,11 @@ private:
     std::sort(right.begin(), right.end());
     if (left != right) return false;
     if (std::adjacent_find(left.begin(), left.end()) == left.end()) return true;
-    std::vector<std::pair<double, std::size_t>> around; // gates of a side have one direction, and come in order
+    std::vector<std::pair<NT, std::size_t>> around; // gates of a side have one direction, and come in order
     for (const std::size_t e : members)
     {
       const Point u = direction_of(cell, m_ends[e]);
-      around.emplace_back(std::atan2(u.y, u.x), e);
+      around.emplace_back(order_of_angle(u.x, u.y), e);
     }
     std::sort(around.begin(), around.end());
     for (std::size_t i = 0; i < around.size(); ++i)
@@ -238,16 +240,16 @@ private:
   }
 
   // Direction from an end along its arc, or through the gate out of the cell.
-  Point direction_of(const Voronoi_cell& cell, const Arc_end& end) const
+  Point direction_of(const Voronoi_cell<NT>& cell, const Arc_end<NT>& end) const
   {
     if (end.is_gate) return cell.outside(cell.gates[end.arc].side).n;
-    const Bisector_arc& a = m_arcs[end.arc];
-    const double forward = end.is_end ? -1 : 1;
+    const Bisector_arc<NT>& a = m_arcs[end.arc];
+    const NT forward = end.is_end ? -1 : 1;
     return forward * (a.is_link ? a.end - a.start : a.conic.tangent(end.is_end ? a.to : a.from));
   }
 
   // Links neighbouring gates of a cluster between the same two sources, and removes them from it. Returns false if there are none.
-  bool link_neighbours(const Voronoi_cell& cell, std::vector<std::size_t>& members)
+  bool link_neighbours(const Voronoi_cell<NT>& cell, std::vector<std::size_t>& members)
   {
     bool has_links = false;
     const std::size_t n = cell.gates.size();
@@ -264,7 +266,7 @@ private:
       if (cell.gates[i].from != cell.gates[j].to || cell.gates[i].to != cell.gates[j].from) continue;
       members.erase(at_i);
       members.erase(place_of(j));
-      m_links.push_back(Gate_links::link(cell.gates[i], cell.gates[j]));
+      m_links.push_back(Gate_links<NT>::link(cell.gates[i], cell.gates[j]));
       has_links = true;
     }
     return has_links;
@@ -272,7 +274,7 @@ private:
 
   // Sets the nodes of the arcs of a cluster: the gate, or a new node. Adds links between gates.
   template <class New_node>
-  void set_nodes(const Voronoi_cell& cell, const std::vector<std::size_t>& members, const New_node& new_node)
+  void set_nodes(const Voronoi_cell<NT>& cell, const std::vector<std::size_t>& members, const New_node& new_node)
   {
     if (members.empty()) return;
     std::vector<std::size_t> gates;
@@ -280,7 +282,7 @@ private:
       if (m_ends[e].is_gate) gates.push_back(m_ends[e].arc);
     if (members.size() == 2 && gates.size() == 2)
     {
-      m_links.push_back(Gate_links::link(cell.gates[gates[0]], cell.gates[gates[1]]));
+      m_links.push_back(Gate_links<NT>::link(cell.gates[gates[0]], cell.gates[gates[1]]));
       return;
     }
     // the common end of loose ends may be that of the arc
@@ -290,11 +292,11 @@ private:
     const Point point = is_gate ? cell.gates[gates[0]].point : m_ends[members[0]].point;
     for (const std::size_t e : members)
     {
-      const Arc_end& end = m_ends[e];
+      const Arc_end<NT>& end = m_ends[e];
       if (end.is_gate)
       {
         if (is_gate) continue;
-        Bisector_arc l = Gate_links::link(cell.gates[end.arc], cell.gates[end.arc]);
+        Bisector_arc<NT> l = Gate_links<NT>::link(cell.gates[end.arc], cell.gates[end.arc]);
         l.end_node = node;
         l.end = point;
         m_links.push_back(l);
@@ -306,22 +308,22 @@ private:
 
   // Ends an arc in a node: farther than a joint from its end, along its conic as far as this goes, and from there straight.
   template <class New_node>
-  void move_end(const Arc_end& end, const Point& point, Index node, const New_node& new_node)
+  void move_end(const Arc_end<NT>& end, const Point& point, Index node, const New_node& new_node)
   {
-    Bisector_arc& arc = m_arcs[end.arc];
+    Bisector_arc<NT>& arc = m_arcs[end.arc];
     Index& end_node = end.is_end ? arc.end_node : arc.start_node;
     Point& end_point = end.is_end ? arc.end : arc.start;
     end_node = node;
     if (m_motion.has_conic(end) && length(end.point - point) > m_tolerances.joint)
     {
-      const double after = m_motion.parameter_towards(end, point);
+      const NT after = m_motion.parameter_towards(end, point);
       (end.is_end ? arc.to : arc.from) = after;
       const Point q = arc.conic.at(after).point();
       if (length(q - point) > m_tolerances.joint)
       {
         end_node = new_node();
         end_point = q;
-        Bisector_arc l = arc;
+        Bisector_arc<NT> l = arc;
         l.is_link = true;
         l.left.window = l.right.window = no_index;
         l.start = end.is_end ? q : point;
@@ -335,17 +337,17 @@ private:
     end_point = point;
   }
 
-  Voronoi_tolerances m_tolerances;
-  const double m_aspect; // of the face
+  Voronoi_tolerances<NT> m_tolerances;
+  const NT m_aspect; // of the face
   bool m_has_loose_joints = false;
-  double m_joint = 0; // ends no farther apart meet
-  const Cell_arcs m_find_arcs;
-  Arcs_along_sides m_along_sides;
-  std::vector<Bisector_arc> m_arcs, m_links;
-  std::vector<Arc_end> m_ends;                      // two of each arc, then the gates
+  NT m_joint = 0; // ends no farther apart meet
+  const Cell_arcs<NT> m_find_arcs;
+  Arcs_along_sides<NT> m_along_sides;
+  std::vector<Bisector_arc<NT>> m_arcs, m_links;
+  std::vector<Arc_end<NT>> m_ends;                  // two of each arc, then the gates
   std::vector<std::size_t> m_cluster;               // per end
   std::vector<std::vector<std::size_t>> m_clusters; // ends that meet
-  Arc_end_motion m_motion;
+  Arc_end_motion<NT> m_motion;
 };
 
 } // namespace internal

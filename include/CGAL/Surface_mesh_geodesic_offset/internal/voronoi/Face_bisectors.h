@@ -27,11 +27,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class FT>
+template <class NT, class FT>
 class Face_bisectors
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field)
@@ -45,7 +45,7 @@ public:
     m_field.set_face(face);
     m_windows.clear();
     m_all.clear();
-    m_tolerances = Voronoi_tolerances(CGAL::to_double(m_field.size()));
+    m_tolerances = Voronoi_tolerances<NT>(number_cast<NT>(m_field.size()));
     m_cell.gates.clear();
     for (int k = 0; k < 3; ++k)
     {
@@ -65,11 +65,11 @@ public:
         add(whole_corner(w), true);
     }
     close_gaps();
-    double magnitude = 0; // of the windows that may be nearest
+    NT magnitude = 0; // of the windows that may be nearest
     remove_farther(m_cell, m_all);
     remove_outside(m_cell, m_all, m_tolerances.joint);
     for (const unsigned i : m_all) magnitude = (std::max)(magnitude, m_windows[i].largest_at_chord());
-    m_tolerances = Voronoi_tolerances(magnitude + CGAL::to_double(m_field.size()));
+    m_tolerances = Voronoi_tolerances<NT>(magnitude + number_cast<NT>(m_field.size()));
     return !has_one_label_at(m_cell, m_all);
   }
 
@@ -77,23 +77,23 @@ public:
   Index label() const { return m_cell.label[0]; }
 
   // The nearest sources of points of the face.
-  Face_cells cells() const
+  Face_cells<NT> cells() const
   {
-    std::vector<Voronoi_window> windows;
+    std::vector<Voronoi_window<NT>> windows;
     for (const unsigned i : m_all) windows.push_back(m_windows[i]);
-    return Face_cells(m_cell.corner, m_tolerances.usual_tie, std::move(windows));
+    return Face_cells<NT>(m_cell.corner, m_tolerances.usual_tie, std::move(windows));
   }
 
   // Calls out(change) for the changes of the label along halfedge k.
   template <class OutputFunction>
   void find_changes(int k, const OutputFunction& out)
   {
-    m_changes(m_cell.corner[k], m_cell.direction[k], CGAL::to_double(m_field.frame().edge_length(k)), m_cell.label[k],
+    m_changes(m_cell.corner[k], m_cell.direction[k], number_cast<NT>(m_field.frame().edge_length(k)), m_cell.label[k],
               m_cell.label[(k + 1) % 3], m_windows, m_all, m_all, m_tolerances, std::nullopt, out);
   }
 
   // Adds a gate at a distance from the start of halfedge k. Gates come in order.
-  void add_gate(int k, double t, Index from, Index to, Index node)
+  void add_gate(int k, NT t, Index from, Index to, Index node)
   {
     m_cell.gates.push_back({m_cell.corner[k] + t * m_cell.direction[k], (unsigned char)(k), from, to, node});
   }
@@ -103,11 +103,11 @@ public:
   void find_arcs(const New_node& new_node, const OutputFunction& out)
   {
     CGAL_precondition(m_cell.is_consistent());
-    const auto write = [&](Bisector_arc arc) {
+    const auto write = [&](Bisector_arc<NT> arc) {
       arc.face = m_field.face();
-      arc.negligible = 2 * m_tolerances.smallest_cell;
+      arc.negligible = m_tolerances.negligible;
       arc.smallest_loop = m_tolerances.smallest_loop;
-      for (const Voronoi_gate& g : m_cell.gates)
+      for (const Voronoi_gate<NT>& g : m_cell.gates)
       {
         if (g.node == arc.start_node) arc.start_edge = g.side;
         if (g.node == arc.end_node) arc.end_edge = g.side;
@@ -121,8 +121,8 @@ public:
       }
       out(arc);
     };
-    Cell_bisectors bisectors(m_windows, m_tolerances, m_cell);
-    Gate_links links(m_windows, m_tolerances, m_cell);
+    Cell_bisectors<NT> bisectors(m_windows, m_tolerances, m_cell);
+    Gate_links<NT> links(m_windows, m_tolerances, m_cell);
     std::size_t divisions = 0, divisions_for_windows = 0;
     m_pending.clear();
     add_pending({m_cell, m_all, m_all.size() + 1, 0, 0});
@@ -140,17 +140,21 @@ public:
       part.divisions_in_vain = inside.size() < part.windows_before ? 0 : part.divisions_in_vain + 1;
       part.windows_before = inside.size();
       const bool has_many_windows =
-        inside.size() > Voronoi_tolerances::most_windows && is_divisible &&
-        part.divisions_in_vain < Voronoi_tolerances::most_divisions_in_vain &&
-        divisions_for_windows < Voronoi_tolerances::most_divisions_for_windows * m_all.size();
+        inside.size() > Voronoi_tolerances<NT>::most_windows && is_divisible &&
+        part.divisions_in_vain < Voronoi_tolerances<NT>::most_divisions_in_vain &&
+        divisions_for_windows < Voronoi_tolerances<NT>::most_divisions_for_windows * m_all.size();
       if (has_many_windows) ++divisions_for_windows;
       else
       {
         m_arcs.clear();
-        const bool fits = bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc& a) { m_arcs.push_back(a); });
-        const auto holds_along = [&](const Bisector_arc& a) { return links.holds(a, part.near, bisectors.has_wide_joints()); };
+        const bool fits =
+          bisectors.connect(part.cell, inside, new_node, [&](const Bisector_arc<NT>& a) { m_arcs.push_back(a); });
+        const auto holds_along = [&](const Bisector_arc<NT>& a) {
+          return links.holds(a, part.near, bisectors.has_wide_joints());
+        };
         const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
-        const bool may_divide = is_divisible && divisions < Voronoi_tolerances::most_divisions * m_all.size();
+        const bool may_divide = is_divisible && divisions < Voronoi_tolerances<NT>::most_divisions * m_all.size();
+        if (!holds || bisectors.has_wide_joints()) m_has_contradictions = true;
         if (!holds && links.connect(part.cell, part.near, new_node, write)) continue;
         if (holds || !may_divide)
         {
@@ -162,7 +166,7 @@ public:
         ++divisions;
       }
       auto halves = part.cell.divided(
-        [&](const Point& o, const Point& u, double size, Index first, Index last, const auto& add) {
+        [&](const Point& o, const Point& u, NT size, Index first, Index last, const auto& add) {
         m_changes(o, u, size, first, last, m_windows, inside, part.near, m_tolerances, m_cell.center(), add);
         },
         new_node);
@@ -175,20 +179,21 @@ public:
     m_number_of_divisions += divisions;
   }
 
-  const Voronoi_tolerances& tolerances() const { return m_tolerances; }
+  const Voronoi_tolerances<NT>& tolerances() const { return m_tolerances; }
   std::size_t number_of_divisions() const { return m_number_of_divisions; }       // of cells that did not fit together
   std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // larger than rounding
+  bool has_contradictions() const { return m_has_contradictions; }                // of windows in a cell
 
 private:
   static constexpr unsigned no_window = ~0u;
 
   struct Part
   {
-    Voronoi_cell cell;
+    Voronoi_cell<NT> cell;
     std::vector<unsigned> near; // windows that may be nearest
     std::size_t windows_before; // the last division
     int divisions_in_vain;      // in a row, which left all windows
-    double diameter;
+    NT diameter;
   };
   static bool is_smaller(const Part& a, const Part& b) { return a.diameter < b.diameter; }
 
@@ -200,9 +205,9 @@ private:
     std::push_heap(m_pending.begin(), m_pending.end(), is_smaller);
   }
 
-  static Point rounded(const Point_in_face<FT>& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y)}; }
+  static Point rounded(const Point_in_face<FT>& p) { return {number_cast<NT>(p.x), number_cast<NT>(p.y)}; }
 
-  void append(const Voronoi_window& w)
+  void append(const Voronoi_window<NT>& w)
   {
     m_all.push_back(unsigned(m_windows.size()));
     m_windows.push_back(w);
@@ -211,10 +216,10 @@ private:
   void add(const Face_window<FT>& w, bool is_upper_bound = false)
   {
     if (w.is_empty()) return;
-    Voronoi_window v(w, m_labels.of_window(w));
+    Voronoi_window<NT> v(w, m_labels.of_window(w));
     v.is_upper_bound = is_upper_bound;
-    v.rays.start_value = CGAL::to_double(m_results.start_values.of(w.source_ref)); // windows over edges come without
-    if (!std::isfinite(v.bound[0].m) || !std::isfinite(v.bound[1].m)) return;
+    v.rays.start_value = number_cast<NT>(m_results.start_values.of(w.source_ref)); // windows over edges come without
+    if (!is_finite(v.bound[0].m) || !is_finite(v.bound[1].m)) return;
     append(v);
   }
 
@@ -225,7 +230,7 @@ private:
   {
     w.right = m_field.frame().corner((w.edge + 1) % 3);
     w.left = m_field.frame().corner((w.edge + 2) % 3);
-    w.sigma = w.sigma + FT(Voronoi_tolerances(CGAL::to_double(m_field.size() + w.sigma)).loose_tie);
+    w.sigma = w.sigma + FT(Voronoi_tolerances<NT>(number_cast<NT>(m_field.size() + w.sigma)).loose_tie);
     return w;
   }
 
@@ -233,7 +238,7 @@ private:
   // face, so the cone is extended there.
   void close_gaps()
   {
-    typedef std::pair<double, unsigned> Place;                                               // x coordinate, window
+    typedef std::pair<NT, unsigned> Place;                                                   // x coordinate, window
     std::vector<std::array<unsigned, 2>> neighbor(m_windows.size(), {no_window, no_window}); // on the left, on the right
     std::vector<std::array<bool, 2>> meets_another(m_windows.size(), {false, false});        // where its bounding ray starts
     std::vector<std::array<unsigned, 2>> meetings;                                           // of a right and a left ray
@@ -246,7 +251,7 @@ private:
       for (auto next = std::lower_bound(left.begin(), left.end(), Place(p.x - m_tolerances.joint, 0));
            next != left.end() && next->first <= p.x + m_tolerances.joint; ++next)
       {
-        const double gap = length(m_windows[next->second].start_of_bound(0) - p);
+        const NT gap = length(m_windows[next->second].start_of_bound(0) - p);
         if (next->second == i || gap > m_tolerances.joint) continue;
         meets_another[i][1] = meets_another[next->second][0] = true;
         meetings.push_back({i, next->second});
@@ -263,7 +268,7 @@ private:
       {
         if (neighbor[i][std::size_t(k)] != no_window) continue;
         m_windows[i].widen(k, m_tolerances.tie);
-        const Voronoi_window& w = m_windows[i];
+        const Voronoi_window<NT>& w = m_windows[i];
         if (meets_another[i][std::size_t(k)] || w.rays.origin >= STARTS_IN_FACE || is_corner(w.start_of_bound(k))) continue;
         append(w.fan_beside(k, m_cell.outside(w.rays.origin).n, m_tolerances.loose_tie));
       }
@@ -284,7 +289,7 @@ private:
   // Beside a common ray, windows of both sources may alternate. Removes those that are only this ray; their neighbours meet at it.
   void remove_rays(const std::vector<std::array<unsigned, 2>>& neighbor)
   {
-    const double size = CGAL::to_double(m_field.size());
+    const NT size = number_cast<NT>(m_field.size());
     const auto is_ray = [&](unsigned i) {
       return i < neighbor.size() && neighbor[i][0] != no_window && neighbor[i][1] != no_window &&
              this->m_windows[i].is_one_ray(size, this->m_tolerances.tie);
@@ -298,37 +303,37 @@ private:
         unsigned next = first;
         for (std::size_t n = 0; is_ray(next) && n < neighbor.size(); ++n) next = neighbor[next][std::size_t(k)];
         if (next == no_window || next == i) continue;
-        const double tie = (std::max)(tie_of_rays(i, next), tie_of_rays(first, next));
+        const NT tie = (std::max)(tie_of_rays(i, next), tie_of_rays(first, next));
         if (next != first) m_windows[i].extend_to(m_windows[first], k, along_chord(m_windows[i]), size, tie);
         if (m_windows[next].label != m_windows[i].label) m_windows[i].set_tied(k, m_windows[next], tie);
       }
     m_all.swap(kept);
   }
 
-  double tie_of_rays(unsigned i, unsigned j) const
+  NT tie_of_rays(unsigned i, unsigned j) const
   {
-    const double distance = (std::max)(m_windows[i].largest_at_chord(), m_windows[j].largest_at_chord());
-    return Voronoi_tolerances(distance + CGAL::to_double(m_field.size())).tie_of_rays;
+    const NT distance = (std::max)(m_windows[i].largest_at_chord(), m_windows[j].largest_at_chord());
+    return Voronoi_tolerances<NT>(distance + number_cast<NT>(m_field.size())).tie_of_rays;
   }
 
   // Ends the cones of two windows at their common ray, if there is one; and those of other windows with the same functions that end
   // there up to rounding.
   bool meet_at_common_ray(unsigned left, unsigned right)
   {
-    const double tie = tie_of_rays(left, right);
+    const NT tie = tie_of_rays(left, right);
     const auto ray = m_windows[left].common_ray(m_windows[right], tie);
     if (!ray) return false;
     // A chord that ends at a corner is not longer than it seems, nor is the start of rays beside a source.
-    const auto may_end = [&](const Voronoi_window& w, int k) {
+    const auto may_end = [&](const Voronoi_window<NT>& w, int k) {
       const Point p = w.start_of_bound(k);
-      const double beyond = (k == 0 ? 1 : -1) * ray->left.value(p);
+      const NT beyond = (k == 0 ? 1 : -1) * ray->left.value(p);
       return w.is_bound(*ray, k, tie) && (beyond <= tie || (beyond <= w.extension(k, tie) && !this->is_corner(p)));
     };
     if (!may_end(m_windows[left], 1) || !may_end(m_windows[right], 0)) return false;
-    const Voronoi_window on_left(m_windows[left]), on_right(m_windows[right]);
+    const Voronoi_window<NT> on_left(m_windows[left]), on_right(m_windows[right]);
     const Point center = m_cell.center();
-    const double radius = m_cell.radius();
-    for (Voronoi_window& w : m_windows)
+    const NT radius = m_cell.radius();
+    for (Voronoi_window<NT>& w : m_windows)
     {
       if (w.is_upper_bound) continue;
       if (w.label == on_left.label && w.is_same_function(on_left, center, radius, tie) && may_end(w, 1))
@@ -340,11 +345,11 @@ private:
   }
 
   // Unit vector along the edge over which a window comes, or along its chord.
-  Point along_chord(const Voronoi_window& w) const
+  Point along_chord(const Voronoi_window<NT>& w) const
   {
     if (w.rays.origin < STARTS_IN_FACE) return m_cell.direction[std::size_t(w.rays.origin)];
     const Point chord = w.rays.right - w.rays.left;
-    const double size = length(chord);
+    const NT size = length(chord);
     return size > 0 ? (1 / size) * chord : Point{0, 0};
   }
 
@@ -358,7 +363,7 @@ private:
   {
     auto fan = m_windows[i].fan_between(m_windows[next], tie_of_rays(i, next));
     if (!fan) return false;
-    const auto same = std::find_if(m_windows.begin(), m_windows.end(), [&](const Voronoi_window& w) {
+    const auto same = std::find_if(m_windows.begin(), m_windows.end(), [&](const Voronoi_window<NT>& w) {
       return w.is_same_function(*fan, fan->image(), 0, m_tolerances.tie);
     });
     if (same != m_windows.end()) fan->label = same->label; // the point may be that of another source as well
@@ -367,23 +372,23 @@ private:
   }
 
   // Removes the windows that are nowhere nearest in a cell. Distances are 1-Lipschitz.
-  void remove_farther(const Voronoi_cell& cell, std::vector<unsigned>& windows) const
+  void remove_farther(const Voronoi_cell<NT>& cell, std::vector<unsigned>& windows) const
   {
     const Point center = cell.center();
-    const double radius = cell.radius();
-    const double upper = least_path_length(m_windows, windows, center) + radius + m_tolerances.slack;
+    const NT radius = cell.radius();
+    const NT upper = least_path_length(m_windows, windows, center) + radius + m_tolerances.slack;
     const auto is_farther = [&](unsigned i) { return m_windows[i].lower_bound(center, radius) > upper; };
     windows.erase(std::remove_if(windows.begin(), windows.end(), is_farther), windows.end());
   }
 
   // Removes the windows whose cones are farther than `outside` from a cell.
-  void remove_outside(const Voronoi_cell& cell, std::vector<unsigned>& windows, double outside) const
+  void remove_outside(const Voronoi_cell<NT>& cell, std::vector<unsigned>& windows, NT outside) const
   {
     const auto is_elsewhere = [&](unsigned i) {
-      const Voronoi_window& w = m_windows[i];
+      const Voronoi_window<NT>& w = m_windows[i];
       for (int k = 0; k < w.number_of_bounds; ++k)
       {
-        const Half_plane<double>& h = w.bound[std::size_t(k)];
+        const Half_plane<NT>& h = w.bound[std::size_t(k)];
         if ((std::min)({h.value(cell.corner[0]), h.value(cell.corner[1]), h.value(cell.corner[2])}) > outside) return true;
       }
       return false;
@@ -392,7 +397,7 @@ private:
   }
 
   // True if all windows and all corners have one label.
-  bool has_one_label_at(const Voronoi_cell& cell, const std::vector<unsigned>& windows) const
+  bool has_one_label_at(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& windows) const
   {
     const Index label = cell.label[0];
     return cell.label[1] == label && cell.label[2] == label &&
@@ -403,14 +408,15 @@ private:
   const Geodesic_field<FT>& m_results;
   const Source_labels<FT> m_labels;
   Face_field<FT> m_field;
-  Voronoi_cell m_cell; // the face
-  Voronoi_tolerances m_tolerances;
-  std::vector<Voronoi_window> m_windows;
-  std::vector<unsigned> m_all;      // windows that may be nearest
-  std::vector<Bisector_arc> m_arcs; // of a cell
-  std::vector<Part> m_pending;      // a heap
-  Label_changes m_changes;
+  Voronoi_cell<NT> m_cell; // the face
+  Voronoi_tolerances<NT> m_tolerances;
+  std::vector<Voronoi_window<NT>> m_windows;
+  std::vector<unsigned> m_all;          // windows that may be nearest
+  std::vector<Bisector_arc<NT>> m_arcs; // of a cell
+  std::vector<Part> m_pending;          // a heap
+  Label_changes<NT> m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
+  bool m_has_contradictions = false;
 };
 
 } // namespace internal

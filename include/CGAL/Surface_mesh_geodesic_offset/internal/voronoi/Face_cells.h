@@ -24,28 +24,42 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+template <class NT>
 class Face_cells
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   bool is_crossed = true; // by a curve
 
   // `windows`: those that may be nearest in the face; not empty. Distances that differ by less than `tie` are equal.
-  Face_cells(const Per_corner<Point>& corner, double tie, std::vector<Voronoi_window>&& windows)
+  Face_cells(const Per_corner<Point>& corner, NT tie, std::vector<Voronoi_window<NT>>&& windows)
     : m_corner(corner), m_tie(tie), m_windows(std::move(windows))
   {
   }
 
+  // The cells in double, times `scale`.
+  Face_cells<double> in_double(double scale) const
+  {
+    Per_corner<Point_in_face<double>> corner;
+    for (int k = 0; k < 3; ++k) corner[k] = {scale * CGAL::to_double(m_corner[k].x), scale * CGAL::to_double(m_corner[k].y)};
+    std::vector<Voronoi_window<double>> windows;
+    for (const Voronoi_window<NT>& w : m_windows) windows.push_back(w.in_double(scale));
+    const NT ties = m_tie * NT(std::numeric_limits<double>::epsilon()) / std::numeric_limits<NT>::epsilon();
+    Face_cells<double> cells(corner, scale * CGAL::to_double(ties), std::move(windows));
+    cells.is_crossed = is_crossed;
+    return cells;
+  }
+
   // Labels of the sources of a point, given by its barycentric coordinates, that are not farther than the nearest one by more than
   // `within`, the nearest first.
-  std::vector<Index> labels(const std::array<double, 3>& weights, double within) const
+  std::vector<Index> labels(const std::array<NT, 3>& weights, NT within) const
   {
     const Point p = at(weights);
-    std::vector<double> distance;
-    for (const Voronoi_window& w : m_windows) distance.push_back(w.rays.path_length(p));
-    const double least = *std::min_element(distance.begin(), distance.end());
-    const Voronoi_window* nearest = nullptr;
+    std::vector<NT> distance;
+    for (const Voronoi_window<NT>& w : m_windows) distance.push_back(w.rays.path_length(p));
+    const NT least = *std::min_element(distance.begin(), distance.end());
+    const Voronoi_window<NT>* nearest = nullptr;
     std::set<Index> others;
     for (std::size_t i = 0; i < distance.size(); ++i)
     {
@@ -65,17 +79,17 @@ public:
   // whose loop is too small to be kept.
   Index label_without_curves() const
   {
-    std::map<Index, double> excess;
-    for (const Voronoi_window& w : m_windows) excess[w.label] = 0;
-    for (const std::array<double, 3>& weights :
-         {std::array<double, 3>{0.37, 0.32, 0.31}, {0.9, 0.06, 0.04}, {0.04, 0.9, 0.06}, {0.06, 0.04, 0.9}})
+    std::map<Index, NT> excess;
+    for (const Voronoi_window<NT>& w : m_windows) excess[w.label] = 0;
+    for (const std::array<NT, 3>& weights :
+         {std::array<NT, 3>{0.37, 0.32, 0.31}, {0.9, 0.06, 0.04}, {0.04, 0.9, 0.06}, {0.06, 0.04, 0.9}})
     {
-      std::map<Index, double> distance;
-      double least = std::numeric_limits<double>::infinity();
-      for (const Voronoi_window& w : m_windows)
+      std::map<Index, NT> distance;
+      NT least = std::numeric_limits<NT>::infinity();
+      for (const Voronoi_window<NT>& w : m_windows)
       {
-        const double d = w.rays.path_length(at(weights));
-        double& own = distance.emplace(w.label, d).first->second;
+        const NT d = w.rays.path_length(at(weights));
+        NT& own = distance.emplace(w.label, d).first->second;
         own = (std::min)(own, d);
         least = (std::min)(least, d);
       }
@@ -87,13 +101,13 @@ public:
   }
 
   // By how much source `a` is nearer than source `b`, at most, at a corner.
-  double largest_lead(Index a, Index b) const
+  NT largest_lead(Index a, Index b) const
   {
-    double result = 0;
+    NT result = 0;
     for (const Point& corner : m_corner)
     {
-      double of_a = std::numeric_limits<double>::infinity(), of_b = of_a;
-      for (const Voronoi_window& w : m_windows)
+      NT of_a = std::numeric_limits<NT>::infinity(), of_b = of_a;
+      for (const Voronoi_window<NT>& w : m_windows)
         for (auto [label, least] : {std::make_pair(a, &of_a), std::make_pair(b, &of_b)})
           if (w.label == label) *least = (std::min)(*least, w.rays.path_length(corner));
       if (of_a < of_b) result = (std::max)(result, of_b - of_a);
@@ -102,14 +116,14 @@ public:
   }
 
 private:
-  Point at(const std::array<double, 3>& weights) const
+  Point at(const std::array<NT, 3>& weights) const
   {
     return weights[0] * m_corner[0] + weights[1] * m_corner[1] + weights[2] * m_corner[2];
   }
 
   Per_corner<Point> m_corner;
-  double m_tie;
-  std::vector<Voronoi_window> m_windows;
+  NT m_tie;
+  std::vector<Voronoi_window<NT>> m_windows;
 };
 
 } // namespace internal

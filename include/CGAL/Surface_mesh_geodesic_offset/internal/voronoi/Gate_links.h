@@ -24,13 +24,15 @@ namespace internal {
 // Where rounding decides which windows are nearest, the intervals of bisectors may contradict each other. The distances
 // themselves do not: from each source, the least path length through a window of the cell is a continuous function. So gates
 // between the same sources are connected by a curve along which these functions agree, and no other one is less.
+template <class NT>
 class Gate_links
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   // The tolerances may change between calls.
-  Gate_links(const std::vector<Voronoi_window>& windows, const Voronoi_tolerances& tolerances, const Voronoi_cell& face)
+  Gate_links(const std::vector<Voronoi_window<NT>>& windows, const Voronoi_tolerances<NT>& tolerances,
+             const Voronoi_cell<NT>& face)
     : m_windows(windows), m_tolerances(tolerances), m_face(face)
   {
   }
@@ -39,7 +41,7 @@ public:
   // without output, if distances differ on one of them. A cell without gates must have the label of its corners at its center,
   // and between that and its corners and sides.
   template <class New_node, class OutputFunction>
-  bool connect(const Voronoi_cell& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
+  bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
                const OutputFunction& out)
   {
     m_candidates = &candidates;
@@ -48,7 +50,7 @@ public:
     {
       pair_up(cell, pairing);
       if (!std::all_of(m_arcs.begin(), m_arcs.end(),
-                       [&](Bisector_arc& a) { return this->set_conic(a) || this->is_bisector(a, m_tolerances.of_link()); }))
+                       [&](Bisector_arc<NT>& a) { return this->set_conic(a) || this->is_bisector(a, m_tolerances.of_link()); }))
         continue;
       write(new_node, out);
       return true;
@@ -58,7 +60,7 @@ public:
 
   // Connects the gates with straight links, whatever the distances.
   template <class New_node, class OutputFunction>
-  void connect_straight(const Voronoi_cell& cell, const New_node& new_node, const OutputFunction& out)
+  void connect_straight(const Voronoi_cell<NT>& cell, const New_node& new_node, const OutputFunction& out)
   {
     pair_up(cell, ACROSS);
     write(new_node, out);
@@ -67,7 +69,7 @@ public:
   // True if the distances from both sources agree along an arc whose ends have been joined to others, and no other source is nearer.
   // `is_wide`: to ends farther away than a joint, with no other reason than that they may meet; else, along a side of the face, one of the
   // sources may be nearest by the windows of the neighbour only.
-  bool holds(const Bisector_arc& arc, const std::vector<unsigned>& candidates, bool is_wide)
+  bool holds(const Bisector_arc<NT>& arc, const std::vector<unsigned>& candidates, bool is_wide)
   {
     m_candidates = &candidates;
     if (is_wide) return is_bisector(arc, m_tolerances.of_wide_joint());
@@ -75,9 +77,9 @@ public:
   }
 
   // The straight arc from a gate to another one.
-  static Bisector_arc link(const Voronoi_gate& from, const Voronoi_gate& to)
+  static Bisector_arc<NT> link(const Voronoi_gate<NT>& from, const Voronoi_gate<NT>& to)
   {
-    Bisector_arc arc = Bisector_arc::link(from.point, to.point, from.from, from.to);
+    Bisector_arc<NT> arc = Bisector_arc<NT>::link(from.point, to.point, from.from, from.to);
     arc.start_node = from.node;
     arc.end_node = to.node;
     return arc;
@@ -90,13 +92,13 @@ private:
 
   // Makes straight links. Gates between the same sources, with no others left between them, form pairs; the others meet in one
   // point.
-  void pair_up(const Voronoi_cell& cell, Pairing pairing)
+  void pair_up(const Voronoi_cell<NT>& cell, Pairing pairing)
   {
     m_arcs.clear();
-    std::vector<const Voronoi_gate*> open;
+    std::vector<const Voronoi_gate<NT>*> open;
     for (std::size_t i = 0; i < cell.gates.size(); ++i)
     {
-      const Voronoi_gate& g = cell.gates[(i + (pairing == FROM_SECOND ? 1 : 0)) % cell.gates.size()];
+      const Voronoi_gate<NT>& g = cell.gates[(i + (pairing == FROM_SECOND ? 1 : 0)) % cell.gates.size()];
       if (!open.empty() && open.back()->from == g.to && (pairing != ACROSS || open.back()->side != g.side))
       {
         m_arcs.push_back(link(*open.back(), g));
@@ -120,7 +122,7 @@ private:
   }
 
   // Where several curves meet: in a gate beside which there are others, as around a corner, or else in the mean of the gates.
-  Point common_end(const Voronoi_gate* const* first, const Voronoi_gate* const* last) const
+  Point common_end(const Voronoi_gate<NT>* const* first, const Voronoi_gate<NT>* const* last) const
   {
     Point sum{0, 0};
     for (auto i = first; i != last; ++i)
@@ -129,7 +131,7 @@ private:
       for (auto j = first; j != i; ++j)
         if (length((*i)->point - (*j)->point) <= m_tolerances.joint) return (*i)->point;
     }
-    return (1. / double((std::max)(last - first, std::ptrdiff_t(1)))) * sum;
+    return (1. / NT((std::max)(last - first, std::ptrdiff_t(1)))) * sum;
   }
 
   template <class New_node, class OutputFunction>
@@ -137,7 +139,7 @@ private:
   {
     const bool has_common_end = !m_arcs.empty() && m_arcs.back().end_node == no_index;
     const Index node = has_common_end ? new_node() : no_index;
-    for (Bisector_arc& a : m_arcs)
+    for (Bisector_arc<NT>& a : m_arcs)
     {
       if (a.end_node == no_index) a.end_node = node;
       out(a);
@@ -146,12 +148,12 @@ private:
 
   // Makes a straight arc part of the bisector of the windows that are nearest to its middle. Returns false if there is no such
   // part.
-  bool set_conic(Bisector_arc& arc) const
+  bool set_conic(Bisector_arc<NT>& arc) const
   {
     const unsigned a = nearest(arc.left.label, arc.middle()).with_label, b = nearest(arc.right.label, arc.middle()).with_label;
-    if (a == Nearest_windows::none || b == Nearest_windows::none) return false;
+    if (a == Nearest_windows<NT>::none || b == Nearest_windows<NT>::none) return false;
     const bool swaps = m_windows[a].is_parallel();
-    Bisector_arc curve = arc;
+    Bisector_arc<NT> curve = arc;
     curve.is_link = false;
     if (!curve.conic.make(m_windows[swaps ? b : a], m_windows[swaps ? a : b], m_tolerances.tie, m_face.center())) return false;
     if (curve.conic.is_ray()) return false;
@@ -166,7 +168,7 @@ private:
     return true;
   }
 
-  bool is_on_side(const Bisector_arc& arc) const
+  bool is_on_side(const Bisector_arc<NT>& arc) const
   {
     bool result = false;
     for (int k = 0; k < 3; ++k) result = result || arc.is_on(m_face.outside(k), m_tolerances.along_side());
@@ -175,7 +177,7 @@ private:
 
   // On a side of the face, one of the sources may be nearest by the windows of the neighbour only. It is at neither end by those
   // of the face, and both ends are gates between these sources.
-  bool is_bisector(const Bisector_arc& arc, double tie) const
+  bool is_bisector(const Bisector_arc<NT>& arc, NT tie) const
   {
     const bool ends_at_gate = arc.end_node != no_index || arc.chord_length() <= m_tolerances.joint;
     const bool may_be_of_neighbour = ends_at_gate && is_on_side(arc);
@@ -184,21 +186,21 @@ private:
     };
     const bool tests_left = !is_of_neighbour(arc.left.label), tests_right = !is_of_neighbour(arc.right.label);
     if (!tests_left && !tests_right) return false;
-    const auto is_between = [&](double part) {
+    const auto is_between = [&](NT part) {
       const Point p = arc.at(part);
       return (!tests_left || is_nearest(arc.left.label, p, tie)) && (!tests_right || is_nearest(arc.right.label, p, tie));
     };
     // evenly, and more densely towards the ends, where several bisectors may meet
-    for (int i = 1; i < Voronoi_tolerances::samples_of_link; ++i)
-      if (!is_between(double(i) / Voronoi_tolerances::samples_of_link)) return false;
-    const double length = arc.chord_length();
-    double part = 1. / Voronoi_tolerances::samples_of_link;
-    for (; part * length > m_tolerances.joint; part *= Voronoi_tolerances::step_of_samples)
+    for (int i = 1; i < Voronoi_tolerances<NT>::samples_of_link; ++i)
+      if (!is_between(NT(i) / Voronoi_tolerances<NT>::samples_of_link)) return false;
+    const NT length = arc.chord_length();
+    NT part = 1. / Voronoi_tolerances<NT>::samples_of_link;
+    for (; part * length > m_tolerances.joint; part *= Voronoi_tolerances<NT>::step_of_samples)
       if (!is_between(part) || !is_between(1 - part)) return false;
     return true;
   }
 
-  bool is_of_one_source(const Voronoi_cell& cell) const
+  bool is_of_one_source(const Voronoi_cell<NT>& cell) const
   {
     const Point c = cell.center();
     const auto is_at = [&](const Point& p) { return is_nearest(cell.label[0], p, m_tolerances.of_link()); };
@@ -211,18 +213,18 @@ private:
     return result;
   }
 
-  Nearest_windows nearest(Index label, const Point& p) const
+  Nearest_windows<NT> nearest(Index label, const Point& p) const
   {
     return {label, m_windows, *m_candidates, p, m_tolerances.slack};
   }
 
-  bool is_nearest(Index label, const Point& p, double tie) const { return nearest(label, p).label_is_nearest(tie); }
+  bool is_nearest(Index label, const Point& p, NT tie) const { return nearest(label, p).label_is_nearest(tie); }
 
-  const std::vector<Voronoi_window>& m_windows;
-  const Voronoi_tolerances& m_tolerances;
-  const Voronoi_cell& m_face;
+  const std::vector<Voronoi_window<NT>>& m_windows;
+  const Voronoi_tolerances<NT>& m_tolerances;
+  const Voronoi_cell<NT>& m_face;
   const std::vector<unsigned>* m_candidates = nullptr;
-  std::vector<Bisector_arc> m_arcs;
+  std::vector<Bisector_arc<NT>> m_arcs;
 };
 
 } // namespace internal

@@ -27,28 +27,30 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+template <class NT>
 struct Label_change
 {
-  double t;       // from the start of the segment
+  NT t;           // from the start of the segment
   Index from, to; // labels before and behind
 };
 
 // The lower envelope of windows along a segment. Windows are inserted one by one; where two of them tie up to rounding, that with
 // the smaller label is nearest.
+template <class NT>
 class Label_changes
 {
 public:
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
   // Calls out(change) for the changes along the segment from o in the direction of the unit vector u, in order. The labels of its
   // ends are given: where the distances say otherwise, up to rounding, there is a change at the end. `candidates`: windows whose
   // order along the segment counts; `all`: those that may be nearest at the ends, too, as those along a side of a cell. `center`:
   // of the face, for segments in it, where changes are on bisectors; none on edges, where they are where windows tie, as chords end there.
   template <class OutputFunction>
-  void operator()(const Point& o, const Point& u, double size, Index first, Index last,
-                  const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& candidates,
-                  const std::vector<unsigned>& all, const Voronoi_tolerances& tolerances, const std::optional<Point>& center,
-                  const OutputFunction& out)
+  void operator()(const Point& o, const Point& u, NT size, Index first, Index last,
+                  const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& candidates,
+                  const std::vector<unsigned>& all, const Voronoi_tolerances<NT>& tolerances,
+                  const std::optional<Point>& center, const OutputFunction& out)
   {
     m_pieces.clear();
     for (const unsigned i : candidates) insert(o, u, size, windows[i], i, tolerances);
@@ -57,17 +59,17 @@ public:
     m_changes.clear();
     const auto add = [&](const Change& c) { m_changes.push_back(c); };
     Index label = first;
-    double at = 0; // of the last sample with this label
+    NT at = 0; // of the last sample with this label
     for (std::size_t i = 0, j; i < m_samples.size(); i = j)
     {
       for (j = i + 1; j < m_samples.size() && m_samples[j].label == m_samples[i].label;) ++j;
       const Sample &s = m_samples[i], &t = m_samples[j - 1];
       if (s.label != label)
       {
-        const double after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
+        const NT after = j < m_samples.size() ? m_samples[j].t : size, before = i > 0 ? m_samples[i - 1].t : 0;
         if (after - before <= tolerances.shortest_interval) continue;
         if (i > 0 && at == s.t) add({{at, label, s.label}, m_samples[i - 1].window, s.window});
-        else write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances::most_changes_between, add);
+        else write_changes(segment, at, s.t, label, s.label, Voronoi_tolerances<NT>::most_changes_between, add);
         label = s.label;
       }
       at = t.t;
@@ -77,9 +79,9 @@ public:
     {
       const Change& c = m_changes[i];
       const bool may_move = center && 0 < c.t && c.t < size;
-      const double low = i > 0 ? (m_changes[i - 1].t + c.t) / 2 : 0;
-      const double high = i + 1 < m_changes.size() ? (c.t + m_changes[i + 1].t) / 2 : size;
-      out(Label_change{may_move ? crossing(segment, c, low, high, *center) : c.t, c.from, c.to});
+      const NT low = i > 0 ? (m_changes[i - 1].t + c.t) / 2 : 0;
+      const NT high = i + 1 < m_changes.size() ? (c.t + m_changes[i + 1].t) / 2 : size;
+      out(Label_change<NT>{may_move ? crossing(segment, c, low, high, *center) : c.t, c.from, c.to});
     }
   }
 
@@ -87,47 +89,44 @@ private:
   struct Segment
   {
     Point o, u;
-    const std::vector<Voronoi_window>& windows;
+    const std::vector<Voronoi_window<NT>>& windows;
     const std::vector<unsigned>& all;
-    const Voronoi_tolerances& tolerances;
+    const Voronoi_tolerances<NT>& tolerances;
 
-    double distance_from(Index label, double t) const
-    {
-      return least_distance_from(label, windows, all, o + t * u, tolerances.slack);
-    }
+    NT distance_from(Index label, NT t) const { return least_distance_from(label, windows, all, o + t * u, tolerances.slack); }
 
-    bool is_nearest(Index label, double t, double tie) const
+    bool is_nearest(Index label, NT t, NT tie) const
     {
-      return Nearest_windows(label, windows, all, o + t * u, tolerances.slack).label_is_nearest(tie);
+      return Nearest_windows<NT>(label, windows, all, o + t * u, tolerances.slack).label_is_nearest(tie);
     }
 
     // The label of the nearest source; of several that tie, the preferred one.
-    Index label_at(double t, Index preferred) const
+    Index label_at(NT t, Index preferred) const
     {
-      const Nearest_windows nearest(preferred, windows, all, o + t * u, tolerances.slack);
+      const Nearest_windows<NT> nearest(preferred, windows, all, o + t * u, tolerances.slack);
       return nearest.label_is_nearest(tolerances.loose_tie) ? preferred : windows[nearest.any].label;
     }
   };
 
   struct Sample
   {
-    double t;
+    NT t;
     Index label;
     unsigned window; // of the label; none, if it is not that of the interval
   };
 
-  struct Change : Label_change
+  struct Change : Label_change<NT>
   {
     unsigned before, after; // windows; none, if they are not known
   };
-  static constexpr unsigned none = Nearest_windows::none;
+  static constexpr unsigned none = Nearest_windows<NT>::none;
 
   // Labels at the ends of intervals with one label, and in the middle of their pieces: that of the interval, unless rounding has left a
   // gap between cones there, in which the windows of the interval are farther than the path around the end of a cone.
   void sample(const Segment& segment)
   {
     m_samples.clear();
-    const auto add = [&](double t, const Piece& p) {
+    const auto add = [&](NT t, const Piece& p) {
       const Index label = segment.label_at(t, p.label);
       m_samples.push_back({t, label, label == p.label ? p.number : none});
     };
@@ -142,13 +141,13 @@ private:
 
   // Writes the changes between two samples: one, where the distances agree, or several, if a third source is nearer there.
   template <class OutputFunction>
-  static void write_changes(const Segment& segment, double low, double high, Index first, Index second, int most_between,
+  static void write_changes(const Segment& segment, NT low, NT high, Index first, Index second, int most_between,
                             const OutputFunction& out)
   {
-    double t = (low + high) / 2;
+    NT t = (low + high) / 2;
     if (high - low > segment.tolerances.shortest_interval)
     {
-      double from = low, to = high;
+      NT from = low, to = high;
       for (; from < t && t < to; t = (from + to) / 2)
         (segment.distance_from(first, t) <= segment.distance_from(second, t) ? from : to) = t;
       const Index third = segment.label_at(t, first);
@@ -165,30 +164,28 @@ private:
   // The parameter between `low` and `high` at which the bisector of the nearest windows crosses the segment near a change, where both
   // sources tie from there to the change; that of the change if there is none. So arcs pass through the gates, also where the angle between
   // the rays is so small that rounding moves the bisector far.
-  double crossing(const Segment& segment, const Change& change, double low, double high, const Point& center) const
+  NT crossing(const Segment& segment, const Change& change, NT low, NT high, const Point& center) const
   {
     const Point at = segment.o + change.t * segment.u, n = quarter_turn(segment.u);
-    const double slack = segment.tolerances.slack, tie = segment.tolerances.tie;
+    const NT slack = segment.tolerances.slack, tie = segment.tolerances.tie;
     const auto nearest_of = [&](Index label) {
-      return Nearest_windows(label, segment.windows, segment.all, at, slack).with_label;
+      return Nearest_windows<NT>(label, segment.windows, segment.all, at, slack).with_label;
     };
     const unsigned a = change.before != none ? change.before : nearest_of(change.from),
                    b = change.after != none ? change.after : nearest_of(change.to);
     if (a == none || b == none) return change.t;
-    const Voronoi_window &v = segment.windows[a], &w = segment.windows[b];
-    Bisector_conic conic;
+    const Voronoi_window<NT>&v = segment.windows[a], &w = segment.windows[b];
+    Bisector_conic<NT> conic;
     if (!conic.make(v.is_parallel() ? w : v, v.is_parallel() ? v : w, tie, center)) return change.t;
-    double result = change.t, nearest = std::numeric_limits<double>::infinity();
-    for (const auto& i : Parameter_intervals::not_positive(conic.along(Linear_form{n.x, n.y, 0, dot(n, segment.o)})))
-      for (const double parameter : {i.begin, i.end})
+    NT result = change.t, nearest = std::numeric_limits<NT>::infinity();
+    for (const auto& i : Parameter_intervals<NT>::not_positive(conic.along(Linear_form<NT>{n.x, n.y, 0, dot(n, segment.o)})))
+      for (const NT parameter : {i.begin, i.end})
       {
-        if (!std::isfinite(parameter) || !(parameter > conic.lowest_parameter())) continue;
+        if (!is_finite(parameter) || !(parameter > conic.lowest_parameter())) continue;
         const Point p = conic.at(parameter).point();
-        const double t = dot(p - segment.o, segment.u), gap = std::abs(t - change.t);
+        const NT t = dot(p - segment.o, segment.u), gap = CGAL::abs(t - change.t);
         if (!(low < t && t < high && gap < nearest) || !v.holds_at(p, slack) || !w.holds_at(p, slack)) continue;
-        const auto tie_at = [&](double s) {
-          return segment.is_nearest(v.label, s, tie) && segment.is_nearest(w.label, s, tie);
-        };
+        const auto tie_at = [&](NT s) { return segment.is_nearest(v.label, s, tie) && segment.is_nearest(w.label, s, tie); };
         const bool tie_between = std::all_of(m_samples.begin(), m_samples.end(), [&](const Sample& s) {
           return (s.t <= t) == (s.t <= change.t) || tie_at(s.t);
         });
@@ -201,59 +198,56 @@ private:
 
   struct Distances // traits of Window_bisector
   {
-    typedef double FT;
+    typedef NT FT;
     struct Compare_distance_2
     {
-      Comparison_result operator()(double d, double e, double) const
-      {
-        return std::abs(d - e) <= tie ? EQUAL : d < e ? SMALLER : LARGER;
-      }
-      double tie;
+      Comparison_result operator()(NT d, NT e, NT) const { return CGAL::abs(d - e) <= tie ? EQUAL : d < e ? SMALLER : LARGER; }
+      NT tie;
     };
     struct Compute_distance_2
     {
-      double operator()(double x, double y, double sigma, bool is_parallel, double px, double py) const
+      NT operator()(NT x, NT y, NT sigma, bool is_parallel, NT px, NT py) const
       {
-        return is_parallel ? sigma - (x * px + y * py) : sigma + std::hypot(px - x, py - y);
+        return is_parallel ? sigma - (x * px + y * py) : sigma + hypotenuse(px - x, py - y);
       }
     };
     Compare_distance_2 compare_distance_2_object() const { return {tie}; }
     Compute_distance_2 compute_distance_2_object() const { return {}; }
-    double tie;
+    NT tie;
   };
 
   struct Piece
   {
-    double begin, end;
+    NT begin, end;
     Index label;
-    unsigned number;       // of the window in the face
-    Window<double> window; // in the frame of the segment
+    unsigned number;   // of the window in the face
+    Window<NT> window; // in the frame of the segment
   };
 
-  void insert(const Point& o, const Point& u, double size, const Voronoi_window& w, unsigned number,
-              const Voronoi_tolerances& tolerances)
+  void insert(const Point& o, const Point& u, NT size, const Voronoi_window<NT>& w, unsigned number,
+              const Voronoi_tolerances<NT>& tolerances)
   {
-    double begin = 0, end = size;
+    NT begin = 0, end = size;
     for (int k = 0; k < w.number_of_bounds; ++k)
     {
-      const Half_plane<double>& h = w.bound[std::size_t(k)];
-      const double slope = dot(h.n, u), value = h.value(o) - tolerances.slack; // value + t slope <= 0
+      const Half_plane<NT>& h = w.bound[std::size_t(k)];
+      const NT slope = dot(h.n, u), value = h.value(o) - tolerances.slack; // value + t slope <= 0
       if (slope > 0) end = (std::min)(end, -value / slope);
       else if (slope < 0) begin = (std::max)(begin, -value / slope);
       else if (value > 0) return;
     }
     if (!(begin < end)) return;
-    Window<double> in_segment{};
+    Window<NT> in_segment{};
     const Point image = w.is_parallel() ? w.image() : w.image() - o;
     in_segment.x = dot(u, image);
-    in_segment.y = -std::abs(cross(u, image)); // below the segment, as Window_bisector needs it
+    in_segment.y = -CGAL::abs(cross(u, image)); // below the segment, as Window_bisector needs it
     in_segment.sigma = w.is_parallel() ? w.distance_at(o) : w.sigma();
-    in_segment.bits = Window<double>::make_bits(w.is_parallel(), no_index);
+    in_segment.bits = Window<NT>::make_bits(w.is_parallel(), no_index);
     m_new.clear();
-    double at = begin;
+    NT at = begin;
     for (const Piece& p : m_pieces)
     {
-      const double low = (std::max)(p.begin, begin), high = (std::min)(p.end, end);
+      const NT low = (std::max)(p.begin, begin), high = (std::min)(p.end, end);
       if (!(low < high))
       {
         if (p.begin >= end) put(at, end, w.label, number, in_segment); // fills a gap before p
@@ -272,14 +266,14 @@ private:
   }
 
   // Puts the parts of two windows on a common interval.
-  void compare(double low, double high, const Piece& p, Index label, unsigned number, const Window<double>& window, double tie)
+  void compare(NT low, NT high, const Piece& p, Index label, unsigned number, const Window<NT>& window, NT tie)
   {
     const bool is_first = p.label <= label;
     Piece a = p, b = p;
     (is_first ? b : a).window = window;
     (is_first ? b : a).label = label;
     (is_first ? b : a).number = number;
-    for (Window<double>* w : {&a.window, &b.window})
+    for (Window<NT>* w : {&a.window, &b.window})
     {
       w->b0 = low;
       w->b1 = high;
@@ -289,17 +283,17 @@ private:
     const Distances traits{tie};
     const Window_bisector<Distances> bisector(traits, a.window, b.window);
     bool a_is_nearer = bisector.first_is_nearer();
-    double at = low;
+    NT at = low;
     for (int i = 0; i <= bisector.number(); ++i, a_is_nearer = !a_is_nearer)
     {
-      const double to = i < bisector.number() ? bisector[i] : high;
+      const NT to = i < bisector.number() ? bisector[i] : high;
       const Piece& nearer = a_is_nearer ? a : b;
       put(at, to, nearer.label, nearer.number, nearer.window);
       at = to;
     }
   }
 
-  void put(double begin, double end, Index label, unsigned number, const Window<double>& window)
+  void put(NT begin, NT end, Index label, unsigned number, const Window<NT>& window)
   {
     if (begin < end) m_new.push_back({begin, end, label, number, window});
   }

@@ -21,21 +21,22 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+template <class NT>
 class Parameter_intervals
 {
 public:
   struct Interval
   {
-    double begin, end;
+    NT begin, end;
   };
 
-  Parameter_intervals(double begin, double end) { add(begin, end); }
+  Parameter_intervals(NT begin, NT end) { add(begin, end); }
 
   // The numbers t where a quadratic polynomial in t - shift is not positive.
-  static Parameter_intervals not_positive(const Quadratic& q, double shift = 0)
+  static Parameter_intervals<NT> not_positive(const Quadratic<NT>& q, NT shift = 0)
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Parameter_intervals result;
+    const NT infinity = std::numeric_limits<NT>::infinity();
+    Parameter_intervals<NT> result;
     if (q.q2 == 0)
     {
       if (q.q1 == 0)
@@ -46,14 +47,15 @@ public:
       else result.add(shift - q.q0 / q.q1, infinity);
       return result;
     }
-    const double discriminant = q.q1 * q.q1 - 4 * q.q2 * q.q0;
+    const NT discriminant = q.q1 * q.q1 - 4 * q.q2 * q.q0;
     if (!(discriminant > 0))
     {
       if (q.q2 < 0) result.add(-infinity, infinity);
       return result;
     }
-    const double s = -(q.q1 + std::copysign(std::sqrt(discriminant), q.q1)) / 2; // without cancellation
-    double r = shift + s / q.q2, t = shift + q.q0 / s;
+    const NT root = square_root<NT>(discriminant);
+    const NT s = -(q.q1 + (q.q1 < NT(0) ? -root : root)) / NT(2); // without cancellation
+    NT r = shift + s / q.q2, t = shift + q.q0 / s;
     if (t < r) std::swap(r, t);
     if (q.q2 > 0) result.add(r, t);
     else
@@ -68,7 +70,7 @@ public:
   auto begin() const { return m_intervals.begin(); }
   auto end() const { return m_intervals.end(); }
 
-  void intersect(const Parameter_intervals& other)
+  void intersect(const Parameter_intervals<NT>& other)
   {
     Intervals result;
     for (const Interval& i : m_intervals)
@@ -80,7 +82,7 @@ public:
     m_intervals.swap(result);
   }
 
-  void subtract(const Parameter_intervals& other)
+  void subtract(const Parameter_intervals<NT>& other)
   {
     for (const Interval& j : other.m_intervals)
     {
@@ -99,7 +101,7 @@ private:
 
   Parameter_intervals() = default;
 
-  void add(double begin, double end)
+  void add(NT begin, NT end)
   {
     if (begin < end) m_intervals.push_back({begin, end});
   }

@@ -34,7 +34,7 @@ public:
   Source_labels(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
     : m_mesh(mesh), m_field(field)
   {
-    const double tolerance = Voronoi_tolerances::same_source(size());
+    const double tolerance = Voronoi_tolerances<double>::same_source(size());
     Coinciding_places<FT> places(mesh, tolerance);
     struct Entry
     {
@@ -50,7 +50,7 @@ public:
       std::vector<Entry>& known = entries[std::minmax(first, second)];
       const double start = CGAL::to_double(initial.start_values.of(Source_ref(Index(i), Source_side::NONE)));
       auto entry =
-        std::find_if(known.begin(), known.end(), [&](const Entry& e) { return std::abs(e.start_value - start) <= tolerance; });
+        std::find_if(known.begin(), known.end(), [&](const Entry& e) { return CGAL::abs(e.start_value - start) <= tolerance; });
       if (entry == known.end()) entry = known.insert(entry, {start, initial.source_of[i]});
       entry->smallest = (std::min)(entry->smallest, initial.source_of[i]);
       entry_of.emplace_back(&known, std::size_t(entry - known.begin()));

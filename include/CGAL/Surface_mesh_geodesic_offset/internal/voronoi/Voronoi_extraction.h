@@ -21,19 +21,19 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-template <class FT>
-Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
-                                const Geodesic_field<FT>& field)
+template <class NT, class FT>
+Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
+                                    const Geodesic_field<FT>& field)
 {
   struct Edge_gate // in the direction of the halfedge with the smaller index
   {
-    double t;
+    NT t;
     Index from, to, node;
   };
   std::unordered_map<Index, std::vector<Edge_gate>> gates; // by this halfedge
-  Face_bisectors<FT> bisectors(mesh, initial, field);
-  std::vector<Bisector_arc> arcs;
-  Bisector_diagram diagram;
+  Face_bisectors<NT, FT> bisectors(mesh, initial, field);
+  std::vector<Bisector_arc<NT>> arcs;
+  Bisector_diagram<NT> diagram;
   diagram.label_of_face.assign(mesh.number_of_faces(), no_index);
   Index nodes = 0;
   const auto new_node = [&nodes] { return nodes++; };
@@ -49,7 +49,7 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
       if (g == no_index || h < g)
       { // the first face of the edge finds its gates
         if (!is_crossed) continue;
-        bisectors.find_changes(k, [&](const Label_change& c) { gates[h].push_back({c.t, c.from, c.to, new_node()}); });
+        bisectors.find_changes(k, [&](const Label_change<NT>& c) { gates[h].push_back({c.t, c.from, c.to, new_node()}); });
       }
       has_gates = has_gates || gates.count(g == no_index || h < g ? h : g) != 0;
     }
@@ -65,22 +65,23 @@ Bisector_diagram find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_win
         for (const Edge_gate& e : of_edge) bisectors.add_gate(k, e.t, e.from, e.to, e.node);
       else
       {
-        const double length = CGAL::to_double(mesh[h].length);
+        const NT length = number_cast<NT>(mesh[h].length);
         for (auto e = of_edge.rbegin(); e != of_edge.rend(); ++e) bisectors.add_gate(k, length - e->t, e->to, e->from, e->node);
       }
     }
     const std::size_t known = arcs.size();
-    bisectors.find_arcs(new_node, [&](const Bisector_arc& a) { arcs.push_back(a); });
+    bisectors.find_arcs(new_node, [&](const Bisector_arc<NT>& a) { arcs.push_back(a); });
     if (!is_crossed || arcs.size() == known) continue;
-    Face_cells cells = bisectors.cells();
+    Face_cells<NT> cells = bisectors.cells();
     diagram.cells.emplace(f, std::move(cells));
   }
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
+  diagram.is_uncertain = bisectors.has_contradictions();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
   std::unordered_set<Index> crossed;
-  for (const Bisector_chain& chain : diagram.chains)
-    for (const Bisector_arc& a : chain.arcs) crossed.insert(a.face);
+  for (const Bisector_chain<NT>& chain : diagram.chains)
+    for (const Bisector_arc<NT>& a : chain.arcs) crossed.insert(a.face);
   for (auto& [face, cells] : diagram.cells)
   {
     cells.is_crossed = crossed.count(face) != 0;

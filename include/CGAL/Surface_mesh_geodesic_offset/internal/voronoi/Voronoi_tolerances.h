@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Elementary_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,24 +21,25 @@ namespace internal {
 
 // All values are lengths. The magnitude of a face is its longest edge plus the largest distance at the ends of the chords of its
 // windows, which bounds the coordinates of their images. Binding test: test_voronoi_diagram.
+template <class NT>
 struct Voronoi_tolerances
 {
   // Distances that differ by less are equal: 2^6 u times the magnitude, two errors of a distance (see Offset_tolerances::error). If
   // the arcs of a cell do not fit together, they are found again with the next of `tie_factors`: larger ones, as errors of windows
   // that come over many edges; and smaller ones, for sources a few ties apart, whose bisectors a tie moves far. Binding test:
   // test_voronoi_diagram, end beside a source.
-  double tie;
+  NT tie;
   // Cones and cells reach this far beyond their bounds, so that rounding leaves no gaps between neighbours: two ties.
-  double slack;
-  double usual_tie;
+  NT slack;
+  NT usual_tie;
   // Between a window and the ray at which it ends, and between two windows where the rays of a vertex between them are missing: eight
   // ties, as both may come over many edges. Binding test: test_voronoi_diagram, vertex and edge, and rotor_small.
-  double tie_of_rays;
+  NT tie_of_rays;
   // Intervals of an edge up to this length are nowhere certainly nearest to their source: 2^8 u, two slacks.
-  double shortest_interval;
+  NT shortest_interval;
   // Ends of arcs no farther apart than this meet: 2^14 u, 3.6e-12 of the magnitude. Arcs that cross at the angle s end with an
   // error of one tie over sin(s), so this allows for angles down to 2^-8; of cells with smaller angles, the smallest divide.
-  double joint;
+  NT joint;
   // Where all else fails, ends no farther apart than these multiples meet, as of segments that cross at angles down to 2^-8 over the
   // factor: up to the usual one, and in thin faces up to the longest edge over the height. Whether the arcs hold is found from the
   // distances along them. Binding test: test_voronoi_diagram, thin faces.
@@ -44,28 +47,31 @@ struct Voronoi_tolerances
   // Arcs that meet at smaller angles may end farther apart, up to 2^-8 of the magnitude, if all distances are equal up to eight ties
   // at both ends and between them: each of these points is the common end up to rounding. Without this, cells around such ends are
   // divided to the smallest.
-  double loose_joint, loose_tie;
+  NT loose_joint, loose_tie;
   // Closed curves up to this length are left out: 2^29 u, 1.2e-7, eight times the square root of u: arcs
   // that touch at a point tie up to eight ties within this distance of it, and rounding may let them enclose a region.
-  double smallest_loop;
+  NT smallest_loop;
   // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
-  double smallest_cell;
+  NT smallest_cell;
+  // Arcs up to this length are points: the length of two of these cells; with more digits than those of double, of which the curves are made
+  // in the end, 2^3 u of double.
+  NT negligible;
 
   // An arc is along a side of a cell if its ends and its middle are this near to it; and a window is only along a side if the corners
   // of the cell are no farther inside its cone. Two slacks, as arcs and cones reach one slack beyond their bounds. Binding test:
   // test_voronoi_diagram, parts of edges at a vertex.
-  double along_side() const { return 2 * slack; }
+  NT along_side() const { return 2 * slack; }
   // A side of a cell has the label of a neighbour where all windows of the cell with this label are farther than the nearest one by
   // more than this: two ties, one for each of the two distances. Binding test: as before.
-  double of_neighbour() const { return 2 * usual_tie; }
+  NT of_neighbour() const { return 2 * usual_tie; }
 
   // On a curve from gate to gate where bisectors do not fit together, the two least path lengths differ by no more than this, nor is
   // another one less by more: two loose ties, as that of a whole corner has one of them.
-  double of_link() const { return 2 * loose_tie; }
+  NT of_link() const { return 2 * loose_tie; }
   // On an arc that ends in a wide joint: four times that; where loose ends tie by the windows of both arcs: four joints, as windows that
   // come over many edges may end that far from where their sources tie. Binding test: test_voronoi_diagram, cases of a file.
-  double of_wide_joint() const { return 4 * of_link(); }
-  double of_loose_joint() const { return 4 * joint; }
+  NT of_wide_joint() const { return 4 * of_link(); }
+  NT of_loose_joint() const { return 4 * joint; }
   // Intervals between the points at which an arc is examined; and further points towards its ends, since several bisectors may meet there,
   // or the end may have been moved: each at this part of the distance from the end, down to a joint.
   static constexpr int samples_of_link = 16;
@@ -74,7 +80,7 @@ struct Voronoi_tolerances
   static constexpr int most_changes_between = 8;
 
   static constexpr double tie_factors[] = {1, 8, 64, 1. / 8, 1. / 64};
-  void use_tie(double factor)
+  void use_tie(NT factor)
   {
     tie = factor * usual_tie;
     slack = 2 * (std::max)(tie, usual_tie);
@@ -82,19 +88,20 @@ struct Voronoi_tolerances
 
   // Sources this near to each other are one: 2^9 u times the longest edge plus the largest distance of a vertex, eight ties. The
   // curves between them would have no certain direction. Binding test: test_voronoi_diagram, coinciding sources.
-  static double same_source(double magnitude) { return unit(9) * magnitude; }
+  static NT same_source(NT magnitude) { return unit(9) * magnitude; }
 
-  explicit Voronoi_tolerances(double magnitude = 0)
-    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(8 * tie),
-      shortest_interval(unit(8) * magnitude), joint(unit(14) * magnitude), loose_joint(magnitude / (1 << 8)),
-      loose_tie(unit(9) * magnitude), smallest_loop(unit(29) * magnitude), smallest_cell(unit(15) * magnitude)
+  explicit Voronoi_tolerances(NT magnitude = 0)
+    : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(NT(8) * tie),
+      shortest_interval(unit(8) * magnitude), joint(unit(14) * magnitude), loose_joint(magnitude / NT(1 << 8)),
+      loose_tie(unit(9) * magnitude), smallest_loop(8 * root_of_unit() * magnitude), smallest_cell(unit(15) * magnitude),
+      negligible((std::max)(NT(2 * smallest_cell), NT(8 * std::numeric_limits<double>::epsilon()) * magnitude))
   {
   }
 
   // Angle of the widest gap between neighbouring cones that is closed, besides what a tie at the image explains: 2^-24. A path along a
   // ray that is off by this angle is too short by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge (see
   // least_clear_distance), so windows shorter than 2^-26 edges may leave such gaps.
-  static constexpr double widest_gap = 1. / (1 << 24);
+  static NT widest_gap() { return 4 * root_of_unit(); }
   // The largest angle by which a cone is widened, in radians: that of an image within a tie of the start of its ray, which has no
   // direction. Binding test of these angles: test_voronoi_diagram, beside vertices.
   static constexpr double widest_turn = 1;
@@ -103,9 +110,9 @@ struct Voronoi_tolerances
   static constexpr double least_slope = 1. / (1 << 10);
   // How far from a ray the distance through a point on it is equal, up to `tie` and errors of the windows, to that from a line through
   // the point across the ray, at this distance from the point: the square of the result, over twice the distance, is four ties.
-  static double tied_width(double along_ray, double tie) { return tie + std::sqrt(8 * tie * along_ray); }
+  static NT tied_width(NT along_ray, NT tie) { return tie + square_root<NT>(8 * tie * along_ray); }
   // Sine of the angle between two rays that are one where distances tie up to `width` from the ray at this distance from its start.
-  static double tied_turn(double along_ray, double width) { return widest_gap + (along_ray > width ? width / along_ray : 0); }
+  static NT tied_turn(NT along_ray, NT width) { return widest_gap() + (along_ray > width ? width / along_ray : NT(0)); }
   // A cell with more windows than this is divided: all pairs of windows in a cell are examined.
   static constexpr unsigned most_windows = 12;
   // But after this many divisions of a face only to have less windows, for each of its windows, not for this reason any more: many windows
@@ -117,7 +124,8 @@ struct Voronoi_tolerances
   static constexpr std::size_t most_divisions = 1 << 7;
 
 private:
-  static double unit(int bits) { return double(1 << bits) * std::numeric_limits<double>::epsilon(); }
+  static NT unit(int bits) { return NT(1 << bits) * std::numeric_limits<NT>::epsilon(); }
+  static NT root_of_unit() { return square_root<NT>(std::numeric_limits<NT>::epsilon()); }
 };
 
 } // namespace internal

@@ -26,33 +26,34 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+template <class NT>
 struct Voronoi_window
 {
-  typedef Point_in_face<double> Point;
+  typedef Point_in_face<NT> Point;
 
-  Face_window<double> rays;
-  Index label;                             // id of the source, or of another source with which it coincides
-  std::array<Half_plane<double>, 3> bound; // the cone; the third one is where parallel rays start
+  Face_window<NT> rays;
+  Index label;                         // id of the source, or of another source with which it coincides
+  std::array<Half_plane<NT>, 3> bound; // the cone; the third one is where parallel rays start
   int number_of_bounds;
-  std::array<Point, 2> end; // of the chord on the left and the right: where the bounding rays start, unless at the image
-  std::array<double, 2> tied{0, 0}; // so far beyond these rays, the distances of the next window tie with these
-  double start;                     // least distance of the rays: at their chord, or at their image in the face
-  bool is_upper_bound = false;      // of the distances in the whole face, a loose tie larger; see Face_bisectors
+  std::array<Point, 2> end;     // of the chord on the left and the right: where the bounding rays start, unless at the image
+  std::array<NT, 2> tied{0, 0}; // so far beyond these rays, the distances of the next window tie with these
+  NT start;                     // least distance of the rays: at their chord, or at their image in the face
+  bool is_upper_bound = false;  // of the distances in the whole face, a loose tie larger; see Face_bisectors
 
   template <class FT>
   Voronoi_window(const Face_window<FT>& w, Index label_) : label(label_)
   {
-    const auto point = [](const Point_in_face<FT>& p) { return Point{CGAL::to_double(p.x), CGAL::to_double(p.y)}; };
-    rays.x = CGAL::to_double(w.x);
-    rays.y = CGAL::to_double(w.y);
-    rays.sigma = CGAL::to_double(w.sigma);
+    const auto point = [](const Point_in_face<FT>& p) { return Point{number_cast<NT>(p.x), number_cast<NT>(p.y)}; };
+    rays.x = number_cast<NT>(w.x);
+    rays.y = number_cast<NT>(w.y);
+    rays.sigma = number_cast<NT>(w.sigma);
     rays.left = point(w.left);
     rays.right = point(w.right);
     rays.source_ref = w.source_ref;
     rays.bits = w.bits;
     rays.origin = w.origin;
     rays.edge = w.edge;
-    rays.start_value = CGAL::to_double(w.start_value);
+    rays.start_value = number_cast<NT>(w.start_value);
     const Point l = rays.ray_direction(rays.left), r = rays.ray_direction(rays.right);
     const Point nl = (1 / length(l)) * quarter_turn(l), nr = (-1 / length(r)) * quarter_turn(r);
     bound[0] = {nl, dot(nl, rays.left)};
@@ -63,16 +64,35 @@ struct Voronoi_window
     if (is_parallel()) start_at(start);
   }
 
+  // The window in double, times `scale`, with the cone of its rays.
+  Voronoi_window<double> in_double(double scale) const
+  {
+    const auto scaled = [scale](const NT& x) { return scale * CGAL::to_double(x); };
+    const double scale_of_image = is_parallel() ? 1 : scale; // a direction, if parallel
+    Face_window<double> w;
+    w.x = scale_of_image * CGAL::to_double(rays.x);
+    w.y = scale_of_image * CGAL::to_double(rays.y);
+    w.sigma = scaled(rays.sigma);
+    w.left = {scaled(rays.left.x), scaled(rays.left.y)};
+    w.right = {scaled(rays.right.x), scaled(rays.right.y)};
+    w.source_ref = rays.source_ref;
+    w.bits = rays.bits;
+    w.origin = rays.origin;
+    w.edge = rays.edge;
+    w.start_value = scaled(rays.start_value);
+    return Voronoi_window<double>(w, label);
+  }
+
   bool is_parallel() const { return rays.is_parallel(); }
   bool starts_at_image() const { return rays.origin >= STARTS_IN_FACE && !rays.is_parallel(); }
   bool is_strip() const { return rays.is_parallel() && rays.origin == STARTS_IN_FACE; }
   Point image() const { return rays.image(); } // the direction opposite to the rays, if parallel
-  double sigma() const { return rays.sigma; }
-  double distance_at(const Point& p) const { return rays.distance_at(p); }
+  NT sigma() const { return rays.sigma; }
+  NT distance_at(const Point& p) const { return rays.distance_at(p); }
 
-  double largest_at_chord() const { return (std::max)(distance_at(rays.left), distance_at(rays.right)); }
+  NT largest_at_chord() const { return (std::max)(distance_at(rays.left), distance_at(rays.right)); }
 
-  bool contains(const Point& p, double slack) const
+  bool contains(const Point& p, NT slack) const
   {
     for (int k = 0; k < number_of_bounds; ++k)
       if (bound[std::size_t(k)].value(p) > slack) return false;
@@ -80,7 +100,7 @@ struct Voronoi_window
   }
 
   // True if the distances of the rays hold at p: also beyond a ray beside which they tie with others.
-  bool holds_at(const Point& p, double slack) const
+  bool holds_at(const Point& p, NT slack) const
   {
     return bound[0].value(p) <= slack + tied[0] && bound[1].value(p) <= slack + tied[1] &&
            (number_of_bounds == 2 || bound[2].value(p) <= slack + (is_strip() ? 0 : (std::max)(tied[0], tied[1])));
@@ -90,16 +110,16 @@ struct Voronoi_window
   Point gradient(const Point& p) const
   {
     const Point d = rays.ray_direction(p);
-    const double size = length(d);
+    const NT size = length(d);
     return size > 0 ? (1 / size) * d : Point{0, 0};
   }
 
   // Lower bound of the distances in a disk: any path starts at the chord, or beside its ends as far as the rays hold there, or at the
   // image.
-  double lower_bound(const Point& center, double radius) const
+  NT lower_bound(const Point& center, NT radius) const
   {
-    const double beyond = (std::max)(tied[0] + length(end[0] - rays.left), tied[1] + length(end[1] - rays.right));
-    const double from_start = start + (starts_at_image() ? length(center - image()) : distance_from_chord(center)) - radius;
+    const NT beyond = (std::max)(tied[0] + length(end[0] - rays.left), tied[1] + length(end[1] - rays.right));
+    const NT from_start = start + (starts_at_image() ? length(center - image()) : distance_from_chord(center)) - radius;
     return (is_strip() ? from_start : (std::max)(from_start, rays.path_length(center) - radius)) - beyond;
   }
 
@@ -109,12 +129,12 @@ struct Voronoi_window
   // For a window whose right bounding ray starts where the left one of another window does: true if these are the same ray up to
   // rounding. Then, if there is a gap between the cones, one of them is extended to the other. A gap between cones that do not meet
   // otherwise, as behind a saddle vertex, remains. `tie`: bounds the rounding of points.
-  bool close_gap(Voronoi_window& next, double tie)
+  bool close_gap(Voronoi_window<NT>& next, NT tie)
   {
     const Point u = rays.ray_direction(rays.right), v = next.rays.ray_direction(next.rays.left);
-    const double turn = cross(u, v) / (length(u) * length(v));
-    const double rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
-    if (!(std::abs(turn) <= Voronoi_tolerances::widest_gap + rounding + rounding_of_next && dot(u, v) > 0)) return false;
+    const NT turn = cross(u, v) / (length(u) * length(v));
+    const NT rounding = rounding_of_bound(1, tie), rounding_of_next = next.rounding_of_bound(0, tie);
+    if (!(CGAL::abs(turn) <= Voronoi_tolerances<NT>::widest_gap() + rounding + rounding_of_next && dot(u, v) > 0)) return false;
     if (turn >= 0) return true;
     if (rounding < rounding_of_next) next.turn_bound(0, -1. * bound[1].n, start_of_bound(1), tie);
     else turn_bound(1, -1. * next.bound[0].n, next.start_of_bound(0), tie);
@@ -125,37 +145,37 @@ struct Voronoi_window
   struct Common_ray
   {
     Point start;
-    Half_plane<double> left; // what is on the left of it
-    double apart;            // infinite for parallel rays
+    Half_plane<NT> left; // what is on the left of it
+    NT apart;            // infinite for parallel rays
 
     // How far beside the ray, at a distance from its start, the distances are equal within rounding.
-    double width(double along_ray, double tie) const
+    NT width(NT along_ray, NT tie) const
     {
-      return Voronoi_tolerances::tied_width(along_ray * (1 + along_ray / apart), tie);
+      return Voronoi_tolerances<NT>::tied_width(along_ray * (1 + along_ray / apart), tie);
     }
   };
 
   // The common ray of this window and of one on its right, of two sources: the distances are equal on it, and differ by the square of the
   // distance from it on both sides. So within rounding, the cones may end anywhere beside the ray.
-  std::optional<Common_ray> common_ray(const Voronoi_window& right, double tie) const
+  std::optional<Common_ray> common_ray(const Voronoi_window<NT>& right, NT tie) const
   {
     if (label == right.label || !ties_on_ray(right, tie)) return std::nullopt;
     const bool starts_on_right = is_parallel() || (!right.is_parallel() && sigma() < right.sigma());
-    const Voronoi_window &point = starts_on_right ? right : *this, &other = starts_on_right ? *this : right;
+    const Voronoi_window<NT>&point = starts_on_right ? right : *this, &other = starts_on_right ? *this : right;
     const Point p = point.image(), back = other.is_parallel() ? other.image() : other.image() - p;
-    const double apart = length(back);
+    const NT apart = length(back);
     if (apart <= tie) return std::nullopt;
     const Point n = (1 / apart) * quarter_turn(back);
-    return Common_ray{p, {n, dot(n, p)}, other.is_parallel() ? std::numeric_limits<double>::infinity() : apart};
+    return Common_ray{p, {n, dot(n, p)}, other.is_parallel() ? std::numeric_limits<NT>::infinity() : apart};
   }
 
   // True if the distances are equal on a ray, were there no cones, and one of the windows is nearer everywhere else.
-  bool ties_on_ray(const Voronoi_window& other, double tie) const
+  bool ties_on_ray(const Voronoi_window<NT>& other, NT tie) const
   {
     if (is_parallel() && other.is_parallel()) return false;
     if (is_parallel()) return other.ties_on_ray(*this, tie);
-    if (other.is_parallel()) return std::abs(other.distance_at(image()) - sigma()) <= tie;
-    return std::abs(length(image() - other.image()) - std::abs(sigma() - other.sigma())) <= tie;
+    if (other.is_parallel()) return CGAL::abs(other.distance_at(image()) - sigma()) <= tie;
+    return CGAL::abs(length(image() - other.image()) - CGAL::abs(sigma() - other.sigma())) <= tie;
   }
 
   // Ends the cone at a common ray on its left (0) or right (1). `along_edge`: unit vector along the edge of the chord, whose own direction
@@ -166,75 +186,72 @@ struct Voronoi_window
   }
 
   // Extends the cone at its left (0) or right (1) bounding ray to that of another window, if these are one ray up to rounding.
-  void extend_to(const Voronoi_window& other, int k, const Point& along_edge, double radius, double tie)
+  void extend_to(const Voronoi_window<NT>& other, int k, const Point& along_edge, NT radius, NT tie)
   {
-    const Half_plane<double>&own = bound[std::size_t(k)], &ray = other.bound[std::size_t(k)];
+    const Half_plane<NT>&own = bound[std::size_t(k)], &ray = other.bound[std::size_t(k)];
     const Point p = other.start_of_bound(k), q = p + radius * other.along_bound(k);
-    double along_ray = 0;
-    for (const Voronoi_window* const w : {static_cast<const Voronoi_window*>(this), &other})
+    NT along_ray = 0;
+    for (const Voronoi_window<NT>* const w : {static_cast<const Voronoi_window<NT>*>(this), &other})
       if (!w->is_parallel()) along_ray = (std::max)(along_ray, length(w->start_of_bound(k) - w->image()));
-    const double width = Voronoi_tolerances::tied_width(along_ray, tie);
-    const double angle = Voronoi_tolerances::tied_turn(along_ray, width);
+    const NT width = Voronoi_tolerances<NT>::tied_width(along_ray, tie);
+    const NT angle = Voronoi_tolerances<NT>::tied_turn(along_ray, width);
     if ((std::max)(own.value(p), own.value(q)) <= 0) return;
-    if (std::abs(own.value(p)) <= width && std::abs(cross(own.n, ray.n)) <= angle) set_bound(k, ray, along_edge);
+    if (CGAL::abs(own.value(p)) <= width && CGAL::abs(cross(own.n, ray.n)) <= angle) set_bound(k, ray, along_edge);
   }
 
   // Sets how far beyond the left (0) or right (1) bounding ray the distances tie with those of the window there: as far as the gradients
   // where the ray starts differ by no more; and as paths from the end of a source segment are not longer than across it by more.
-  void set_tied(int k, const Voronoi_window& other, double tie)
+  void set_tied(int k, const Voronoi_window<NT>& other, NT tie)
   {
     const std::size_t i = std::size_t(k);
     const Point p = end[i];
-    if (!(std::abs(distance_at(p) - other.distance_at(p)) <= tie)) return;
-    const double from_source = (std::min)(distance_from_source(p), other.distance_from_source(p));
+    if (!(CGAL::abs(distance_at(p) - other.distance_at(p)) <= tie)) return;
+    const NT from_source = (std::min)(distance_from_source(p), other.distance_from_source(p));
     if (!(from_source > tie)) return;
-    const double slope = length(gradient(p) - other.gradient(p));
-    const double chord = length(other.rays.right - other.rays.left);
-    tied[i] = (std::max)(tied[i], (std::min)({tie / slope, std::sqrt(tie * from_source), chord}));
+    const NT slope = length(gradient(p) - other.gradient(p));
+    const NT chord = length(other.rays.right - other.rays.left);
+    tied[i] = (std::max)(tied[i], (std::min)({tie / slope, square_root<NT>(tie * from_source), chord}));
   }
 
   // How far beyond the start of its left (0) or right (1) bounding ray a cone may reach: as far as paths from the end of a source segment
   // are not longer than across it by more than a tie.
-  double extension(int k, double tie) const
-  {
-    return Voronoi_tolerances::tied_width(distance_from_source(start_of_bound(k)), tie);
-  }
+  NT extension(int k, NT tie) const { return Voronoi_tolerances<NT>::tied_width(distance_from_source(start_of_bound(k)), tie); }
 
   // True if the bounding ray on the left (0) or right (1) is a common ray up to rounding.
-  bool is_bound(const Common_ray& ray, int k, double tie) const
+  bool is_bound(const Common_ray& ray, int k, NT tie) const
   {
     const Point p = start_of_bound(k), &n = bound[std::size_t(k)].n, outwards = (k == 0 ? -1. : 1.) * ray.left.n;
-    const double along_ray = length(p - ray.start), width = ray.width(along_ray, tie);
-    const double angle = Voronoi_tolerances::tied_turn(along_ray, width);
-    return std::abs(ray.left.value(p)) <= width && std::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
+    const NT along_ray = length(p - ray.start), width = ray.width(along_ray, tie);
+    const NT angle = Voronoi_tolerances<NT>::tied_turn(along_ray, width);
+    return CGAL::abs(ray.left.value(p)) <= width && CGAL::abs(cross(outwards, n)) <= angle && dot(outwards, n) > 0;
   }
 
   // True if both bounding rays are one ray, up to `tie` at distances up to `radius`.
-  bool is_one_ray(double radius, double tie) const
+  bool is_one_ray(NT radius, NT tie) const
   {
-    return length(bound[0].n + bound[1].n) * radius + std::abs(bound[0].m + bound[1].m) <= tie;
+    return length(bound[0].n + bound[1].n) * radius + CGAL::abs(bound[0].m + bound[1].m) <= tie;
   }
 
   // For two windows that come over an edge and tie where their bounding rays start, as in close_gap(), with a gap between these:
   // the rays from this point. Rounding may have lost those of a source so near to the edge, or has put windows there that tie
   // in the wrong order.
-  std::optional<Voronoi_window> fan_between(const Voronoi_window& next, double tie) const
+  std::optional<Voronoi_window<NT>> fan_between(const Voronoi_window<NT>& next, NT tie) const
   {
     if (starts_at_image() || next.starts_at_image() || is_strip() || next.is_strip()) return std::nullopt;
     const Point p = rays.right, u = along_bound(1), v = next.along_bound(0);
     if (!(cross(u, v) < 0 && dot(u, v) > 0)) return std::nullopt;
-    if (!(std::abs(distance_at(p) - next.distance_at(p)) <= tie)) return std::nullopt; // a third window is nearer at p
-    Voronoi_window fan = fan_from(p, -1. * bound[1].n, -1. * next.bound[0].n);
+    if (!(CGAL::abs(distance_at(p) - next.distance_at(p)) <= tie)) return std::nullopt; // a third window is nearer at p
+    Voronoi_window<NT> fan = fan_from(p, -1. * bound[1].n, -1. * next.bound[0].n);
     fan.label = (std::min)(label, next.label);
     return fan;
   }
 
   // The rays from the left (0) or right (1) end of the chord between the bounding ray there and the edge of the chord, whose normal out of
   // the face is `outside`. A source within rounding of the edge has these rays, but no window that is long enough for them.
-  Voronoi_window fan_beside(int k, const Point& outside, double tie) const
+  Voronoi_window<NT> fan_beside(int k, const Point& outside, NT tie) const
   {
     const Point n = -1. * bound[std::size_t(k)].n;
-    Voronoi_window fan = fan_from(start_of_bound(k), k == 0 ? outside : n, k == 0 ? n : outside);
+    Voronoi_window<NT> fan = fan_from(start_of_bound(k), k == 0 ? outside : n, k == 0 ? n : outside);
     fan.rays.sigma = fan.start = fan.rays.sigma + tie;
     fan.is_upper_bound = true;
     return fan;
@@ -242,24 +259,25 @@ struct Voronoi_window
 
   // Extends the cone at its left (0) or right (1) bounding ray by the angle that rounding explains. With r the distance of the image from
   // the start of the ray, a path through the extension is too short by less than r tie^2 / (2 r^2), or 2 r: less than two ties.
-  void widen(int k, double tie)
+  void widen(int k, NT tie)
   {
-    const double angle = (std::min)(Voronoi_tolerances::widest_turn, rounding_of_bound(k, tie));
-    turn_bound(k, std::cos(angle) * bound[std::size_t(k)].n + -std::sin(angle) * along_bound(k), start_of_bound(k), tie);
+    const double angle = (std::min)(Voronoi_tolerances<NT>::widest_turn, CGAL::to_double(rounding_of_bound(k, tie)));
+    turn_bound(k, NT(std::cos(angle)) * bound[std::size_t(k)].n + NT(-std::sin(angle)) * along_bound(k), start_of_bound(k),
+               tie);
   }
 
   // True if the distances are equal up to `tie` in the disk about `center`, were there no cones.
-  bool is_same_function(const Voronoi_window& other, const Point& center, double radius, double tie) const
+  bool is_same_function(const Voronoi_window<NT>& other, const Point& center, NT radius, NT tie) const
   {
     if (is_parallel() != other.is_parallel()) return false;
-    const double apart = length(image() - other.image());
-    if (!is_parallel()) return apart <= tie && std::abs(sigma() - other.sigma()) <= tie;
-    return apart * radius <= tie && std::abs(distance_at(center) - other.distance_at(center)) <= tie;
+    const NT apart = length(image() - other.image());
+    if (!is_parallel()) return apart <= tie && CGAL::abs(sigma() - other.sigma()) <= tie;
+    return apart * radius <= tie && CGAL::abs(distance_at(center) - other.distance_at(center)) <= tie;
   }
 
   // Order of windows that tie. Beside a common ray, on which the distances are equal, the window with the farther image is nearer, by the
   // square of the distance from the ray only.
-  bool precedes(const Voronoi_window& other) const
+  bool precedes(const Voronoi_window<NT>& other) const
   {
     if (is_parallel() != other.is_parallel()) return is_parallel();
     if (!is_parallel() && sigma() != other.sigma()) return sigma() < other.sigma();
@@ -268,34 +286,34 @@ struct Voronoi_window
 
 private:
   // Ends the cone at a ray beside the end of the chord.
-  void set_bound(int k, const Half_plane<double>& ray, const Point& along_edge)
+  void set_bound(int k, const Half_plane<NT>& ray, const Point& along_edge)
   {
     const std::size_t i = std::size_t(k);
     bound[i] = ray;
     const Point p = k == 0 ? rays.left : rays.right;
-    const double slope = dot(ray.n, along_edge), value = ray.value(p);
-    const bool meets_edge = std::abs(slope) > Voronoi_tolerances::least_slope;
+    const NT slope = dot(ray.n, along_edge), value = ray.value(p);
+    const bool meets_edge = CGAL::abs(slope) > Voronoi_tolerances<NT>::least_slope;
     end[i] = meets_edge ? p - (value / slope) * along_edge : p - value * ray.n;
     if (meets_edge && is_parallel() && !is_strip()) start_at((std::min)(start, distance_at(end[i])));
   }
 
   // Sets where parallel rays start.
-  void start_at(double distance)
+  void start_at(NT distance)
   {
     start = distance;
     bound[2] = {rays.image(), rays.sigma - start};
   }
 
-  double distance_from_source(const Point& p) const
+  NT distance_from_source(const Point& p) const
   {
     return is_parallel() ? distance_at(p) - rays.start_value : length(p - image());
   }
 
   // The rays from a point, between two half-planes with these normals.
-  Voronoi_window fan_from(const Point& p, const Point& left, const Point& right) const
+  Voronoi_window<NT> fan_from(const Point& p, const Point& left, const Point& right) const
   {
-    Voronoi_window fan(*this);
-    fan.rays.bits = Window<double>::make_bits(false, no_index);
+    Voronoi_window<NT> fan(*this);
+    fan.rays.bits = Window<NT>::make_bits(false, no_index);
     fan.rays.origin = STARTS_IN_FACE;
     fan.rays.x = p.x;
     fan.rays.y = p.y;
@@ -315,7 +333,7 @@ private:
   // Turns a bounding ray to the normal n, outwards, about the point where it starts. At most to the line of the chord, if the
   // bound would cut more than a tie from the chord otherwise; and the cone at most to the half-plane of the other ray: it is an
   // intersection of half-planes.
-  void turn_bound(int k, Point n, const Point& start_point, double tie)
+  void turn_bound(int k, Point n, const Point& start_point, NT tie)
   {
     const bool is_wide = dot(along_bound(0), along_bound(1)) < 0;
     if (is_wide && dot(n, along_bound(1 - k)) > 0)
@@ -333,65 +351,68 @@ private:
   }
 
   // Angle by which rounding turns a bounding ray: the larger, the nearer the image is to the end of the chord.
-  double rounding_of_bound(int k, double tie) const
+  NT rounding_of_bound(int k, NT tie) const
   {
     return is_parallel() ? 0 : tie / length((k == 0 ? rays.left : rays.right) - image());
   }
 
-  double least_at_chord() const
+  NT least_at_chord() const
   {
     const Point chord = rays.right - rays.left;
-    const double size = dot(chord, chord);
+    const NT size = dot(chord, chord);
     const Point to = rays.is_parallel() ? Point{0, 0} : image() - rays.left;
-    const double t = size > 0 ? (std::max)(0., (std::min)(1., dot(to, chord) / size)) : 0;
+    const NT t = size > 0 ? (std::max)(NT(0), (std::min)(NT(1), dot(to, chord) / size)) : NT(0);
     return (std::min)({distance_at(rays.left), distance_at(rays.right), distance_at(rays.left + t * chord)});
   }
 
-  double distance_from_chord(const Point& p) const
+  NT distance_from_chord(const Point& p) const
   {
     const Point chord = rays.right - rays.left;
-    const double size = dot(chord, chord);
-    const double t = size > 0 ? (std::max)(0., (std::min)(1., dot(p - rays.left, chord) / size)) : 0;
+    const NT size = dot(chord, chord);
+    const NT t = size > 0 ? (std::max)(NT(0), (std::min)(NT(1), dot(p - rays.left, chord) / size)) : NT(0);
     return length(p - rays.left - t * chord);
   }
 };
 
 // The least length of a path to p through a window: straight if its rays hold there, else around an end of its chord. Continuous, also
 // if the cone ends at a common ray.
-inline double distance_through(const Voronoi_window& w, const Point_in_face<double>& p, double slack, bool& is_straight)
+template <class NT>
+NT distance_through(const Voronoi_window<NT>& w, const Point_in_face<NT>& p, NT slack, bool& is_straight)
 {
   is_straight = w.holds_at(p, slack);
   if (is_straight) return w.distance_at(p);
-  double result = w.rays.path_length(p);
+  NT result = w.rays.path_length(p);
   if (!w.starts_at_image())
-    for (const Point_in_face<double>& end : w.end) result = (std::min)(result, w.distance_at(end) + length(p - end));
+    for (const Point_in_face<NT>& end : w.end) result = (std::min)(result, w.distance_at(end) + length(p - end));
   return result;
 }
 
 // The least length of a path to p through some of the windows, also around their ends: an upper bound of the distance.
-inline double least_path_length(const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
-                                const Point_in_face<double>& p)
+template <class NT>
+NT least_path_length(const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& chosen,
+                     const Point_in_face<NT>& p)
 {
-  double result = std::numeric_limits<double>::infinity();
+  NT result = std::numeric_limits<NT>::infinity();
   for (const unsigned i : chosen) result = (std::min)(result, windows[i].rays.path_length(p));
   return result;
 }
 
 // The nearest of some windows to a point, the least distance from a label, and the nearest window with it whose rays hold at the point.
+template <class NT>
 struct Nearest_windows
 {
   static constexpr unsigned none = ~0u;
   unsigned any = none, with_label = none;
-  double distance = std::numeric_limits<double>::infinity(), distance_with_label = std::numeric_limits<double>::infinity();
+  NT distance = std::numeric_limits<NT>::infinity(), distance_with_label = std::numeric_limits<NT>::infinity();
 
-  Nearest_windows(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
-                  const Point_in_face<double>& p, double slack)
+  Nearest_windows(Index label, const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& chosen,
+                  const Point_in_face<NT>& p, NT slack)
   {
-    double least_straight = std::numeric_limits<double>::infinity();
+    NT least_straight = std::numeric_limits<NT>::infinity();
     for (const unsigned i : chosen)
     {
       bool is_straight;
-      const double d = distance_through(windows[i], p, slack, is_straight);
+      const NT d = distance_through(windows[i], p, slack, is_straight);
       if (d < distance)
       {
         distance = d;
@@ -405,14 +426,15 @@ struct Nearest_windows
     }
   }
 
-  bool label_is_nearest(double tie) const { return distance_with_label <= distance + tie; }
+  bool label_is_nearest(NT tie) const { return distance_with_label <= distance + tie; }
 };
 
 // The least distance through the windows with a label; infinite if there are none.
-inline double least_distance_from(Index label, const std::vector<Voronoi_window>& windows, const std::vector<unsigned>& chosen,
-                                  const Point_in_face<double>& p, double slack)
+template <class NT>
+NT least_distance_from(Index label, const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& chosen,
+                       const Point_in_face<NT>& p, NT slack)
 {
-  double result = std::numeric_limits<double>::infinity();
+  NT result = std::numeric_limits<NT>::infinity();
   for (const unsigned i : chosen)
     if (bool is_straight; windows[i].label == label)
       result = (std::min)(result, distance_through(windows[i], p, slack, is_straight));
@@ -420,10 +442,11 @@ inline double least_distance_from(Index label, const std::vector<Voronoi_window>
 }
 
 // The same, as if no cone ended at a common ray.
-inline double least_path_length_from(Index label, const std::vector<Voronoi_window>& windows,
-                                     const std::vector<unsigned>& chosen, const Point_in_face<double>& p)
+template <class NT>
+NT least_path_length_from(Index label, const std::vector<Voronoi_window<NT>>& windows, const std::vector<unsigned>& chosen,
+                          const Point_in_face<NT>& p)
 {
-  double result = std::numeric_limits<double>::infinity();
+  NT result = std::numeric_limits<NT>::infinity();
   for (const unsigned i : chosen)
     if (windows[i].label == label) result = (std::min)(result, windows[i].rays.path_length(p));
   return result;
