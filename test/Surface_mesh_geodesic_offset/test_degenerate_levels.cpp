@@ -756,6 +756,45 @@ void levels_that_are_no_distances()
   CHECK(curves.empty());
 }
 
+// Circles around single points, down to 2^-36 of the longest edge around them: one curve, of its length within rounding of that edge.
+void tiny_circles()
+{
+  for (int exponent = 6; exponent <= 36; exponent += 2)
+    for (int i = 0; i < 30; ++i)
+    {
+      const double shift = i / 30., level = std::ldexp(1 + shift, -exponent), distance = (std::min)(0.2, level * (3 + 2 * shift));
+      Surface_mesh mesh;
+      std::vector<Surface_mesh::Vertex_index> v{mesh.add_vertex(Point_3(0.03, 0.02, 0))};
+      for (int k = 0; k < 6; ++k)
+      {
+        const double angle = (k + 0.3 * std::fmod(shift * (k + 7), 1)) * pi / 3, radius = 0.5 + std::fmod(shift * (k + 11), 0.5);
+        v.push_back(mesh.add_vertex(Point_3(radius * std::cos(angle), radius * std::sin(angle), 0)));
+      }
+      for (std::size_t k = 0; k < 6; ++k) mesh.add_face(v[0], v[1 + k], v[1 + (k + 1) % 6]);
+      const auto place = [&](double a, double b) { // in the first face, by the weights of its second and third vertex
+        const auto h = mesh.halfedge(v[0], v[1]);
+        Face_location l(mesh.face(h), {{0, 0, 0}});
+        std::size_t k = 0;
+        for (const auto u : CGAL::vertices_around_face(mesh.halfedge(l.first), mesh))
+          l.second[k++] = u == v[1] ? a : u == v[2] ? b : 1 - a - b;
+        return l;
+      };
+      for (const char* const kind : {"vertex", "beside a vertex", "on an edge"})
+      {
+        Geodesic geodesic(mesh);
+        if (kind[0] == 'v') geodesic.add_source_point(v[0]);
+        else geodesic.add_source_point(kind[0] == 'b' ? place(distance, distance * (0.5 + shift)) : place(0.3 + 0.3 * shift, 0));
+        geodesic.build(CGAL::parameters::keep_windows(true));
+        std::vector<Geodesic::Offset_curve> curves;
+        geodesic.offset_curves(level, std::back_inserter(curves));
+        Report::instance().set_context(std::string("tiny circle, ") + kind);
+        CHECK(curves.size() == 1);
+        for (const auto& c : curves)
+          CHECK_DETAIL(std::abs(c.length() - 2 * pi * level) <= 1e-8 * level + 1e-15, values(c.length(), 2 * pi * level));
+      }
+    }
+}
+
 } // namespace test_degenerate_levels
 
 GEODESIC_OFFSET_TEST(test_degenerate_levels)
@@ -775,6 +814,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_levels)
   levels_at_start_values();
   sides_near_each_other();
   levels_that_are_no_distances();
+  tiny_circles();
   print_level_totals();
   return Report::instance().finish("test_degenerate_levels");
 }
