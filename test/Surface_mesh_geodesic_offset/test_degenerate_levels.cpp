@@ -762,12 +762,14 @@ void tiny_circles()
   for (int exponent = 6; exponent <= 36; exponent += 2)
     for (int i = 0; i < 30; ++i)
     {
-      const double shift = i / 30., level = std::ldexp(1 + shift, -exponent), distance = (std::min)(0.2, level * (3 + 2 * shift));
+      const double shift = i / 30., level = std::ldexp(1 + shift, -exponent),
+                   distance = (std::min)(0.2, level * (3 + 2 * shift));
       Surface_mesh mesh;
       std::vector<Surface_mesh::Vertex_index> v{mesh.add_vertex(Point_3(0.03, 0.02, 0))};
       for (int k = 0; k < 6; ++k)
       {
-        const double angle = (k + 0.3 * std::fmod(shift * (k + 7), 1)) * pi / 3, radius = 0.5 + std::fmod(shift * (k + 11), 0.5);
+        const double angle = (k + 0.3 * std::fmod(shift * (k + 7), 1)) * pi / 3,
+                     radius = 0.5 + std::fmod(shift * (k + 11), 0.5);
         v.push_back(mesh.add_vertex(Point_3(radius * std::cos(angle), radius * std::sin(angle), 0)));
       }
       for (std::size_t k = 0; k < 6; ++k) mesh.add_face(v[0], v[1 + k], v[1 + (k + 1) % 6]);
@@ -783,7 +785,8 @@ void tiny_circles()
       {
         Geodesic geodesic(mesh);
         if (kind[0] == 'v') geodesic.add_source_point(v[0]);
-        else geodesic.add_source_point(kind[0] == 'b' ? place(distance, distance * (0.5 + shift)) : place(0.3 + 0.3 * shift, 0));
+        else
+          geodesic.add_source_point(kind[0] == 'b' ? place(distance, distance * (0.5 + shift)) : place(0.3 + 0.3 * shift, 0));
         geodesic.build(CGAL::parameters::keep_windows(true));
         std::vector<Geodesic::Offset_curve> curves;
         geodesic.offset_curves(level, std::back_inserter(curves));
