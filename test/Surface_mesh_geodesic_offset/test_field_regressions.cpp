@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/Surface_mesh_geodesic_enclosure.h>
 
 #include <map>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -708,6 +709,60 @@ void segment_along_edge_and_others()
 }
 
 // NaN in coordinates of a source is rejected.
+// A thin strip, on which a far image and a vertex next to another vertex tie there, with directions that differ by 6e-5. The first case
+// is from an attack; the others have other heights and gaps.
+void tie_with_a_near_image()
+{
+  const double points[][3] = {
+    {0, 0, 0},
+    {0.762, 0, 0},
+    {0.762168, 3.918343e-06, 0},
+    {-0.2378, 0, 5e-06},
+    {0.7622, 0, 0},
+    {0.76217, 3.91834e-06, 0},
+    {0.8, 0, 0},
+    {0.8, 3.9183e-06, 0},
+    {2, 0, 3e-07},
+    {1.8, 3.92e-06, 2e-07},
+    {3, 4e-06, 0},
+    {3, 0, 0},
+    {4, 0, 0},
+    {4, 4e-06, 0},
+    {-0.23783, 0, -1e-06},
+    {-0.23782, 0, 0}};
+  const int faces[][3] = {{0, 1, 2}, {0, 2, 3},  {1, 4, 5},    {1, 5, 2},    {4, 6, 5},  {6, 7, 5},  {6, 8, 7},
+                          {8, 9, 7}, {8, 10, 9}, {11, 12, 13}, {11, 13, 10}, {2, 14, 3}, {3, 14, 15}};
+  std::mt19937 random(1);
+  const auto number = [&random] { return std::uniform_real_distribution<double>(0.5, 2)(random); };
+  for (int i = 0; i < 200; ++i)
+  {
+    Surface_mesh mesh;
+    std::vector<Surface_mesh::Vertex_index> v;
+    for (const auto& p : points)
+    {
+      const double height = i == 0 ? 1 : number(), depth = i == 0 ? 1 : number();
+      v.push_back(mesh.add_vertex(Point_3(p[0], i % 2 == 0 ? p[1] : height * p[1], depth * p[2])));
+    }
+    if (i > 0)
+      mesh.point(v[5]) = mesh.point(v[2]) + 2e-6 * number() * Vector_3(1, 0, 0) + 3e-12 * number() * Vector_3(0, -1, 0);
+    std::vector<Surface_mesh::Face_index> f;
+    for (const auto& t : faces) f.push_back(mesh.add_face(v[t[0]], v[t[1]], v[t[2]]));
+    Geodesic geodesic(mesh);
+    Enclosure enclosure(mesh);
+    const Face_location source(f[9], {{0.27, 0.35, 0.38}});
+    geodesic.add_source_point(source);
+    enclosure.add_source_point(source);
+    geodesic.build();
+    enclosure.build();
+    for (const Surface_mesh::Vertex_index u : v)
+    {
+      const double d = geodesic.distance_to_sources(u);
+      const std::pair<double, double> bounds = enclosure.distance_bounds(u);
+      CHECK_DETAIL(bounds.first - 1e-12 <= d && d <= bounds.second + 1e-12, values(d, bounds.second));
+    }
+  }
+}
+
 void not_a_number()
 {
   const Data data(icosphere(1));
@@ -745,6 +800,7 @@ GEODESIC_OFFSET_TEST(test_field_regressions)
     {"polyline over tiny faces", polyline_over_tiny_faces},
     {"source near the tip of a spike", source_near_tip_of_spike},
     {"segment along an edge and others", segment_along_edge_and_others},
+    {"tie with a near image", tie_with_a_near_image},
     {"not a number", not_a_number}};
   for (const auto& test : tests)
   {
