@@ -17,6 +17,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -104,6 +105,7 @@ public:
                      [](const Local_window& a, const Local_window& b) { return a.face < b.face; });
     std::stable_sort(edges.begin(), edges.end(),
                      [](const Edge_window& a, const Edge_window& b) { return a.halfedge < b.halfedge; });
+    remove_overlaps();
   }
 
   // Calls f(window) for the source intervals of a halfedge. Call finish() first.
@@ -234,6 +236,35 @@ public:
   }
 
 private:
+  // Where sources with the same start value overlap along an edge, only that with the smallest id keeps its window, on both sides of
+  // the edge: ties of windows in one face and in the other could be decided differently.
+  void remove_overlaps()
+  {
+    std::vector<Edge_window> kept;
+    std::size_t begin = 0; // in `kept`, of the halfedge
+    for (const Edge_window& e : edges)
+    {
+      if (kept.size() == begin || kept.back().halfedge != e.halfedge) begin = kept.size();
+      std::vector<std::pair<FT, FT>> parts{{e.b0, e.b1}}, rest;
+      for (std::size_t i = begin; i < kept.size() && !parts.empty(); ++i)
+      {
+        const Edge_window& k = kept[i];
+        if (start_values.of(k.source_ref) != start_values.of(e.source_ref)) continue;
+        rest.clear();
+        for (const auto& [b0, b1] : parts)
+          if (!(b0 < k.b1 && k.b0 < b1)) rest.emplace_back(b0, b1);
+          else
+          {
+            if (b0 < k.b0) rest.emplace_back(b0, k.b0);
+            if (k.b1 < b1) rest.emplace_back(k.b1, b1);
+          }
+        parts.swap(rest);
+      }
+      for (const auto& [b0, b1] : parts) kept.push_back({e.halfedge, b0, b1, e.source_ref});
+    }
+    edges.swap(kept);
+  }
+
   // Rays from a point inside a face (entry -1), on its halfedge `entry`, or behind that halfedge, counterclockwise from `from` to `to`.
   struct Sector
   {

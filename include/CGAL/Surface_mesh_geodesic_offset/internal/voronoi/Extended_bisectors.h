@@ -98,7 +98,9 @@ Bisector_diagram<double> find_bisectors_of_build(const Surface& surface, const B
   Bisector_diagram<double> diagram = find_bisectors<double>(surface.unfolded, build.initial, build.field);
   if constexpr (Has_extended_fields<typename Surface::Traits>::value)
     if (diagram.is_uncertain)
-      if (auto extended = Extended_bisectors<Surface>(surface)(build.sources)) return std::move(*extended);
+      if (auto extended = Extended_bisectors<Surface>(surface)(build.sources);
+          extended && extended->forced_cells <= diagram.forced_cells)
+        return std::move(*extended);
   return diagram;
 }
 
