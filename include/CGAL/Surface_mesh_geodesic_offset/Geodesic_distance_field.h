@@ -321,8 +321,8 @@ public:
 
   /// computes the exact Voronoi diagram of the sources, from kept windows. The time is linear in the size of the mesh and the
   /// number of kept windows, plus \f$ O(n^3) \f$ in each crossed face for the \f$ n \f$ windows that may be nearest there; faces
-  /// with more than 12 of them are divided. The distances agree on both sides of the curves up to rounding. Cells that are
-  /// smaller than about 1e-7 of the distances at them, or narrower than 1e-11, may be lost in rounding.
+  /// with more than 12 of them are divided; where rounding contradicts itself, all is done again with twice the digits of
+  /// `double`. The distances agree on both sides of the curves up to rounding; see `Geodesic_voronoi_diagram` for its limits.
   /// \throws std::logic_error if the build kept no windows, or had a tolerance, or `covered_distance()` is finite
   Voronoi_diagram voronoi_diagram() const
   {

@@ -201,17 +201,20 @@ sources bend, to the nearest source of this vertex, as `Geodesic_distance_field:
 coincide if they are no farther apart than 2^-43 of the longest edge plus the largest distance of a vertex, and so do segments with
 such ends: rounding does not tell in which direction the curves between them would run.
 
-Rounding limits what a diagram can tell. Closed curves shorter than 1e-7 of the size of a face plus its distances are left out, unless the
-surface within is larger, as in a needle; and so are parts of cells that are narrower than 1e-11 of it. Sources may tie along whole rays
-and edges of the mesh, beside which their distances differ by the square of the distance from there: where they share a vertex or a
-segment, or one starts with the distance from another one. A curve there may be beside this ray, at points where the distances are equal
-up to rounding, and a few of its pieces may be very short. Where rounding decides which bisectors meet, curves are straight links between
-points in which the distances are equal, as they are along the links, to 2^-42 of the longest edge plus the largest distance. If a face
-needs more than about a hundred divisions for each path that enters it, as a face of which the height is less than 1e-5 of the length and
-in which tens of segments cross, `number_of_forced_cells()` tells how many of its parts are crossed without this. In random searches of
-such cases, on symmetric meshes and on meshes that differ from these by 1e-16 to 1e-6, the distances of a curve agreed to 1e-9 of the
-diagonal of the bounding box plus the largest distance in all but about one of 10,000 diagrams; in these, sources were 1e-13 to 1e-6
-apart, one started with the distance from another one, or a face was thinner than 1e-6 of its length.
+Where the paths of `double` contradict each other by rounding, or curves would be left out, the whole diagram is computed again with twice
+the digits; generic sources do not need it. Then the time is some 20 to 40 times that of the first diagram, and the memory that of a build
+with kept windows of twice the size. So much is done if the number type is `double`, the functors are those of
+`Surface_mesh_geodesic_offset_traits`, and the rounding mode is to the nearest. In all other cases closed curves shorter than 1e-7 of the
+size of a face plus its distances are left out, unless the surface within is larger, as in a needle; and so are parts of cells that are
+narrower than 1e-11 of it, in each case.
+
+Sources may tie along whole rays and edges of the mesh, beside which their distances differ by the square of the distance from there:
+where they share a vertex or a segment, or one starts with the distance from another one. A curve there may be beside this ray, at points
+where the distances are equal up to rounding, and a few of its pieces may be very short. Where rounding decides which bisectors meet,
+curves are straight links between points in which the distances are equal, as they are along the links, to 2^-42 of the longest edge plus
+the largest distance. If a face needs more than about a hundred divisions for each path that enters it, as a face of which the height is
+less than 1e-5 of the length and in which tens of segments cross, `number_of_forced_cells()` tells how many of its parts are crossed
+without this.
 
 Diagrams are immutable values: copies share the data, which may be read by several threads. A diagram must not outlive the mesh. It
 does not need the field, but keeps the windows of the faces that curves cross. All member functions of a diagram that was moved from

@@ -246,7 +246,7 @@ public:
   /// (see `locate_polyline()`). \ref SurfaceMeshGeodesicOffsetErrorOffsets has the proof.
   ///
   /// All curves together bound the region: each point is inside, or outside, if an even, or odd, number of curves separates it
-  /// from the sources. So curves that are given twice do not count. An open curve must end at the border, or exactly where
+  /// from the sources. An open curve must end at the border, or exactly where
   /// another open curve ends: points of an edge must be given in the same face.
   ///
   /// Points of polylines are classified as sources are, and joined by straight segments in their faces. Offset curves are taken

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All tolerances of the Voronoi step: multiples of the unit in the last place u of double.
+// All tolerances of the Voronoi step: multiples of the unit in the last place u of the number type (2^-52 of double), or of its root.
+// Examples in the comments are for double.
 
 #ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_TOLERANCES_H
 #define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_VORONOI_VORONOI_TOLERANCES_H
