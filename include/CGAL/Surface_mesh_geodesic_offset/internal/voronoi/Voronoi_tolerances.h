@@ -52,10 +52,10 @@ struct Voronoi_tolerances
   // Closed curves up to this length are left out: 2^29 u, 1.2e-7, eight times the square root of u: arcs
   // that touch at a point tie up to eight ties within this distance of it, and rounding may let them enclose a region.
   NT smallest_loop;
-  // Cells up to this diameter are not divided: 2^15 u, two joints. A bisector crosses such a cell straight from gate to gate.
+  // Cells up to this diameter are not divided: 2^15 u, two joints, and with more digits than those of double, of which the curves are made
+  // in the end, 2^2 u of double. A bisector crosses such a cell straight from gate to gate.
   NT smallest_cell;
-  // Arcs up to this length are points: the length of two of these cells; with more digits than those of double, of which the curves are made
-  // in the end, 2^3 u of double.
+  // Arcs up to this length are points: two such cells.
   NT negligible;
 
   // An arc is along a side of a cell if its ends and its middle are this near to it; and a window is only along a side if the corners
@@ -94,8 +94,9 @@ struct Voronoi_tolerances
   explicit Voronoi_tolerances(NT magnitude = 0)
     : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(NT(8) * tie),
       shortest_interval(unit(8) * magnitude), joint(unit(14) * magnitude), loose_joint(magnitude / NT(1 << 8)),
-      loose_tie(unit(9) * magnitude), smallest_loop(8 * root_of_unit() * magnitude), smallest_cell(unit(15) * magnitude),
-      negligible((std::max)(NT(2 * smallest_cell), NT(8 * std::numeric_limits<double>::epsilon()) * magnitude))
+      loose_tie(unit(9) * magnitude), smallest_loop(8 * root_of_unit() * magnitude),
+      smallest_cell((std::max)(unit(15), NT(4 * std::numeric_limits<double>::epsilon())) * magnitude),
+      negligible(2 * smallest_cell)
   {
   }
 
