@@ -202,7 +202,7 @@ coincide if they are no farther apart than 2^-43 of the longest edge plus the la
 such ends: rounding does not tell in which direction the curves between them would run.
 
 Where the paths of `double` contradict each other by rounding, or curves would be left out, the whole diagram is computed again with twice
-the digits; generic sources do not need it. Then the time is some 20 to 40 times that of the first diagram, and the memory that of a build
+the digits; generic sources do not need it. Then the time is some 10 to 40 times that of the first diagram, and the memory that of a build
 with kept windows of twice the size. So much is done if the number type is `double`, the functors are those of
 `Surface_mesh_geodesic_offset_traits`, and the rounding mode is to the nearest. In all other cases closed curves shorter than 1e-7 of the
 size of a face plus its distances are left out, unless the surface within is larger, as in a needle; and so are parts of cells that are
