@@ -7,8 +7,12 @@
 #include "level_check.h"
 #include "locations.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <random>
+#include <string>
 #include <vector>
 
 namespace test_degenerate_sources {
@@ -254,6 +258,80 @@ void ends_in_corner_of_nearly_half_a_turn()
   }
 }
 
+// Points next to edges of flat ribbons, whose start values are next to their distances from another source. The distance is that of the
+// nearest source in the plane. From an attack: rays through the edge next to such a point were lost.
+void points_beside_edges_of_ribbons()
+{
+  struct Source
+  {
+    Point_3 point;
+    double start;
+  };
+  for (unsigned seed = 1; seed <= 3000; ++seed)
+  {
+    std::mt19937_64 random(seed);
+    const auto number = [&] { return double(random() >> 11) * 0x1p-53; }; // below 1
+    const auto choice = [&](unsigned n) { return unsigned(random() % n); };
+    const double height = std::pow(10., -5 * number());
+    const std::size_t size = 2 + choice(6);
+    Surface_mesh mesh;
+    const auto border = [&](double y) {
+      std::vector<double> x{0, 1};
+      while (x.size() < size)
+        x.push_back(choice(2) == 0 ? number()
+                                   : x[choice(unsigned(x.size()))] + std::pow(10., -1 - 4 * number()) * (choice(2) ? 1 : -1));
+      std::sort(x.begin(), x.end());
+      std::vector<Surface_mesh::Vertex_index> result;
+      for (const double a : x)
+        if (a >= 0 && a <= 1 && (result.empty() || a > mesh.point(result.back()).x() + 1e-9))
+          result.push_back(mesh.add_vertex(Point_3(a, y, 0)));
+      return result;
+    };
+    const auto lower = border(0), upper = border(height);
+    std::vector<Surface_mesh::Face_index> faces;
+    for (std::size_t i = 0, j = 0; i + 1 < lower.size() || j + 1 < upper.size();)
+    {
+      bool is_lower =
+        j + 1 == upper.size() || (i + 1 < lower.size() && mesh.point(lower[i + 1]).x() <= mesh.point(upper[j + 1]).x());
+      if (choice(4) == 0 && i + 1 < lower.size() && j + 1 < upper.size()) is_lower = !is_lower;
+      faces.push_back(is_lower ? mesh.add_face(lower[i], lower[i + 1], upper[j])
+                               : mesh.add_face(lower[i], upper[j + 1], upper[j]));
+      ++(is_lower ? i : j);
+    }
+    const auto place = [&](const Face_location& l) {
+      CGAL::Vector_3<Kernel> sum(0, 0, 0);
+      std::size_t k = 0;
+      for (const auto v : CGAL::vertices_around_face(mesh.halfedge(l.first), mesh))
+        sum = sum + l.second[++k % 3] * (mesh.point(v) - CGAL::ORIGIN); // begins with the target of the halfedge
+      return CGAL::ORIGIN + sum;
+    };
+    const auto distance = [](const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); };
+    Geodesic geodesic(mesh);
+    std::vector<Source> sources{{mesh.point(lower[choice(unsigned(lower.size()))]), 0}};
+    for (const auto v : lower)
+      if (mesh.point(v) == sources[0].point) geodesic.add_source_point(v);
+    for (unsigned n = 1 + choice(3); n > 0; --n)
+    {
+      const double from_edge = choice(4) != 0 ? std::pow(10., -8 - 9 * number()) : 0, along = number() * (1 - from_edge);
+      Face_location l(faces[choice(unsigned(faces.size()))], {{1 - along - from_edge, along, from_edge}});
+      std::rotate(l.second.begin(), l.second.begin() + choice(3), l.second.end());
+      const Point_3 p = place(l);
+      const double far = distance(p, sources[0].point), start = far - std::pow(10., -7 - 8 * number()) * far;
+      geodesic.add_source_point(l, CGAL::parameters::start_value(start));
+      sources.push_back({p, start});
+    }
+    geodesic.build();
+    Report::instance().set_context("ribbon " + std::to_string(seed));
+    for (const auto v : mesh.vertices())
+    {
+      double expected = std::numeric_limits<double>::infinity();
+      for (const Source& s : sources) expected = (std::min)(expected, s.start + distance(s.point, mesh.point(v)));
+      const double d = geodesic.distance_to_sources(v);
+      CHECK_DETAIL(std::abs(d - expected) <= 2e-12 * (1 + expected), values(d, expected));
+    }
+  }
+}
+
 } // namespace test_degenerate_sources
 
 GEODESIC_OFFSET_TEST(test_degenerate_sources)
@@ -264,6 +342,7 @@ GEODESIC_OFFSET_TEST(test_degenerate_sources)
   beside_the_tip_of_a_narrow_cone();
   gap_between_sources_with_start_values();
   ends_in_corner_of_nearly_half_a_turn();
+  points_beside_edges_of_ribbons();
   print_level_totals();
   return Report::instance().finish("test_degenerate_sources");
 }

@@ -1341,7 +1341,7 @@ void cases_of_file()
     compare(name, mesh, sources, random, 100, name.find("narrow cells") != std::string::npos);
     ++cases;
   }
-  CHECK(cases == 29);
+  CHECK(cases == 28);
   CHECK(totals.forced == 0);
 }
 

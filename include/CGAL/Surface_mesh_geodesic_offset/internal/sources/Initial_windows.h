@@ -341,7 +341,9 @@ private:
   {
     const Index g = m_mesh.twin(3 * sector.face + Index(k));
     const Point &from = sector.from, &to = sector.to;
-    if (g == no_index || !(cross(from, to) > FT(least_angle_of_sector) * (length(from) * length(to)))) return;
+    const bool is_narrow = // not of half a turn, up to rounding
+      CGAL::is_positive(dot(from, to)) && !(cross(from, to) > FT(least_angle_of_sector) * (length(from) * length(to)));
+    if (g == no_index || is_narrow) return;
     const int entry = int(g % 3);
     const Face_frame<FT> beyond(m_mesh, m_mesh.face(g));
     const auto turned = [&](const Point& u) {

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/graded/Points_of_surface.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Voronoi_extraction.h>
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -32,7 +33,14 @@ class Extended_bisectors
 public:
   explicit Extended_bisectors(const Surface& surface) : m_surface(surface) {}
 
-  // Nothing if the rounding mode does not allow it, or there are too many windows.
+  // Comparisons (see Cell_arcs) up to which a diagram is found again, with either number type: with twice the digits, one takes about two
+  // microseconds. Where ten segments cross in a face at one point, six million are needed.
+  static std::size_t most_comparisons(const Surface& surface)
+  {
+    return (1 << 21) + surface.unfolded.number_of_faces() * (1 << 7);
+  }
+
+  // Nothing if the rounding mode does not allow it, or there are too many windows or comparisons.
   std::optional<Bisector_diagram<double>> operator()(const Source_set<double>& sources)
   {
     if (!rounds_to_nearest() || !rounds_correctly()) return std::nullopt;
@@ -48,10 +56,11 @@ public:
       for (std::size_t i = 0; i < field.initial->primitives.size(); ++i)
         field.initial->source_of[i] = field.initial->primitives[i].source =
           field.source_of[field.initial->primitives[i].source];
-      return in_double(find_bisectors<Extended>(mesh.unfolded(), *field.initial, field.results), mesh);
+      return in_double(find_bisectors<Extended>(mesh.unfolded(), *field.initial, field.results, most_comparisons(m_surface)),
+                       mesh);
     }
     catch (const std::runtime_error&)
-    { // see Window_lists
+    { // see Window_lists and find_bisectors()
       return std::nullopt;
     }
   }
@@ -97,7 +106,7 @@ Bisector_diagram<double> find_bisectors_of_build(const Surface& surface, const B
 {
   Bisector_diagram<double> diagram = find_bisectors<double>(surface.unfolded, build.initial, build.field);
   if constexpr (Has_extended_fields<typename Surface::Traits>::value)
-    if (diagram.is_uncertain)
+    if (diagram.is_uncertain && diagram.comparisons <= Extended_bisectors<Surface>::most_comparisons(surface))
       if (auto extended = Extended_bisectors<Surface>(surface)(build.sources);
           extended && extended->forced_cells <= diagram.forced_cells)
         return std::move(*extended);

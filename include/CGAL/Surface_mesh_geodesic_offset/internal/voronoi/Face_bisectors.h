@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,8 +34,10 @@ class Face_bisectors
 public:
   typedef Point_in_face<NT> Point;
 
-  Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field)
-    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field)
+  Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
+                 std::size_t most_comparisons)
+    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field),
+      m_most_comparisons(most_comparisons)
   {
   }
 
@@ -131,6 +134,8 @@ public:
       std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
+      if (m_number_of_comparisons + bisectors.number_of_comparisons() > m_most_comparisons)
+        throw std::runtime_error("Surface_mesh_geodesic_offset: too many windows meet in a face");
       remove_farther(part.cell, part.near);
       // windows along a side only are those of the neighbour
       std::vector<unsigned> inside = part.near;
@@ -177,11 +182,13 @@ public:
       add_pending(std::move(second));
     }
     m_number_of_divisions += divisions;
+    m_number_of_comparisons += bisectors.number_of_comparisons();
   }
 
   const Voronoi_tolerances<NT>& tolerances() const { return m_tolerances; }
   std::size_t number_of_divisions() const { return m_number_of_divisions; }       // of cells that did not fit together
   std::size_t number_of_forced_cells() const { return m_number_of_forced_cells; } // larger than rounding
+  std::size_t number_of_comparisons() const { return m_number_of_comparisons; }   // see Cell_arcs
   bool has_contradictions() const { return m_has_contradictions; }                // of windows in a cell
 
 private:
@@ -416,6 +423,8 @@ private:
   std::vector<Part> m_pending;          // a heap
   Label_changes<NT> m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
+  std::size_t m_number_of_comparisons = 0;
+  const std::size_t m_most_comparisons;
   bool m_has_contradictions = false;
 };
 

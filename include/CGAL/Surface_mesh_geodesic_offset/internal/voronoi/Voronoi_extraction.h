@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_bisectors.h>
 
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -21,9 +22,11 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
+// \throws std::runtime_error if more comparisons are needed (see Cell_arcs)
 template <class NT, class FT>
 Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
-                                    const Geodesic_field<FT>& field)
+                                    const Geodesic_field<FT>& field,
+                                    std::size_t most_comparisons = (std::numeric_limits<std::size_t>::max)())
 {
   struct Edge_gate // in the direction of the halfedge with the smaller index
   {
@@ -31,7 +34,7 @@ Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial
     Index from, to, node;
   };
   std::unordered_map<Index, std::vector<Edge_gate>> gates; // by this halfedge
-  Face_bisectors<NT, FT> bisectors(mesh, initial, field);
+  Face_bisectors<NT, FT> bisectors(mesh, initial, field, most_comparisons);
   std::vector<Bisector_arc<NT>> arcs;
   Bisector_diagram<NT> diagram;
   diagram.label_of_face.assign(mesh.number_of_faces(), no_index);
@@ -77,6 +80,7 @@ Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial
   }
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
+  diagram.comparisons = bisectors.number_of_comparisons();
   diagram.is_uncertain = bisectors.has_contradictions();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
   std::unordered_set<Index> crossed;
