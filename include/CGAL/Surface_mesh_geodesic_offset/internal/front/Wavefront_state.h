@@ -193,14 +193,20 @@ public:
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
 
+  // Queues a vertex that the front may have passed.
+  void push_again(Index v)
+  {
+    Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
+    queue.push_vertex((std::max)(queue.bucket_of(field.distance[v]), queue.current()), v);
+  }
+
   // Records that paths of several images may tie at v.
   BOOST_NOINLINE void add_tie(Index v)
   {
     if (vertex_state[v] & TIES) return;
     vertex_state[v] |= TIES;
     if (!lacks_margins(v) || field.back[v].corner == no_index || !mesh.can_be_pseudo_source(v)) return;
-    Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
-    queue.push_vertex((std::max)(queue.bucket_of(field.distance[v]), queue.current()), v);
+    push_again(v);
   }
 
   // True if an update ties at v, and its image is so near that rays behind v may be hidden, and far nearer than the known one. The
@@ -224,8 +230,7 @@ public:
     vertex_state[v] &= char(~(IS_BENT | HAS_MARGINS));
     if (a.distance > maximum) return;
     vertex_state[v] |= IS_PENDING;
-    Bucket_queue& queue = awake_part(parts.of_vertex(v)).queue;
-    queue.push_vertex((std::max)(queue.bucket_of(field.distance[v]), queue.current()), v);
+    push_again(v);
   }
 
   // True if a vertex is so near to the image of its window that rounding loses directions behind it (least_clear_distance).

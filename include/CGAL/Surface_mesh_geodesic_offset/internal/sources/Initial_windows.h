@@ -17,6 +17,8 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -241,26 +243,31 @@ private:
   void remove_overlaps()
   {
     std::vector<Edge_window> kept;
-    std::size_t begin = 0; // in `kept`, of the halfedge
+    std::map<std::pair<FT, FT>, FT> covered; // ends of the kept intervals of a halfedge, by start value and begin
     for (const Edge_window& e : edges)
     {
-      if (kept.size() == begin || kept.back().halfedge != e.halfedge) begin = kept.size();
-      std::vector<std::pair<FT, FT>> parts{{e.b0, e.b1}}, rest;
-      for (std::size_t i = begin; i < kept.size() && !parts.empty(); ++i)
-      {
-        const Edge_window& k = kept[i];
-        if (start_values.of(k.source_ref) != start_values.of(e.source_ref)) continue;
-        rest.clear();
-        for (const auto& [b0, b1] : parts)
-          if (!(b0 < k.b1 && k.b0 < b1)) rest.emplace_back(b0, b1);
-          else
-          {
-            if (b0 < k.b0) rest.emplace_back(b0, k.b0);
-            if (k.b1 < b1) rest.emplace_back(k.b1, b1);
-          }
-        parts.swap(rest);
+      if (kept.empty() || kept.back().halfedge != e.halfedge) covered.clear();
+      if (!(e.b0 < e.b1))
+      { // without extent by rounding
+        kept.push_back(e);
+        continue;
       }
-      for (const auto& [b0, b1] : parts) kept.push_back({e.halfedge, b0, b1, e.source_ref});
+      const FT start = start_values.of(e.source_ref);
+      auto next = covered.upper_bound({start, e.b0});
+      FT at = e.b0;
+      if (next != covered.begin())
+        if (const auto before = std::prev(next); before->first.first == start) at = (std::max)(at, before->second);
+      while (at < e.b1)
+      {
+        const bool is_last = next == covered.end() || next->first.first != start || !(next->first.second < e.b1);
+        const FT end = is_last ? e.b1 : next->first.second;
+        if (at < end)
+        {
+          kept.push_back({e.halfedge, at, end, e.source_ref});
+          covered.emplace_hint(next, std::make_pair(start, at), end);
+        }
+        at = is_last ? end : (next++)->second;
+      }
     }
     edges.swap(kept);
   }

@@ -33,11 +33,12 @@ class Extended_bisectors
 public:
   explicit Extended_bisectors(const Surface& surface) : m_surface(surface) {}
 
-  // Comparisons (see Cell_arcs) up to which a diagram is found again, with either number type: with twice the digits, one takes about two
-  // microseconds. Where ten segments cross in a face at one point, six million are needed.
+  // Comparisons up to which a diagram is found again.
   static std::size_t most_comparisons(const Surface& surface)
   {
-    return (1 << 21) + surface.unfolded.number_of_faces() * (1 << 7);
+    typedef Voronoi_tolerances<double> Tolerances;
+    return Tolerances::most_repeated_comparisons +
+           Tolerances::most_repeated_comparisons_of_face * surface.unfolded.number_of_faces();
   }
 
   // Nothing if the rounding mode does not allow it, or there are too many windows or comparisons.
