@@ -114,7 +114,7 @@ private:
         if (is_graded) m_vertices.push_back(v);
       }
     }
-    return m_faces.size() <= places_of_faces * m_most_faces;
+    return m_faces.size() <= m_most_faces;
   }
 
   // False if no point of the edge of h is both up to `distance` from the sources and up to `radius` from w.
@@ -126,14 +126,14 @@ private:
     return (ends - m_mesh[h].length) / 2 <= distance + m_rounding && m_points.between(w, a, b) <= radius + m_rounding;
   }
 
-  // The second propagation takes some ten times longer per face than the first. So one place has no more than 1/128 of the faces,
-  // or 1024, which take some milliseconds; and all together, as along polylines, no more than four times as many.
-  static constexpr std::size_t part_of_faces = 128, least_most_faces = 1024, places_of_faces = 4;
+  // The second propagation takes some ten times longer per face than the first. So it has no more than 1/32 of the faces, or as many
+  // as take some half a second. Binding test: test_graded_distances, large places.
+  static constexpr std::size_t least_most_faces = 1 << 15, part_of_faces = 32;
 
   const Unfolded_mesh<double>& m_mesh;
   const std::vector<double>& m_distance;
   const double m_maximum, m_rounding;
-  const std::size_t m_most_faces; // around one vertex
+  const std::size_t m_most_faces;
   const Points& m_points;
   std::vector<Index> m_candidates; // by falling distance
   std::vector<char> m_is_settled;  // vertices
