@@ -52,7 +52,7 @@ struct Bisector_diagram
   std::vector<Bisector_vertex<NT>> vertices;
   std::vector<Index> label_of_face;                // of the center: of all points, if no bisector crosses the face
   std::unordered_map<Index, Face_cells<NT>> cells; // of the faces that bisectors may cross
-  std::size_t divisions = 0, forced_cells = 0, comparisons = 0;
+  std::size_t divisions = 0, forced_cells = 0;
   bool is_uncertain = false; // windows contradict each other, or curves are left out as smaller than rounding
 };
 

@@ -139,7 +139,7 @@ private:
       m_cluster[i] = c;
       for (std::size_t j = 0; j < members.size(); ++j)
         for (std::size_t k = i + 1; k < n; ++k)
-          if (m_cluster[k] == n && length(m_ends[members[j]].point - m_ends[k].point) <= m_joint)
+          if (m_cluster[k] == n && are_near(m_ends[members[j]].point, m_ends[k].point, m_joint))
           {
             m_cluster[k] = c;
             members.push_back(k);
@@ -172,8 +172,8 @@ private:
     for (std::size_t i = 0; i < loose.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
       {
-        const NT gap = length(point_of(loose[i]) - point_of(loose[j]));
-        if (gap <= m_tolerances.loose_joint) pairs.push_back({gap, loose[j], loose[i]});
+        if (!are_near(point_of(loose[i]), point_of(loose[j]), m_tolerances.loose_joint)) continue;
+        pairs.push_back({length(point_of(loose[i]) - point_of(loose[j])), loose[j], loose[i]});
       }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
     for (const Pair& p : pairs)
@@ -188,6 +188,12 @@ private:
     }
   }
 
+  // The first test saves the root for most pairs of ends.
+  static bool are_near(const Point& p, const Point& q, NT distance)
+  {
+    return CGAL::abs(p.x - q.x) <= distance && length(p - q) <= distance;
+  }
+
   Point point_of(std::size_t cluster) const { return m_ends[m_clusters[cluster].front()].point; }
 
   bool repeats_another(std::size_t arc) const
@@ -198,7 +204,7 @@ private:
       const bool same = m_cluster[2 * i] == m_cluster[2 * arc] && m_cluster[2 * i + 1] == m_cluster[2 * arc + 1];
       const bool reverse = m_cluster[2 * i] == m_cluster[2 * arc + 1] && m_cluster[2 * i + 1] == m_cluster[2 * arc];
       const Bisector_arc<NT>& b = m_arcs[i];
-      if (!(same || reverse) || length(a.middle() - b.middle()) > m_joint) continue;
+      if (!(same || reverse) || !are_near(a.middle(), b.middle(), m_joint)) continue;
       if ((same ? a.left.label : a.right.label) == b.left.label && (same ? a.right.label : a.left.label) == b.right.label)
         return true;
     }

@@ -33,14 +33,6 @@ class Extended_bisectors
 public:
   explicit Extended_bisectors(const Surface& surface) : m_surface(surface) {}
 
-  // Comparisons up to which a diagram is found again.
-  static std::size_t most_comparisons(const Surface& surface)
-  {
-    typedef Voronoi_tolerances<double> Tolerances;
-    return Tolerances::most_repeated_comparisons +
-           Tolerances::most_repeated_comparisons_of_face * surface.unfolded.number_of_faces();
-  }
-
   // Nothing if the rounding mode does not allow it, or there are too many windows or comparisons.
   std::optional<Bisector_diagram<double>> operator()(const Source_set<double>& sources)
   {
@@ -57,13 +49,16 @@ public:
       for (std::size_t i = 0; i < field.initial->primitives.size(); ++i)
         field.initial->source_of[i] = field.initial->primitives[i].source =
           field.source_of[field.initial->primitives[i].source];
-      return in_double(find_bisectors<Extended>(mesh.unfolded(), *field.initial, field.results, most_comparisons(m_surface)),
-                       mesh);
+      typedef Voronoi_tolerances<double> Tolerances;
+      const std::size_t most_comparisons =
+        Tolerances::most_repeated_comparisons + Tolerances::most_repeated_comparisons_of_face * m_faces.size();
+      if (const auto d = find_bisectors<Extended>(mesh.unfolded(), *field.initial, field.results, {most_comparisons, false}))
+        return in_double(*d, mesh);
     }
     catch (const std::runtime_error&)
-    { // see Window_lists and find_bisectors()
-      return std::nullopt;
+    { // see Window_lists
     }
+    return std::nullopt;
   }
 
 private:
@@ -105,13 +100,21 @@ private:
 template <class Surface, class Build>
 Bisector_diagram<double> find_bisectors_of_build(const Surface& surface, const Build& build)
 {
-  Bisector_diagram<double> diagram = find_bisectors<double>(surface.unfolded, build.initial, build.field);
+  const auto find = [&](bool stops_if_uncertain) {
+    Bisector_limits limits;
+    limits.stops_if_uncertain = stops_if_uncertain;
+    return find_bisectors<double>(surface.unfolded, build.initial, build.field, limits);
+  };
   if constexpr (Has_extended_fields<typename Surface::Traits>::value)
-    if (diagram.is_uncertain && diagram.comparisons <= Extended_bisectors<Surface>::most_comparisons(surface))
-      if (auto extended = Extended_bisectors<Surface>(surface)(build.sources);
-          extended && extended->forced_cells <= diagram.forced_cells)
-        return std::move(*extended);
-  return diagram;
+  {
+    auto diagram = find(true);
+    if (diagram && !diagram->is_uncertain) return std::move(*diagram);
+    auto extended = Extended_bisectors<Surface>(surface)(build.sources);
+    if (extended && extended->forced_cells == 0) return std::move(*extended);
+    if (!diagram) diagram = find(false);
+    return extended && extended->forced_cells <= diagram->forced_cells ? std::move(*extended) : std::move(*diagram);
+  }
+  else return *find(false);
 }
 
 } // namespace internal

@@ -19,14 +19,21 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
+
+// Limits beyond which the search for bisectors ends without a result.
+struct Bisector_limits
+{
+  std::size_t most_comparisons = (std::numeric_limits<std::size_t>::max)(); // see Cell_arcs
+  bool stops_if_uncertain = false;                                          // where windows contradict each other
+};
 
 template <class NT, class FT>
 class Face_bisectors
@@ -35,9 +42,8 @@ public:
   typedef Point_in_face<NT> Point;
 
   Face_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial, const Geodesic_field<FT>& field,
-                 std::size_t most_comparisons)
-    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field),
-      m_most_comparisons(most_comparisons)
+                 const Bisector_limits& limits)
+    : m_mesh(mesh), m_results(field), m_labels(mesh, initial, field), m_field(mesh, initial, field), m_limits(limits)
   {
   }
 
@@ -101,9 +107,9 @@ public:
     m_cell.gates.push_back({m_cell.corner[k] + t * m_cell.direction[k], (unsigned char)(k), from, to, node});
   }
 
-  // Calls out(arc) for the arcs in the face. Nodes that are not gates have the numbers new_node().
+  // Calls out(arc) for the arcs in the face. Nodes that are not gates have the numbers new_node(). Returns false beyond the limits.
   template <class New_node, class OutputFunction>
-  void find_arcs(const New_node& new_node, const OutputFunction& out)
+  bool find_arcs(const New_node& new_node, const OutputFunction& out)
   {
     CGAL_precondition(m_cell.is_consistent());
     const auto write = [&](Bisector_arc<NT> arc) {
@@ -134,8 +140,7 @@ public:
       std::pop_heap(m_pending.begin(), m_pending.end(), is_smaller);
       Part part = std::move(m_pending.back());
       m_pending.pop_back();
-      if (m_number_of_comparisons + bisectors.number_of_comparisons() > m_most_comparisons)
-        throw std::runtime_error("Surface_mesh_geodesic_offset: too many windows meet in a face");
+      if (m_number_of_comparisons + bisectors.number_of_comparisons() > m_limits.most_comparisons) return false;
       remove_farther(part.cell, part.near);
       // windows along a side only are those of the neighbour
       std::vector<unsigned> inside = part.near;
@@ -160,6 +165,7 @@ public:
         const bool holds = fits && (!bisectors.has_loose_joints() || std::all_of(m_arcs.begin(), m_arcs.end(), holds_along));
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances<NT>::most_divisions * m_all.size();
         if (!holds || bisectors.has_wide_joints()) m_has_contradictions = true;
+        if (m_has_contradictions && m_limits.stops_if_uncertain) return false;
         if (!holds && links.connect(part.cell, part.near, new_node, write)) continue;
         if (holds || !may_divide)
         {
@@ -183,6 +189,7 @@ public:
     }
     m_number_of_divisions += divisions;
     m_number_of_comparisons += bisectors.number_of_comparisons();
+    return true;
   }
 
   const Voronoi_tolerances<NT>& tolerances() const { return m_tolerances; }
@@ -424,7 +431,7 @@ private:
   Label_changes<NT> m_changes;
   std::size_t m_number_of_divisions = 0, m_number_of_forced_cells = 0;
   std::size_t m_number_of_comparisons = 0;
-  const std::size_t m_most_comparisons;
+  const Bisector_limits m_limits;
   bool m_has_contradictions = false;
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/voronoi/Face_bisectors.h>
 
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -22,11 +22,10 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// \throws std::runtime_error if more comparisons are needed (see Cell_arcs)
+// Nothing beyond the limits.
 template <class NT, class FT>
-Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
-                                    const Geodesic_field<FT>& field,
-                                    std::size_t most_comparisons = (std::numeric_limits<std::size_t>::max)())
+std::optional<Bisector_diagram<NT>> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial_windows<FT>& initial,
+                                                   const Geodesic_field<FT>& field, const Bisector_limits& limits)
 {
   struct Edge_gate // in the direction of the halfedge with the smaller index
   {
@@ -34,7 +33,7 @@ Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial
     Index from, to, node;
   };
   std::unordered_map<Index, std::vector<Edge_gate>> gates; // by this halfedge
-  Face_bisectors<NT, FT> bisectors(mesh, initial, field, most_comparisons);
+  Face_bisectors<NT, FT> bisectors(mesh, initial, field, limits);
   std::vector<Bisector_arc<NT>> arcs;
   Bisector_diagram<NT> diagram;
   diagram.label_of_face.assign(mesh.number_of_faces(), no_index);
@@ -73,14 +72,13 @@ Bisector_diagram<NT> find_bisectors(const Unfolded_mesh<FT>& mesh, const Initial
       }
     }
     const std::size_t known = arcs.size();
-    bisectors.find_arcs(new_node, [&](const Bisector_arc<NT>& a) { arcs.push_back(a); });
+    if (!bisectors.find_arcs(new_node, [&](const Bisector_arc<NT>& a) { arcs.push_back(a); })) return std::nullopt;
     if (!is_crossed || arcs.size() == known) continue;
     Face_cells<NT> cells = bisectors.cells();
     diagram.cells.emplace(f, std::move(cells));
   }
   diagram.divisions = bisectors.number_of_divisions();
   diagram.forced_cells = bisectors.number_of_forced_cells();
-  diagram.comparisons = bisectors.number_of_comparisons();
   diagram.is_uncertain = bisectors.has_contradictions();
   Bisector_chains(std::move(arcs), nodes).write(diagram);
   std::unordered_set<Index> crossed;

@@ -125,10 +125,9 @@ struct Voronoi_tolerances
   // Limit of the other divisions of a face, for each of its windows. A bisector that rounding leaves without its ends costs at most this.
   static constexpr std::size_t most_divisions = 1 << 7;
 
-  // Comparisons (see Cell_arcs) up to which a diagram is found again with twice the digits, with either number type, and as many for each
-  // face: then one takes about two microseconds. Where ten segments cross in a face at one point, six million are needed. No test binds
-  // these limits of time.
-  static constexpr std::size_t most_repeated_comparisons = 1 << 21, most_repeated_comparisons_of_face = 1 << 7;
+  // Comparisons with twice the digits (see Cell_arcs) up to which a diagram is found again, and as many for each face: one takes two to ten
+  // microseconds. Where fourteen segments cross in a face at one point, 220,000 are needed. No test binds these limits of time.
+  static constexpr std::size_t most_repeated_comparisons = 1 << 22, most_repeated_comparisons_of_face = 1 << 7;
 
 private:
   static NT unit(int bits) { return NT(1 << bits) * std::numeric_limits<NT>::epsilon(); }
