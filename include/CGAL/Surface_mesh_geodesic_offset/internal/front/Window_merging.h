@@ -17,7 +17,9 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -77,20 +79,24 @@ public:
     : m_field(field), m_source_of(source_of), m_tolerance(tolerance), m_is_on(!tolerance.is_zero()),
       m_share(tolerance.absolute > FT(0) ? 1 : share_of_relative_tolerance)
   {
+    if (!m_is_on) return;
+    m_least_size = 2;
+    if (tolerance.absolute > FT(0)) return;
+    const double size = least_length / std::cbrt(CGAL::to_double(tolerance.relative));
+    m_least_size = std::size_t((std::max)(2., (std::min)(1e9, std::floor(size) + 1)));
+    m_longest_always_merged = short_list;
   }
 
   bool is_on() const { return m_is_on; }
   const Merging_counts& counts() const { return m_counts; }
 
   // True if merging of the n windows of halfedge h is likely to save more time than it takes. The smaller a relative tolerance t
-  // is, the more windows it leaves, so short lists cannot be merged much; of other long lists, some are tried. A tolerance that is
-  // a length is for noise, which may leave one window.
+  // is, the more windows it leaves, so short lists cannot be merged much. A tolerance that is a length is for noise, which may leave
+  // one window. Pairs that cannot be merged at one halfedge can rarely at the next one, so of longer lists some are merged.
   bool pays_for(Index h, std::size_t n) const
   {
-    if (!m_is_on || n < 2) return false;
-    if (m_tolerance.absolute > FT(0) || (n > long_list && h % long_list_stride == 0)) return true;
-    const FT k = FT(double(n)) / FT(least_length);
-    return k * k * k * m_tolerance.relative > FT(1);
+    if (n < m_least_size) return m_is_on && n > long_list && h % long_list_stride == 0;
+    return n <= m_longest_always_merged || h % stride == 0;
   }
 
   // Merges neighbours among the windows of a halfedge, in one pass. They are sorted by both ends, and may overlap. Propagated
@@ -120,12 +126,13 @@ public:
   }
 
 private:
-  // Length of lists that are merged, times t^(1/3); length of lists of which every eighth is merged in any case. Measured by
-  // benchmark/.../tolerance_times.cpp: times change by 5 % between 0.15 and 0.25, and between 8 and 12; with shorter lists, a
-  // tolerance of 1e-6 is slower than an exact build on rough meshes.
+  // Least length of lists that are merged, times t^(1/3). Of those longer than `short_list`, every second is merged, and of
+  // shorter ones than the least, if they are longer than `long_list`, every eighth. Measured by benchmark/.../tolerance_times.cpp:
+  // times change by 5 % between 0.15 and 0.25, and between 8 and 12; with shorter lists, a tolerance of 1e-6 is slower than an
+  // exact build on rough meshes. Without the stride, times are the same on smooth meshes, and 2 to 6 % longer on rough ones.
   static constexpr double least_length = 0.2;
-  static constexpr std::size_t long_list = 12;
-  static constexpr Index long_list_stride = 8;
+  static constexpr std::size_t short_list = 4, long_list = 12;
+  static constexpr Index stride = 2, long_list_stride = 8;
 
   // Part of what a relative tolerance leaves that one merge may use, so that later merges have the rest.
   static constexpr double share_of_relative_tolerance = 0.5;
@@ -146,7 +153,9 @@ private:
     ++m_counts.windows_merged;
     const double e = error_of_origin(merged.pseudo_source());
     m_counts.error_bound = (std::max)(m_counts.error_bound, e);
-    m_counts.relative_error_bound = (std::max)(m_counts.relative_error_bound, e / CGAL::to_double(minimum(merged)));
+    const double least = CGAL::to_double(minimum(merged));
+    if (e > m_counts.relative_error_bound * least)
+      m_counts.relative_error_bound = (std::max)(m_counts.relative_error_bound, e / least);
   }
 
   bool have_same_source(const Window& a, const Window& b) const
@@ -171,7 +180,7 @@ private:
   // True for most pairs that cannot be merged. Of errors of pseudo-sources, which are not in the cache, it knows nothing.
   bool exceeds_share(const Window& a, const Window& b) const
   {
-    const FT error = FT((std::max)(error_of_image(a.pseudo_source()), error_of_image(b.pseudo_source())));
+    const FT error = FT(Merge_error_code::largest_error(a.pseudo_source(), b.pseudo_source()));
     return exceeds(share(a, b, error), a, b);
   }
 
@@ -201,6 +210,7 @@ private:
   // F at the begin of b minus F at the begin of a. If a reaches beyond, its tangent at its end is used, which is below it.
   static FT height_at_joint(const Window& a, const Window& b)
   {
+    if (BOOST_LIKELY(a.b1 == b.b0)) return (std::min)(b.d0, a.d1) - a.d0; // saves a division
     return (std::min)(b.d0, FT(a.d1 - (a.b1 - b.b0) * slope(a, a.b1, a.d1))) - a.d0;
   }
 
@@ -210,12 +220,13 @@ private:
     const FT most = share(a, b, FT(0));
     if (a.is_propagated() || b.is_propagated() || b.b0 - a.b1 > most || !have_same_source(a, b)) return false;
     const FT unit = Number_policy<FT>::rounding(16) * (a.d0 + b.d1 + b.b1 - a.b0);
-    m = a.b1 - a.b0 < b.b1 - b.b0 ? b : a; // the wider one has the more precise image
+    const bool is_like_b = a.b1 - a.b0 < b.b1 - b.b0; // the wider one has the more precise image
+    m = is_like_b ? b : a;
     m.b0 = a.b0;
     m.d0 = a.d0;
     m.b1 = b.b1;
     m.d1 = b.d1;
-    if (passes_ends(m, unit) && accept(a, b, unit, m)) return true;
+    if (passes(m, !is_like_b, unit) && passes(m, is_like_b, unit) && accept(a, b, unit, m)) return true;
     const FT l = m.b1 - m.b0, rise = m.d1 - m.d0, n = (l - rise) * (l + rise), c = rise / l;
     // The error of rays is the rounding of the distances over the width of the run across them. If it is a large part of the
     // width, as in needles, the image is noise.
@@ -225,7 +236,7 @@ private:
     // As in exceeds(), with r0.
     const FT q = b.b0 - a.b0, k = height_at_joint(a, b) - c * q;
     if (n * q * (l - q) > (most - k) * (2 * l * l * (r0 + c * q))) return false;
-    return place_image(n, c, r0, m) && passes_ends(m, unit) && accept(a, b, unit, m);
+    return place_image(n, c, r0, m) && passes(m, false, unit) && passes(m, true, unit) && accept(a, b, unit, m);
   }
 
   // Tests the conditions with the image of m, and sets its origin.
@@ -233,8 +244,11 @@ private:
   {
     if (!encloses(a, b, m)) return false;
     const FT rounding = unit + Number_policy<FT>::rounding(16) * CGAL::abs(m.sigma);
-    if (!is_below(m, a.b1, a.d1, rounding) || !is_below(m, b.b0, b.d0, rounding)) return false;
-    FT added = a.b1 > b.b0 ? deviation_in_overlap(a, b, m) : deviation_in_gap(a, b, m);
+    // m is not above a window by more than rounding if it is not at its end inside m: both are equal at the other end, with slopes
+    // that differ in favour of m, and their difference has one extremum.
+    const FT at_a = m.distance_at(a.b1), at_b = a.b1 == b.b0 ? at_a : m.distance_at(b.b0);
+    if (at_a > a.d1 + rounding || at_b > b.d0 + rounding) return false;
+    FT added = a.b1 > b.b0 ? deviation_in_overlap(a, b, m) : deviation_in_gap(a, b, m, a.d1 - at_a, b.d0 - at_b);
     added = (std::max)({added, deviation_inside(a, m), deviation_inside(b, m)});
     const FT before = FT((std::max)(error_of_origin(a.pseudo_source()), error_of_origin(b.pseudo_source())));
     if (added > share(a, b, before)) return false;
@@ -249,18 +263,17 @@ private:
     return FT(Merge_error_code::error(origin)) <= allowed_at(minimum(m));
   }
 
-  // Condition (1), up to rounding.
-  static bool passes_ends(const Window& m, const FT& unit)
+  // Condition (1) at one end, up to rounding.
+  static bool passes(const Window& m, bool at_b1, const FT& unit)
   {
-    return CGAL::abs(FT(m.distance_at(m.b0) - m.d0)) <= unit && CGAL::abs(FT(m.distance_at(m.b1) - m.d1)) <= unit;
+    return CGAL::abs(FT(m.distance_at(at_b1 ? m.b1 : m.b0) - (at_b1 ? m.d1 : m.d0))) <= unit;
   }
 
   // Largest F - f from the end of a to the begin of b, where F is the shorter path around either. f grows more slowly than these
-  // paths, so the maximum in between is where both are equal.
-  static FT deviation_in_gap(const Window& a, const Window& b, const Window& m)
+  // paths, so the maximum in between is where both are equal. `at_first`, `at_last`: F - f at both ends.
+  static FT deviation_in_gap(const Window& a, const Window& b, const Window& m, const FT& at_first, const FT& at_last)
   {
-    const FT gap = b.b0 - a.b1, rise = b.d0 - a.d1;
-    const FT at_ends = (std::max)(a.d1 - m.distance_at(a.b1), b.d0 - m.distance_at(b.b0));
+    const FT gap = b.b0 - a.b1, rise = b.d0 - a.d1, at_ends = (std::max)(at_first, at_last);
     if (!(gap > CGAL::abs(rise))) return (std::max)(at_ends, gap);
     return (std::max)(at_ends, FT((a.d1 + b.d0 + gap) / 2 - m.distance_at(FT(a.b1 + (gap + rise) / 2))));
   }
@@ -349,13 +362,6 @@ private:
     return w.is_parallel() ? FT(-w.x) : FT((b - w.x) / (d - w.sigma));
   }
 
-  // True if m is not above w by more than rounding on the interval of w, where b is the end of w inside m, at distance d. Both are
-  // equal at the other end, with slopes that differ in favour of m, and their difference has one extremum.
-  static bool is_below(const Window& m, const FT& b, const FT& d, const FT& rounding)
-  {
-    return m.distance_at(b) <= d + rounding;
-  }
-
   // Largest w - m inside the interval of w: at the point that is collinear with both images.
   static FT deviation_inside(const Window& w, const Window& m)
   {
@@ -370,6 +376,8 @@ private:
   const Merging_tolerance<FT> m_tolerance;
   const bool m_is_on;
   const FT m_share; // of what the tolerance leaves, for one merge
+  std::size_t m_least_size = (std::numeric_limits<std::size_t>::max)(); // of lists that are merged
+  std::size_t m_longest_always_merged = (std::numeric_limits<std::size_t>::max)();
   Merging_counts m_counts;
   Window_sequence<FT> m_windows;
 };

@@ -10,7 +10,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -26,24 +26,29 @@ struct Merge_error_code
 
   static Index with_error(double error)
   {
-    float e = float(error);
-    if (double(e) < error) e = std::nextafter(e, std::numeric_limits<float>::infinity());
+    const float e = float(error);
     Index bits;
     std::memcpy(&bits, &e, sizeof(bits));
+    if (double(e) < error) ++bits; // the next float
     return flag + ((bits + 3) >> 2) - 1;
   }
 
   static bool is_merged(Index origin) { return origin + 1 >= flag; } // no_index + 1 is 0
 
-  static double error(Index origin)
+  static double error(Index origin) { return decoded(origin + 1); }
+
+  // The larger error of two origins, 0 for other origins: codes grow with the error, so this has no branch.
+  static double largest_error(Index a, Index b) { return decoded((std::max)({flag, a + 1, b + 1})); }
+
+private:
+  static double decoded(Index code)
   {
-    const Index bits = (origin + 1 - flag) << 2;
+    const Index bits = (code - flag) << 2;
     float e;
     std::memcpy(&e, &bits, sizeof(e));
     return e;
   }
 
-private:
   static constexpr Index flag = 1u << 29; // a window has 30 bits for the origin
 };
 
