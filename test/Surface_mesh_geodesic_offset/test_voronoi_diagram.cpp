@@ -1345,6 +1345,40 @@ void cases_of_file()
   CHECK(totals.forced == 0);
 }
 
+// Queries on an edge, and next to it, that rays from a source beside the edge graze. From an attack.
+void points_on_edge()
+{
+  for (const double beside : {1.1e-13, 2.6e-13, 1e-12, 1e-10, 1e-7})
+  {
+    Surface_mesh mesh;
+    for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0)}) mesh.add_vertex(p);
+    const Face_index faces[] = {mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2)),
+                                mesh.add_face(Vertex_index(0), Vertex_index(2), Vertex_index(3))};
+    const auto location = [&](Face_index f, double of_0, double of_2) {
+      Location l(f, {0, 0, 0});
+      const auto corners = Locations<Surface_mesh>(mesh).corners(f);
+      for (std::size_t k = 0; k < 3; ++k)
+        l.second[k] = corners[k] == Vertex_index(0) ? of_0 : corners[k] == Vertex_index(2) ? of_2 : 1 - of_0 - of_2;
+      return l;
+    };
+    const double part = 0.32009475681095179; // of vertex 0
+    const Location at = location(faces[0], part, 1 - part - beside);
+    const Diagram diagram =
+      diagram_of(mesh,
+                 {[&](Geodesic& g) { g.add_source_point(Vertex_index(0)); }, [&](Geodesic& g) { g.add_source_point(at); }});
+    const double middle = (1 - part) / 2; // of vertex 2, where the sources tie
+    for (const Face_index f : faces)
+      for (const double off : {0., 1e-17, 1e-15, 1e-9})
+        for (int i = -2000; i <= 2000; ++i)
+        {
+          const double of_2 = middle + i * 1e-7;
+          if (std::abs(i) < 3) continue; // the curve may be beside the middle by `beside`
+          CHECK_DETAIL(diagram.source_at(location(f, 1 - of_2 - off, of_2)) == (i < 0 ? 0 : 1),
+                       values(beside, off) + ", " + std::to_string(i));
+        }
+  }
+}
+
 // Segments that cross at tiny angles: their arcs end far apart.
 void thin_faces()
 {
@@ -1496,6 +1530,7 @@ GEODESIC_OFFSET_TEST(test_voronoi_diagram)
     {"thin boxes", test_voronoi_diagram::thin_boxes},
     {"links", test_voronoi_diagram::links},
     {"cases of a file", test_voronoi_diagram::cases_of_file},
+    {"points on an edge", test_voronoi_diagram::points_on_edge},
     {"thin faces", test_voronoi_diagram::thin_faces},
     {"small loops", test_voronoi_diagram::small_loops},
     {"bad input", test_voronoi_diagram::bad_input},

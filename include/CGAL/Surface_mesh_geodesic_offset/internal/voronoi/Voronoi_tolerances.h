@@ -127,7 +127,7 @@ struct Voronoi_tolerances
 
   // Comparisons with twice the digits (see Cell_arcs) up to which a diagram is found again, and as many for each face: one takes two to ten
   // microseconds. Where fourteen segments cross in a face at one point, 220,000 are needed. No test binds these limits of time.
-  static constexpr std::size_t most_repeated_comparisons = 1 << 22, most_repeated_comparisons_of_face = 1 << 7;
+  static constexpr std::size_t most_repeated_comparisons = 1 << 21, most_repeated_comparisons_of_face = 1 << 7;
 
 private:
   static NT unit(int bits) { return NT(1 << bits) * std::numeric_limits<NT>::epsilon(); }
