@@ -56,8 +56,11 @@ public:
   std::vector<Index> labels(const std::array<NT, 3>& weights, NT within) const
   {
     const Point p = at(weights);
+    // Cones count up to a tie beyond their rays: rays from a source beside an edge graze it, and rounding moves points of the edge out
+    // of their cone. Around the end of the chord, the path would be longer. Binding test: test_voronoi_diagram, points on an edge.
     std::vector<NT> distance;
-    for (const Voronoi_window<NT>& w : m_windows) distance.push_back(distance_at(w, p));
+    bool is_straight;
+    for (const Voronoi_window<NT>& w : m_windows) distance.push_back(distance_through(w, p, m_tie, is_straight));
     const NT least = *std::min_element(distance.begin(), distance.end());
     const Voronoi_window<NT>* nearest = nullptr;
     std::set<Index> others;
@@ -116,13 +119,6 @@ public:
   }
 
 private:
-  // The cone counts up to a tie beyond its rays: rays from a source beside an edge graze it, and rounding moves points of the edge out of
-  // their cone. Around the end of the chord, the path would be longer. Binding test: test_voronoi_diagram, points on an edge.
-  NT distance_at(const Voronoi_window<NT>& w, const Point& p) const
-  {
-    return w.holds_at(p, m_tie) ? (std::max)(w.distance_at(p), w.rays.start_value) : w.rays.path_length(p);
-  }
-
   Point at(const std::array<NT, 3>& weights) const
   {
     return weights[0] * m_corner[0] + weights[1] * m_corner[1] + weights[2] * m_corner[2];
