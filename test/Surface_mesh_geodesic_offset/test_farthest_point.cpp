@@ -525,21 +525,70 @@ void unreached_parts()
   CHECK_THROWS(geodesic.farthest_point(), std::logic_error);
 }
 
+/// Faces whose windows come from points so near to an edge that their rays graze it. A point on the edge, up to rounding, was
+/// taken as beside these rays, and its distance as that around an end of their window: up to 1e-8 too long.
+void grazed_edges()
+{
+  struct Source
+  {
+    std::size_t face;
+    std::array<double, 3> weights;
+  };
+  struct Case
+  {
+    std::vector<Point_3> points;
+    std::vector<std::array<std::size_t, 3>> triangles;
+    std::vector<Source> sources;
+  };
+  const std::vector<Case> cases = {
+    {{{0, 0, 0}, {0.7278, 0.9284, 0}, {1, 0, 0}, {0.9457, 0.4027, 1.68e-06}},
+     {{0, 1, 2}, {2, 1, 3}, {1, 0, 3}},
+     {{2, {1, 0, 0}}, {2, {6.8614261222847621e-08, 3.6426633054218552e-07, 0.99999956711940818}}}},
+    {{{-0.1828, 7.819e-06, 0},
+      {0.9997, 4.051e-05, 0},
+      {0.08842, 3.787e-05, 0},
+      {0.8945, 1.083e-05, 0},
+      {2.177, 4.399e-05, 0},
+      {1.046, 6.891e-05, 0},
+      {1.062, 5.399e-05, 0},
+      {2.15, 7.962e-05, 0}},
+     {{0, 1, 2}, {3, 4, 1}, {2, 1, 5}, {1, 4, 6}, {4, 7, 5}},
+     {{4, {0.20374688489865028, 0.45931623602929816, 0.3369368790720515}},
+      {0, {0.5, 0.5, 0}},
+      {3, {1.8736636689035869e-07, 0.99999981263364268, 4.79962470455803e-16}}}}};
+  Random random(1);
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    Report::instance().set_context("case " + std::to_string(i));
+    test::Surface_mesh mesh;
+    for (const Point_3& p : cases[i].points) mesh.add_vertex(p);
+    typedef test::Surface_mesh::Vertex_index Vertex;
+    std::vector<test::Surface_mesh::Face_index> faces;
+    for (const auto& t : cases[i].triangles) faces.push_back(mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])));
+    Geodesic geodesic(mesh);
+    for (const Source& source : cases[i].sources) geodesic.add_source_point(Face_location(faces[source.face], source.weights));
+    const Farthest result = farthest_point(geodesic, mesh);
+    check_samples(geodesic, mesh, result, 1000, random);
+  }
+}
+
 } // namespace test_farthest_point
 
 GEODESIC_OFFSET_TEST(test_farthest_point)
 {
   std::cout.precision(3);
-  const std::pair<const char*, void (*)()> tests[] = {{"unit square", unit_square},
-                                                      {"triangle from its vertices", triangle_from_its_vertices},
-                                                      {"strips", strips},
-                                                      {"polyhedra", polyhedra},
-                                                      {"generated meshes", generated_meshes},
-                                                      {data_case, data_meshes},
-                                                      {"plates", plates},
-                                                      {"builds of all kinds", builds_of_all_kinds},
-                                                      {"searched faces", searched_faces},
-                                                      {"unreached parts", unreached_parts}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"unit square", unit_square},
+    {"triangle from its vertices", triangle_from_its_vertices},
+    {"strips", strips},
+    {"polyhedra", polyhedra},
+    {"generated meshes", generated_meshes},
+    {data_case, data_meshes},
+    {"plates", plates},
+    {"builds of all kinds", builds_of_all_kinds},
+    {"searched faces", searched_faces},
+    {"unreached parts", unreached_parts},
+    {"grazed edges", grazed_edges}};
   const int result = run_tests("test_farthest_point", tests);
   std::cout << "worst relative error of the distance " << error().error() << std::endl;
   return result;

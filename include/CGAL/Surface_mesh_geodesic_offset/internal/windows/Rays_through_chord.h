@@ -53,9 +53,24 @@ struct Rays_through_chord
       // nearer than both ends.
       is_straight = false;
     }
-    const auto round = [&](const Point& end) { return FT(distance_at(end) + length(p - end)); };
-    if (off_left == off_right) return (std::min)(round(left), round(right));
-    return off_left ? round(left) : round(right);
+    const auto by = [&](const Point& end) { return FT(distance_at(end) + length(p - end)); };
+    const FT around = off_left == off_right ? (std::min)(by(left), by(right)) : off_left ? by(left) : by(right);
+    if (!Number_policy<FT>::is_inexact || !is_at_line_of_chord(p)) return around;
+    // A ray that grazes the chord meets it far beside p if rounding has moved p off the chord.
+    const Point chord = right - left;
+    const FT part = dot(p - left, chord) / dot(chord, chord);
+    if (!(part > FT(0) && part < FT(1))) return around;
+    const FT through = by(left + part * chord);
+    if (!(through < around)) return around;
+    is_straight = true;
+    return through;
+  }
+
+  // True if p lies on the line through the chord, up to rounding.
+  bool is_at_line_of_chord(const Point& p) const
+  {
+    const Point chord = right - left;
+    return CGAL::abs(cross(chord, p - left)) <= rounding_at(p) * (CGAL::abs(chord.x) + CGAL::abs(chord.y));
   }
 
   // Rounding error of the distance of p along parallel rays.
