@@ -406,6 +406,75 @@ void large_places()
   }
 }
 
+// Columns of points with a border at their end, in a planar mesh with far longer edges beside them. Each point is next to its image,
+// measured by these edges: if it starts rays for that reason, the windows on an edge double from row to row.
+void columns_of_points()
+{
+  Random random(7);
+  const std::size_t rows = 250;
+  for (const double spacing : {4.4e-10, 1e-12})
+  {
+    std::vector<Point_2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (const double column : {7, 0, 6})
+      for (std::size_t i = 0; i < rows; ++i)
+        if (i == rows / 2 || uniform_index(random, 20))
+          points.push_back(Point_2(0.2354 + spacing * column, spacing * double(i)));
+    for (int i = 0; i < 30; ++i) points.push_back(Point_2(uniform(random, 0, 1), uniform(random, 0, 1)));
+    Soup soup;
+    for (const Point_2& p : points) soup.points.push_back(Point_3(p.x(), p.y(), 0));
+    for (const auto& t : delaunay_triangles(points)) soup.add_triangle(t);
+    const Generated_mesh<Surface_mesh> data(soup);
+    std::size_t source = 4; // in the first column
+    while (points[source].y() < spacing * double(rows) * 0.44) ++source;
+    Geodesic geodesic(data.mesh);
+    geodesic.add_source_point(data.vertices[source]);
+    geodesic.build();
+    Errors errors;
+    for (std::size_t v = 0; v < points.size(); ++v)
+    {
+      const Number x = Number(points[v].x()) - Number(points[source].x()),
+                   y = Number(points[v].y()) - Number(points[source].y());
+      errors.add(geodesic.distance_to_sources(data.vertices[v]), Reference_distances::root(x * x + y * y), 1,
+                 values(spacing, double(v)));
+    }
+  }
+}
+
+// Faces around a vertex with angles of 1e-7 in all. Rays from beside this vertex wind around it thousands of times before numbers
+// with twice the digits let their order be told, and each of them is compared with all. From an attack: the build took minutes.
+void winding_rays()
+{
+  Soup soup;
+  soup.points = {{-5.9877570123883796e-15, 7.7631149719901931e-16, 5.20586907693099e-15},
+                 {0, 0, 0},
+                 {-8.4403772351807584e-09, -3.8409645882588155e-08, -5.4419584567287057e-09},
+                 {8.4403772351807617e-09, 3.8409645882588155e-08, 5.4419584567287024e-09},
+                 {5.5811723926132449e-09, 2.5398251246370614e-08, 3.5984762992854225e-09},
+                 {3.0029843111654385e-08, -2.9433820904718348e-09, -2.5801178289017211e-08},
+                 {4.0253533601328316e-12, 1.8317803726741124e-11, 2.5954021827056019e-12},
+                 {7.7322292399611557e-17, -3.0230578519524205e-17, 9.3443656959614284e-17},
+                 {4.3443413960580711e-09, 3.4633447977115063e-08, 7.6096629337999614e-09},
+                 {-3.0029843111654385e-08, 2.9433820904718398e-09, 2.5801178289017211e-08},
+                 {1.1600590483860546e-10, 1.449493328549823e-08, 4.5933602161355177e-09}};
+  const std::vector<std::array<std::size_t, 3>> triangles = {
+    {0, 1, 2}, {1, 3, 4}, {1, 5, 6}, {0, 2, 7}, {7, 6, 8}, {3, 6, 5},  {6, 2, 1},  {7, 9, 0},  {3, 9, 8},
+    {9, 7, 8}, {3, 5, 4}, {5, 1, 4}, {6, 3, 8}, {6, 7, 2}, {9, 3, 10}, {1, 0, 10}, {10, 3, 1}, {0, 9, 10}};
+  for (const auto& t : triangles) soup.add_triangle(t);
+  Sources sources;
+  sources.polylines.push_back({Location{6, {7.27345186853529e-05, 0.99992724917319853, 1.6308116044054012e-08}},
+                               Location{6, {0, 0.5, 0.5}}});
+  const Case c(soup);
+  const Reference_distances expected = c.reference(sources);
+  Geodesic geodesic(c.mesh());
+  c.add(geodesic, sources);
+  geodesic.build();
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    const double d = geodesic.distance_to_sources(Surface_mesh::Vertex_index(Surface_mesh::size_type(v)));
+    CHECK_DETAIL(std::abs(d - double(expected.of_vertex(v))) < 1e-12 * c.longest(), values(d, double(expected.of_vertex(v))));
+  }
+}
+
 // Operations have relative errors of at most 2^-103 and respect infinity.
 void extended_numbers()
 {
@@ -503,6 +572,8 @@ GEODESIC_OFFSET_TEST(test_graded_distances)
     {"lengths", lengths},
     {"graded vertices", graded_vertices},
     {"large places", large_places},
+    {"columns of points", columns_of_points},
+    {"winding rays", winding_rays},
     {"extended numbers", extended_numbers},
     {"touching fans", touching_fans},
     {"start value of a graded vertex", start_value_of_graded_vertex}};

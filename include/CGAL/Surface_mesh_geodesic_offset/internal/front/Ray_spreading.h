@@ -213,7 +213,7 @@ private:
         w.d1 = w.distance_at(w.b1);
         front.add(g, w); // before spread_beyond(), which updates other vertices than the ends of g
       }
-      if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < FT(least_clear_distance) * length)
+      if (Number_policy<FT>::is_inexact && pseudo_source != no_index && m_mesh[e].apex_y < least_clear_distance<FT>() * length)
         spread_beyond(h, lower, upper, sigma, source_ref, pseudo_source, front, is_margin);
     });
   }

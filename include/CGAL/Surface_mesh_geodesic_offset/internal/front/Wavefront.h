@@ -62,6 +62,9 @@ public:
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
 
+  // See Wavefront_state.
+  void limit_work(std::size_t windows) { m_state.limit_work(windows); }
+
   // Propagates from the source primitives `first_primitive` and later. Known distances stay unless a shorter path is found.
   //
   // consumer.take(faces, team) is called once per finalized face, with the threads that may help. The distances at the corners

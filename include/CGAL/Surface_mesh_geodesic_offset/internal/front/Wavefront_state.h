@@ -19,6 +19,9 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -73,6 +76,7 @@ public:
 
     Bucket_queue queue;
     Wavefront_counts counts;
+    std::size_t work = 0; // windows of the lists of processed halfedges
     bool has_bent_paths = false;
     Output single;
   };
@@ -91,6 +95,17 @@ public:
   }
 
   Part& part(Index i) { return m_part[i]; }
+
+  // Ends the propagation by an exception when the lists of all processed halfedges together have had more windows. There is no
+  // limit by default.
+  void limit_work(std::size_t windows) { m_most_work = windows; }
+  void add_work(Part& part, std::size_t windows) const
+  {
+    part.work += windows;
+    if (BOOST_UNLIKELY(part.work > m_most_work))
+      throw std::runtime_error("Surface_mesh_geodesic_offset: the wavefront has processed " + std::to_string(part.work) +
+                               " windows without an end: faces are so thin that rounding does not let windows be told apart");
+  }
 
   // The current bucket of the front. The queue of a part advances to it when the part has work.
   std::size_t current() const { return m_current; }
@@ -188,7 +203,7 @@ public:
     Part& p = awake_part(parts.of_vertex(v));
     if (a.is_bent) p.has_bent_paths = true;
     if (a.back.corner == no_index || d > maximum) return; // fans of sources start elsewhere
-    if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, FT(least_hiding_distance))) return;
+    if (!mesh.can_be_pseudo_source(v) && !is_beside_image(v, a.pseudo_source, least_hiding_distance<FT>())) return;
     vertex_state[v] |= IS_PENDING;
     p.queue.push_vertex(p.queue.bucket_of(d), v);
   }
@@ -218,7 +233,7 @@ public:
     if (a.is_bent || a.back.corner == no_index || known.corner == no_index || a.pseudo_source == known.pseudo_source)
       return false;
     const FT far = distance_of_image(a.distance, a.pseudo_source, a.source_ref);
-    return 2 * far < distance_of_image(v, known.pseudo_source) && is_beside_image(v, far, FT(least_hiding_distance));
+    return 2 * far < distance_of_image(v, known.pseudo_source) && is_beside_image(v, far, least_hiding_distance<FT>());
   }
 
   // Replaces the direction of v by that of an update that ties, and starts the rays behind v from it, too.
@@ -235,7 +250,7 @@ public:
 
   // True if a vertex is so near to the image of its window that rounding loses directions behind it (least_clear_distance).
   // Paths through the vertex in all directions replace the lost ones; they are at most 8 u L too long.
-  bool is_beside_image(Index v, Index pseudo_source, const FT& least = FT(least_clear_distance)) const
+  bool is_beside_image(Index v, Index pseudo_source, const FT& least = least_clear_distance<FT>()) const
   {
     if constexpr (!Number_policy<FT>::is_inexact) return false;
     else return is_beside_image(v, distance_of_image(v, pseudo_source), least);
@@ -260,7 +275,7 @@ public:
     else
     {
       const Index pseudo_source = field.back[v].pseudo_source;
-      if (!is_beside_image(v, pseudo_source, FT(least_hiding_distance))) return FT(0);
+      if (!is_beside_image(v, pseudo_source, least_hiding_distance<FT>())) return FT(0);
       const FT gap = Number_policy<FT>::rounding(16) * mesh.longest_edge() / distance_of_image(v, pseudo_source);
       return (std::max)(gap, square_root<FT>(gap));
     }
@@ -463,6 +478,7 @@ private:
 
   std::vector<Part> m_part;
   std::size_t m_current = 0;
+  std::size_t m_most_work = (std::numeric_limits<std::size_t>::max)();
 };
 
 } // namespace internal
