@@ -440,7 +440,7 @@ void columns_of_points()
   }
 }
 
-// Faces around a vertex with angles of 1e-7 in all. Rays from beside this vertex wind around it thousands of times before numbers
+// Faces around a vertex with angles of 4e-7 in all. Rays from beside this vertex wind around it thousands of times before numbers
 // with twice the digits let their order be told, and each of them is compared with all. From an attack: the build took minutes.
 void winding_rays()
 {

@@ -207,8 +207,8 @@ with kept windows of twice the size. So much is done if the number type is `doub
 `Surface_mesh_geodesic_offset_traits`, the rounding mode is to the nearest, and it takes no more than about two million comparisons of
 bisectors (ten to thirty seconds) plus 128 for each face: where fourteen segments cross nearly at one point in a face, it takes 220,000.
 In all other cases closed curves shorter than 1e-7 of the size of a face plus its distances are left out, unless the surface within is
-larger, as in a needle. In each case, parts of cells that are narrower than 1e-11 of this size may be left out, and curves may be wrong in or next to faces of which
-the height is less than 1e-9 of the length.
+larger, as in a needle. In each case, parts of cells that are narrower than 1e-11 of this size may be left out, and curves may be wrong
+in or next to faces of which the height is less than 1e-9 of the length.
 
 Sources may tie along whole rays and edges of the mesh, beside which their distances differ by the square of the distance from there:
 where they share a vertex or a segment, or one starts with the distance from another one. A curve there may be beside this ray, at points

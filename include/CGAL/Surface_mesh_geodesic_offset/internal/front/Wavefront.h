@@ -62,7 +62,7 @@ public:
     m_state.field.lists.set_number_of_primitives(initial.primitives.size());
   }
 
-  // See Wavefront_state.
+  // Limit of the work, see Wavefront_state.
   void limit_work(std::size_t windows) { m_state.limit_work(windows); }
 
   // Propagates from the source primitives `first_primitive` and later. Known distances stay unless a shorter path is found.

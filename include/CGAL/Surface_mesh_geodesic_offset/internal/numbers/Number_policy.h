@@ -10,6 +10,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -70,6 +71,17 @@ struct Number_policy
     if constexpr (!is_inexact) return FT(0);
     else if constexpr (std::numeric_limits<FT>::is_specialized) return FT(factor) * std::numeric_limits<FT>::epsilon();
     else return FT(factor) * Unit_roundoff<FT>()();
+  }
+
+  // The square root of rounding(1).
+  static double root_of_rounding()
+  {
+    if constexpr (std::is_same<FT, double>::value) return 0x1p-26;
+    else
+    {
+      static const double root = std::sqrt(CGAL::to_double(rounding(1)));
+      return root;
+    }
   }
 };
 

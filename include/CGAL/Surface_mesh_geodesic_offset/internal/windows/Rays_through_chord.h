@@ -73,7 +73,7 @@ struct Rays_through_chord
     return CGAL::abs(cross(chord, p - left)) <= rounding_at(p) * (CGAL::abs(chord.x) + CGAL::abs(chord.y));
   }
 
-  // Rounding error of the distance of p along parallel rays.
+  // Rounding error of p, of the chord, and of the distance of p along parallel rays.
   FT rounding_at(const Point& p) const
   {
     return Number_policy<FT>::rounding(16) * (CGAL::abs(sigma) + CGAL::abs(p.x) + CGAL::abs(p.y) + CGAL::abs(left.x) +
