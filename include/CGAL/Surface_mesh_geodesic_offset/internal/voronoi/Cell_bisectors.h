@@ -64,6 +64,13 @@ public:
     return false;
   }
 
+  // Adds the arcs of all pairs of windows in a cell, whether they fit together or not.
+  void find_arcs(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, std::vector<Bisector_arc<NT>>& arcs)
+  {
+    m_tolerances.use_tie(1);
+    m_find_arcs(cell, candidates, -m_tolerances.slack, arcs);
+  }
+
   // True if ends farther apart than a joint have met in the last cell: loose ones, or all.
   bool has_loose_joints() const { return m_has_loose_joints; }
   std::size_t number_of_comparisons() const { return m_find_arcs.number_of_comparisons(); }

@@ -133,6 +133,7 @@ public:
     Cell_bisectors<NT> bisectors(m_windows, m_tolerances, m_cell);
     Gate_links<NT> links(m_windows, m_tolerances, m_cell);
     std::size_t divisions = 0, divisions_for_windows = 0;
+    std::vector<Bisector_arc<NT>> found;
     m_pending.clear();
     add_pending({m_cell, m_all, m_all.size() + 1, 0, 0});
     while (!m_pending.empty())
@@ -166,7 +167,12 @@ public:
         const bool may_divide = is_divisible && divisions < Voronoi_tolerances<NT>::most_divisions * m_all.size();
         if (!holds || bisectors.has_wide_joints()) m_has_contradictions = true;
         if (m_has_contradictions && m_limits.stops_if_uncertain) return false;
-        if (!holds && links.connect(part.cell, part.near, new_node, write)) continue;
+        if (!holds)
+        {
+          found.clear();
+          if (may_divide) bisectors.find_arcs(part.cell, inside, found);
+          if (links.connect(part.cell, part.near, found, new_node, write)) continue;
+        }
         if (holds || !may_divide)
         {
           if (!fits) links.connect_straight(part.cell, new_node, write);

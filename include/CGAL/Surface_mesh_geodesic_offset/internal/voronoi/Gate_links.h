@@ -38,20 +38,22 @@ public:
   }
 
   // Connects the gates, and passes the curves to out(arc), with new_node() for a point in which several meet. Returns false,
-  // without output, if distances differ on one of them. A cell without gates must have the label of its corners at its center,
-  // and between that and its corners and sides.
+  // without output, if distances differ on one of them, or if one of the arcs `found` by pairs of windows is beside all of them. A cell
+  // without gates must have the label of its corners at its center, and between that and its corners and sides.
   template <class New_node, class OutputFunction>
-  bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates, const New_node& new_node,
-               const OutputFunction& out)
+  bool connect(const Voronoi_cell<NT>& cell, const std::vector<unsigned>& candidates,
+               const std::vector<Bisector_arc<NT>>& found, const New_node& new_node, const OutputFunction& out)
   {
     m_candidates = &candidates;
-    if (cell.gates.empty()) return is_of_one_source(cell);
+    m_arcs.clear();
+    if (cell.gates.empty()) return is_of_one_source(cell) && explain(found);
     for (const Pairing pairing : {ACROSS, FROM_FIRST, FROM_SECOND})
     {
       pair_up(cell, pairing);
       if (!std::all_of(m_arcs.begin(), m_arcs.end(),
                        [&](Bisector_arc<NT>& a) { return this->set_conic(a) || this->is_bisector(a, m_tolerances.of_link()); }))
         continue;
+      if (!explain(found)) continue;
       write(new_node, out);
       return true;
     }
@@ -197,6 +199,40 @@ private:
     NT part = 1. / Voronoi_tolerances<NT>::samples_of_link;
     for (; part * length > m_tolerances.joint; part *= Voronoi_tolerances<NT>::step_of_samples)
       if (!is_between(part) || !is_between(1 - part)) return false;
+    return true;
+  }
+
+  // True if each of the arcs found is one of the curves, or one of two arcs with nothing between them, up to rounding: its sources tie from
+  // its middle to the other one. Else it belongs to a curve that passes no gate. Binding test: test_voronoi_diagram, curves without gates.
+  bool explain(const std::vector<Bisector_arc<NT>>& found) const
+  {
+    return std::all_of(found.begin(), found.end(), [&](const Bisector_arc<NT>& a) {
+      const auto is_same = [&](const Bisector_arc<NT>& b) { return &a != &b && this->tie_between(a, b); };
+      return a.chord_length() <= m_tolerances.smallest_loop || std::any_of(m_arcs.begin(), m_arcs.end(), is_same) ||
+             std::any_of(found.begin(), found.end(), is_same);
+    });
+  }
+
+  // True if the sources of two arcs are the same, and tie from the middle of the first to the nearest point of the second, which is not an
+  // end that the middle is beyond.
+  bool tie_between(const Bisector_arc<NT>& a, const Bisector_arc<NT>& b) const
+  {
+    if (std::minmax(a.left.label, a.right.label) != std::minmax(b.left.label, b.right.label)) return false;
+    constexpr int samples = Voronoi_tolerances<NT>::samples_of_link;
+    const auto sample = [&](int i) { return b.at(NT(i) / samples); };
+    const Point from = a.middle();
+    int nearest = 0;
+    for (int i = 1; i <= samples; ++i)
+      if (length(sample(i) - from) < length(sample(nearest) - from)) nearest = i;
+    const Point to = sample(nearest);
+    if (nearest == 0 && dot(from - to, sample(1) - to) < 0) return false;
+    if (nearest == samples && dot(from - to, sample(samples - 1) - to) < 0) return false;
+    for (int i = 0; i <= samples; ++i)
+    {
+      const Point p = from + (NT(i) / samples) * (to - from);
+      if (!is_nearest(a.left.label, p, m_tolerances.of_link()) || !is_nearest(a.right.label, p, m_tolerances.of_link()))
+        return false;
+    }
     return true;
   }
 
