@@ -578,6 +578,52 @@ void rounding_of_levels()
     }
 }
 
+// Fans that share vertices only: an offset at the distance of such a vertex may be this point, or nothing. From an attack.
+void pinched_vertices()
+{
+  Random random(11);
+  std::size_t without_curves = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    test::Surface_mesh mesh;
+    typedef test::Surface_mesh::Vertex_index Vertex;
+    std::vector<Vertex> shared;
+    const int fans = 2 + i % 3;
+    for (int fan = 0; fan < fans; ++fan)
+    { // around a shared vertex, or with one or two of them on its rim
+      const int faces = 2 + int(uniform(random, 0, 4));
+      std::vector<Vertex> v;
+      for (int k = 0; k < faces + 2; ++k)
+        v.push_back(mesh.add_vertex(Point_3(2 * fan + uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))));
+      if (fan > 0)
+        mesh.remove_vertex(std::exchange(v[i % 2 == 0 ? 0 : 2], shared[std::size_t(uniform(random, 0, double(shared.size())))]));
+      const auto is_free = [&](Vertex w) { return w != shared[0] && !mesh.halfedge(w, shared[0]).is_valid(); };
+      if (fan > 1 && is_free(v[0]) && is_free(v[2])) mesh.remove_vertex(std::exchange(v[1], shared[0]));
+      for (int k = 1; k <= faces; ++k) CHECK(mesh.add_face(v[0], v[k], v[k + 1]) != test::Surface_mesh::null_face());
+      shared.insert(shared.end(), {v[0], v[2], v.back()});
+    }
+    mesh.collect_garbage();
+    Case c("pinched vertices " + std::to_string(i), mesh);
+    c.add_source(Face_location(*mesh.faces().begin(), {{0.3, 0.25, 0.45}}));
+    c.build();
+    for (const Vertex v : mesh.vertices())
+      for (const int step : {-64, -1, 0, 1, 64})
+      {
+        const double d = c.geodesic.distance_to_sources(v) * (1 + step * 0x1p-52);
+        if (!(d < infinity)) continue;
+        check_ours(c, d);
+        if (!c.offsets(d).empty()) continue;
+        // but away from the vertex, the fans are one region
+        const double deep = 1e-3 * d;
+        const Certificate none = c.enclosure.certify_offset(d - deep, std::vector<Polyline>());
+        const double most = c.geodesic.largest_distance() - (d - deep);
+        CHECK_DETAIL(none.bounds_region && std::abs(none.tolerance - most) <= 1e-11 * c.diagonal, values(none.tolerance, most));
+        if (d < 0.99 * c.geodesic.largest_distance()) ++without_curves;
+      }
+  }
+  CHECK_DETAIL(without_curves > 20, std::to_string(without_curves));
+}
+
 // A source outside counts however near its start value is to the level, and so does a point that belongs to no piece. From an
 // attack.
 void outside_points()
@@ -607,16 +653,18 @@ void outside_points()
 
 GEODESIC_OFFSET_TEST(test_certified_offsets)
 {
-  const std::pair<const char*, void (*)()> tests[] = {{"use", use},
-                                                      {"own offsets", own_offsets},
-                                                      {data_case, data_meshes},
-                                                      {"small triangles", distances_from_small_triangles},
-                                                      {"near the farthest point", near_the_farthest_point},
-                                                      {"sampled regions", sampled_regions},
-                                                      {"rounding of levels", rounding_of_levels},
-                                                      {"outside points", outside_points},
-                                                      {"faults", faults},
-                                                      {"no region, and other sources", no_region_and_other_sources}};
+  const std::pair<const char*, void (*)()> tests[] = {
+    {"use", use},
+    {"own offsets", own_offsets},
+    {data_case, data_meshes},
+    {"small triangles", distances_from_small_triangles},
+    {"near the farthest point", near_the_farthest_point},
+    {"sampled regions", sampled_regions},
+    {"rounding of levels", rounding_of_levels},
+    {"pinched vertices", pinched_vertices},
+    {"outside points", outside_points},
+    {"faults", faults},
+    {"no region, and other sources", no_region_and_other_sources}};
   const int result = run_tests("test_certified_offsets", tests);
   std::cout << number_of_offsets << " offsets, tolerances up to " << worst_of_ours << " of the diagonal; of linear interpolation "
             << least_of_interpolation << " at least" << std::endl;

@@ -247,7 +247,8 @@ public:
   ///
   /// All curves together bound the region: each point is inside, or outside, if an even, or odd, number of curves separates it
   /// from the sources. An open curve must end at the border, or exactly where
-  /// another open curve ends: points of an edge must be given in the same face.
+  /// another open curve ends: points of an edge must be given in the same face. A vertex at `distance`, up to rounding, whose faces are
+  /// several fans that share no edge, is a point of the curves, too: an offset that touches it has no curve there.
   ///
   /// Points of polylines are classified as sources are, and joined by straight segments in their faces. Offset curves are taken
   /// as arcs; where pieces are a rounding apart, the tolerance includes it.

@@ -51,8 +51,9 @@ public:
   explicit Curve_region(const Unfolded_mesh<double>& mesh) : m_mesh(mesh) {}
 
   // Finds the sides. False if there is a contradiction; it is in the face, or at the halfedge of it, that is noted in
-  // `conflict_face`.
-  bool set_pieces(const std::vector<Curve_piece>& pieces)
+  // `conflict_face`. `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides, and
+  // are if one of them belongs to a component without curves.
+  bool set_pieces(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
   {
     find_events(pieces);
     m_first.assign(m_mesh.number_of_halfedges() + 1, 0);
@@ -66,7 +67,7 @@ public:
     m_pieces_of_face.clear();
     for (std::size_t i = 0; i < pieces.size(); ++i) add(pieces[i], i);
     std::sort(m_pieces_of_face.begin(), m_pieces_of_face.end());
-    return unite_all();
+    return unite_all(pieces, pinches);
   }
 
   Index conflict_face() const { return m_conflict; }
@@ -302,7 +303,7 @@ private:
     return true;
   }
 
-  bool unite_all()
+  bool unite_all(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
   {
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
     {
@@ -318,6 +319,8 @@ private:
       for (std::size_t i = 0; i < n; ++i)
         if (!unite(m_first[h] + i, m_first[g] + n - 1 - i, m_is_carried[m_first[h] + i])) return complain(h / 3);
     }
+    unite_pinches(pieces, pinches);
+    for (const Index v : pinches) m_on_curve[v] = 1;
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (m_mesh.corner(v) != no_index && !m_on_curve[v] && m_mesh.has_several_fans(v))
       { // paths pass from fan to fan there
@@ -327,6 +330,26 @@ private:
       }
     m_component.assign(m_parent.size(), 0);
     return true;
+  }
+
+  // Fans of components that have curves are on one side at a pinch, if that contradicts nothing.
+  void unite_pinches(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
+  {
+    if (pinches.empty()) return;
+    std::vector<char> has_curve(m_parent.size(), 0);
+    for (const Curve_piece& p : pieces) has_curve[find(m_first[3 * p.face]).first] = 1;
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const Index v : pinches)
+    {
+      if (m_on_curve[v]) continue;
+      std::size_t first = m_parent.size();
+      m_mesh.for_each_fan(v, [&](Index c) {
+        if (!has_curve[find(m_first[c]).first]) return;
+        if (first == m_parent.size()) first = m_first[c];
+        else pairs.emplace_back(first, m_first[c]);
+      });
+    }
+    for (const auto& [i, j] : pairs) unite(i, j, false);
   }
 
   bool complain(Index face)

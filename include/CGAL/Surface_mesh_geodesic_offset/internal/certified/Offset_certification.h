@@ -4,7 +4,7 @@
 // The smallest eps for which curves are proven to be an offset: they bound a region R with {D < d - eps} inside R, and R inside
 // {D <= d + eps}.
 //
-// Let C be the union of the curves, and R be C and the points that are separated from the sources by an even number of curves.
+// Let C be the union of the curves and of the vertices at the level where fans meet, and R be C and the points that are separated from the sources by an even number of curves.
 //
 // {D < d - eps} is inside R: the shortest path to a point outside of R starts at a source, in R, and so meets C. D grows along
 // the path, so D is at least the minimum of D on C there. Thus it is enough that D >= d - eps on C, and that all sources are in
@@ -103,7 +103,8 @@ public:
   const Result& operator()()
   {
     if (m_result.limit != Limit::NONE || !check_ends()) return m_result;
-    if (!m_region.set_pieces(m_pieces))
+    const std::vector<Index> pinches = pinches_at_level();
+    if (!m_region.set_pieces(m_pieces, pinches))
     {
       set_limit(Limit::NO_REGION, m_region.conflict_face(), m_sources.corner(m_region.conflict_face(), 0), {0., 0.}, no_curve);
       m_result.excess = Number_policy<double>::infinity();
@@ -115,6 +116,7 @@ public:
     // points first: they show how much is needed at least
     for (const Curve_piece& p : m_pieces) bound_point({p.face, p.geometry.hull[0], p.curve}, p.moved);
     for (const Curve_point& p : m_points) bound_point(p, 0);
+    for (const Index v : pinches) bound_pinch(v);
     for (const Curve_piece& p : m_pieces)
     {
       m_bounds.set_face(p.face);
@@ -216,6 +218,31 @@ private:
     const std::size_t end = m_bounds.end_of_candidates();
     allow_for(m_bounds(Face_piece::point(p.place), moved, 0, end, false).at_inner_point, p.place, p.face, p.curve);
     m_bounds.drop_candidates(end);
+  }
+
+  // Vertices with several fans at the level, up to its rounding. An offset that touches such a vertex is a point there, which curves need
+  // not have: it is added to C, as it may separate the fans.
+  std::vector<Index> pinches_at_level() const
+  {
+    std::vector<Index> result;
+    const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
+    for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
+    {
+      const Index corner = unfolded.corner(v);
+      if (corner == no_index || !unfolded.has_several_fans(v)) continue;
+      const double rounding = level_rounding * m_distance + smallest_step(corner / 3);
+      if (m_distance - m_field.bounds.lower(v) <= rounding && upper(v) - m_distance <= rounding) result.push_back(v);
+    }
+    return result;
+  }
+
+  void bound_pinch(Index v)
+  {
+    const Bounds bounds{m_field.bounds.lower(v), upper(v)};
+    const Index corner = m_mesh.unfolded().corner(v);
+    const Double_double_2 place = m_sources.corner(corner / 3, int(corner % 3));
+    raise(m_distance - bounds.first, Limit::CURVE_TOO_NEAR, corner / 3, place, bounds, no_curve);
+    raise(bounds.second - m_distance, Limit::CURVE_TOO_FAR, corner / 3, place, bounds, no_curve);
   }
 
   // Open curves go on as others, or end at the border.
