@@ -38,7 +38,7 @@ public:
     if (m_most_faces >= most_faces)
       throw std::runtime_error("Surface_mesh_geodesic_enclosure: a path may cross 2^16 faces without a bend; errors of "
                                "images are proven for fewer");
-    if (!(m_largest_radius < m_state.queue.width()))
+    if (!(m_largest_radius < m_state.queue.bucket_width()))
       throw std::runtime_error("Surface_mesh_geodesic_enclosure: a distance is uncertain by more than a quarter of the "
                                "mean edge");
     const double room = Number_policy<double>::is_finite(best) ? face.error_of_entry(best, entry) : 0.;

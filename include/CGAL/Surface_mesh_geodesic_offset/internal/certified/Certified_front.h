@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_envelope.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Certified_sources.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/certified/Rotation.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Source_pacing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/mesh/Vertex_sector.h>
 
 #include <algorithm>
@@ -56,19 +57,16 @@ public:
   }
 
 private:
-  // Starts the sources with start values not far beyond the front, as in Wavefront.
+  // Starts the sources with start values not far beyond the front.
   void start_near(const Certified_sources& sources)
   {
-    const Bucket_queue& queue = m_state.queue;
-    if (!Number_policy<double>::is_finite(m_next_start_value)) return;
-    const std::size_t last =
-      queue.current() + (std::size_t(1) << 12) + 2 * queue.bucket_of(m_mesh.to_unit(m_unfolded.longest_edge()));
-    if (queue.bucket_of(m_next_start_value) > last) return;
-    const double above = m_last_started;
-    m_last_started = (std::max)(m_next_start_value, double(last) * queue.width());
-    start(sources, [&](const auto& s) { return above < s.start_value && s.start_value <= m_last_started; });
+    const double above = m_pacing.last();
+    if (!has_next_sources() || !m_pacing.advance(m_state.queue, m_mesh.to_unit(m_unfolded.longest_edge()))) return;
+    start(sources, [&](const auto& s) { return above < s.start_value && s.start_value <= m_pacing.last(); });
     find_next_start_value(sources);
   }
+
+  bool has_next_sources() const { return m_pacing.has_next(Number_policy<double>::infinity()); }
 
   template <class Predicate>
   void start(const Certified_sources& sources, const Predicate& starts)
@@ -89,19 +87,20 @@ private:
 
   void find_next_start_value(const Certified_sources& sources)
   {
-    m_next_start_value = Number_policy<double>::infinity();
+    double next = Number_policy<double>::infinity();
     const auto consider = [&](const auto& s) {
-      if (m_last_started < s.start_value) m_next_start_value = (std::min)(m_next_start_value, s.start_value);
+      if (m_pacing.last() < s.start_value) next = (std::min)(next, s.start_value);
     };
     for (const Certified_source_vertex& s : sources.vertices) consider(s);
     for (const Certified_source& s : sources.in_faces) consider(s);
+    m_pacing.set_next(next);
   }
 
   // Called when no event is left: moves to the sources with the next start value. Returns false if there are none.
   bool jumps_to_next_sources()
   {
-    if (!Number_policy<double>::is_finite(m_next_start_value)) return false;
-    m_state.queue.jump_to(m_state.queue.bucket_of(m_next_start_value));
+    if (!has_next_sources()) return false;
+    m_state.queue.jump_to(m_state.queue.bucket_of(m_pacing.next()));
     return true;
   }
 
@@ -247,7 +246,7 @@ private:
   Vertex_sector<double> m_sector;
   Certified_envelope m_envelope;
   Certified_batch m_propagate;
-  double m_last_started = -1, m_next_start_value = 0; // start values
+  Source_pacing<double> m_pacing;
   CGAL_GEODESIC_OFFSET_CERTIFICATE(Certificate_of_sector m_certificate{m_mesh};)
 };
 

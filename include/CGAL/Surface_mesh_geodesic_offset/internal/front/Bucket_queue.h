@@ -48,7 +48,7 @@ public:
   }
 
   std::size_t current() const { return m_current; }
-  double width() const { return m_width; }
+  double bucket_width() const { return m_width; }
 
   void push_halfedge(std::size_t bucket, Index h)
   {

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Parallel_front.h>
 #endif
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Ray_spreading.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/front/Source_pacing.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/sources/Merging_groups.h>
@@ -80,7 +81,7 @@ public:
   {
     m_is_update = first_primitive > 0;
     m_first_primitive = first_primitive;
-    m_next_start_value = m_start_values.next(first_primitive, m_last_started);
+    m_pacing.set_next(m_start_values.next(first_primitive, m_pacing.last()));
     m_state.field.maximum = m_state.maximum;
     std::size_t settled = 1, asked = 1;
     while (true)
@@ -138,29 +139,23 @@ private:
       if (!m_passing.is_finished(f) && (m_is_update ? m_state.face_state[f] != 0 : is_reached(f, m_state.maximum))) function(f);
   }
 
-  // Buckets ahead of the current one, at least, in which sources are started. The front moves by less until the next call.
-  std::size_t buckets_ahead() const { return (std::size_t(1) << 12) + 2 * m_state.bucket_of(m_mesh.longest_edge()); }
-
   // Starts the sources with start values not far beyond the front.
   void start_sources()
   {
-    if (!(m_next_start_value <= m_state.maximum) || !Number_policy<FT>::is_finite(m_next_start_value)) return;
-    const std::size_t last = m_state.current() + buckets_ahead();
-    if (m_state.bucket_of(m_next_start_value) > last) return;
-    const FT last_value = (std::max)(m_next_start_value, FT(double(last) * m_state.bucket_width()));
+    const FT above = m_pacing.last();
+    if (!m_pacing.has_next(m_state.maximum) || !m_pacing.advance(m_state, m_mesh.longest_edge())) return;
     m_front.refresh_all_parts();
     m_state.unfinished.oldest(m_state.current()); // forgets the buckets before
-    m_spreading.start(m_first_primitive, m_last_started, last_value);
+    m_spreading.start(m_first_primitive, above, m_pacing.last());
     m_front.refresh_all_parts();
-    m_last_started = last_value;
-    m_next_start_value = m_start_values.next(m_first_primitive, m_last_started);
+    m_pacing.set_next(m_start_values.next(m_first_primitive, m_pacing.last()));
   }
 
   // Called when no event is left: moves to the sources with the next start value. Returns false if there are none.
   bool jumps_to_next_sources()
   {
-    if (!(m_next_start_value <= m_state.maximum) || !Number_policy<FT>::is_finite(m_next_start_value)) return false;
-    m_state.jump_to((std::max)(m_state.bucket_of(m_next_start_value), m_state.current()));
+    if (!m_pacing.has_next(m_state.maximum)) return false;
+    m_state.jump_to((std::max)(m_state.bucket_of(m_pacing.next()), m_state.current()));
     m_front.refresh_all_parts();
     return true;
   }
@@ -246,7 +241,7 @@ private:
   Passed_faces m_passed; // not yet passed to the consumer
   bool m_is_update = false;
   Index m_first_primitive = 0;
-  FT m_last_started = FT(-1), m_next_start_value = FT(0); // start values
+  Source_pacing<FT> m_pacing;
   std::size_t m_number_of_passed = 0;
 };
 

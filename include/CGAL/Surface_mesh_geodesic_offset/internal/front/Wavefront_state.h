@@ -123,7 +123,7 @@ public:
     m_current = bucket;
   }
 
-  double bucket_width() const { return m_part.front().queue.width(); }
+  double bucket_width() const { return m_part.front().queue.bucket_width(); }
   FT passed() const { return FT(double(m_current) * bucket_width()); } // distance passed by the front
 
   Part& awake_part(Index i)
