@@ -56,11 +56,8 @@ public:
   std::vector<Index> labels(const std::array<NT, 3>& weights, NT within) const
   {
     const Point p = at(weights);
-    // Cones count up to a tie beyond their rays: rays from a source beside an edge graze it, and rounding moves points of the edge out
-    // of their cone. Around the end of the chord, the path would be longer. Binding test: test_voronoi_diagram, points on an edge.
     std::vector<NT> distance;
-    bool is_straight;
-    for (const Voronoi_window<NT>& w : m_windows) distance.push_back(distance_through(w, p, m_tie, is_straight));
+    for (const Voronoi_window<NT>& w : m_windows) distance.push_back(w.rays.path_length(p));
     const NT least = *std::min_element(distance.begin(), distance.end());
     const Voronoi_window<NT>* nearest = nullptr;
     std::set<Index> others;

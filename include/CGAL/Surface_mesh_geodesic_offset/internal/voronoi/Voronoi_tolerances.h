@@ -10,6 +10,7 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Elementary_functions.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/numbers/Number_policy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,7 @@ struct Voronoi_tolerances
   explicit Voronoi_tolerances(NT magnitude = 0)
     : tie(unit(6) * magnitude), slack(unit(7) * magnitude), usual_tie(tie), tie_of_rays(NT(8) * tie),
       shortest_interval(unit(8) * magnitude), joint(unit(14) * magnitude), loose_joint(magnitude / NT(1 << 8)),
-      loose_tie(unit(9) * magnitude), smallest_loop(8 * root_of_unit() * magnitude),
+      loose_tie(unit(9) * magnitude), smallest_loop(NT(8 * Number_policy<NT>::root_of_rounding()) * magnitude),
       smallest_cell((std::max)(unit(15), NT(4 * std::numeric_limits<double>::epsilon())) * magnitude),
       negligible(2 * smallest_cell)
   {
@@ -103,7 +104,7 @@ struct Voronoi_tolerances
   // Angle of the widest gap between neighbouring cones that is closed, besides what a tie at the image explains: 2^-24. A path along a
   // ray that is off by this angle is too short by 2^-49 of its length. Ends of windows are rounded to 2 u of the edge (see
   // least_clear_distance), so windows shorter than 2^-26 edges may leave such gaps.
-  static NT widest_gap() { return 4 * root_of_unit(); }
+  static NT widest_gap() { return NT(4 * Number_policy<NT>::root_of_rounding()); }
   // The largest angle by which a cone is widened, in radians: that of an image within a tie of the start of its ray, which has no
   // direction. Binding test of these angles: test_voronoi_diagram, beside vertices.
   static constexpr double widest_turn = 1;
@@ -131,7 +132,6 @@ struct Voronoi_tolerances
 
 private:
   static NT unit(int bits) { return NT(1 << bits) * std::numeric_limits<NT>::epsilon(); }
-  static NT root_of_unit() { return square_root<NT>(std::numeric_limits<NT>::epsilon()); }
 };
 
 } // namespace internal
