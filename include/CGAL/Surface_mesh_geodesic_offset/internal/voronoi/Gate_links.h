@@ -203,7 +203,8 @@ private:
   }
 
   // True if each of the arcs found is one of the curves, or one of two arcs with nothing between them, up to rounding: its sources tie from
-  // its middle to the other one. Else it belongs to a curve that passes no gate. Binding test: test_voronoi_diagram, curves without gates.
+  // its middle to the other one, whose sources may be others that tie there, too. Else it belongs to a curve that passes no gate. Binding
+  // test: test_voronoi_diagram, curves without gates.
   bool explain(const std::vector<Bisector_arc<NT>>& found) const
   {
     return std::all_of(found.begin(), found.end(), [&](const Bisector_arc<NT>& a) {
@@ -213,11 +214,10 @@ private:
     });
   }
 
-  // True if the sources of two arcs are the same, and tie from the middle of the first to the nearest point of the second, which is not an
-  // end that the middle is beyond.
+  // True if the sources of an arc tie, and no other one is nearer, from its middle to the nearest point of another arc, which is not an end
+  // that the middle is beyond.
   bool tie_between(const Bisector_arc<NT>& a, const Bisector_arc<NT>& b) const
   {
-    if (std::minmax(a.left.label, a.right.label) != std::minmax(b.left.label, b.right.label)) return false;
     constexpr int samples = Voronoi_tolerances<NT>::samples_of_link;
     const auto sample = [&](int i) { return b.at(NT(i) / samples); };
     const Point from = a.middle();
