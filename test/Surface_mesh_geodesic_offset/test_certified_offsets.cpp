@@ -605,9 +605,10 @@ void pinched_vertices()
     mesh.collect_garbage();
     Case c("pinched vertices " + std::to_string(i), mesh);
     c.add_source(Face_location(*mesh.faces().begin(), {{0.3, 0.25, 0.45}}));
+    if (i % 5 < 2) c.add_source(Face_location(test::Surface_mesh::Face_index(mesh.number_of_faces() - 1), {{0.2, 0.1, 0.7}}));
     c.build();
     for (const Vertex v : mesh.vertices())
-      for (const int step : {-64, -1, 0, 1, 64})
+      for (const int step : {-1024, -64, -1, 0, 1, 64, 1024})
       {
         const double d = c.geodesic.distance_to_sources(v) * (1 + step * 0x1p-52);
         if (!(d < infinity)) continue;

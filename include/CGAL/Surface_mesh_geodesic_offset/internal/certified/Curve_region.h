@@ -51,8 +51,7 @@ public:
   explicit Curve_region(const Unfolded_mesh<double>& mesh) : m_mesh(mesh) {}
 
   // Finds the sides. False if there is a contradiction; it is in the face, or at the halfedge of it, that is noted in
-  // `conflict_face`. `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides, and
-  // are if one of them belongs to a component without curves.
+  // `conflict_face`. `pinches`: vertices with several fans that are points of the curves, too: their fans may be on different sides.
   bool set_pieces(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
   {
     find_events(pieces);
@@ -67,7 +66,13 @@ public:
     m_pieces_of_face.clear();
     for (std::size_t i = 0; i < pieces.size(); ++i) add(pieces[i], i);
     std::sort(m_pieces_of_face.begin(), m_pieces_of_face.end());
-    return unite_all(pieces, pinches);
+    for (const Index v : pinches) m_on_curve[v] = 1;
+    if (!unite_all()) return false;
+    m_component.assign(m_parent.size(), 0);
+    m_has_curve.assign(m_parent.size(), 0);
+    for (const Curve_piece& p : pieces)
+      if (key(p.from) != key(p.to)) m_has_curve[find(m_first[3 * p.face]).first] = 1;
+    return true;
   }
 
   Index conflict_face() const { return m_conflict; }
@@ -93,6 +98,7 @@ public:
     m_component[root] = char(1 + (is_inside != differs));
   }
   bool has_side(std::size_t part) const { return m_component[find(part).first] != 0; }
+  bool has_curve(std::size_t part) const { return m_has_curve[find(part).first]; } // in its component
   bool is_inside(std::size_t part) const
   {
     const auto [root, differs] = find(part);
@@ -303,7 +309,7 @@ private:
     return true;
   }
 
-  bool unite_all(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
+  bool unite_all()
   {
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
     {
@@ -319,8 +325,6 @@ private:
       for (std::size_t i = 0; i < n; ++i)
         if (!unite(m_first[h] + i, m_first[g] + n - 1 - i, m_is_carried[m_first[h] + i])) return complain(h / 3);
     }
-    unite_pinches(pieces, pinches);
-    for (const Index v : pinches) m_on_curve[v] = 1;
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (m_mesh.corner(v) != no_index && !m_on_curve[v] && m_mesh.has_several_fans(v))
       { // paths pass from fan to fan there
@@ -328,28 +332,7 @@ private:
         m_mesh.for_each_fan(v, [&](Index c) { fits = unite(m_first[m_mesh.corner(v)], m_first[c], false) && fits; });
         if (!fits) return complain(m_mesh.corner(v) / 3);
       }
-    m_component.assign(m_parent.size(), 0);
     return true;
-  }
-
-  // Fans of components that have curves are on one side at a pinch, if that contradicts nothing.
-  void unite_pinches(const std::vector<Curve_piece>& pieces, const std::vector<Index>& pinches)
-  {
-    if (pinches.empty()) return;
-    std::vector<char> has_curve(m_parent.size(), 0);
-    for (const Curve_piece& p : pieces) has_curve[find(m_first[3 * p.face]).first] = 1;
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (const Index v : pinches)
-    {
-      if (m_on_curve[v]) continue;
-      std::size_t first = m_parent.size();
-      m_mesh.for_each_fan(v, [&](Index c) {
-        if (!has_curve[find(m_first[c]).first]) return;
-        if (first == m_parent.size()) first = m_first[c];
-        else pairs.emplace_back(first, m_first[c]);
-      });
-    }
-    for (const auto& [i, j] : pairs) unite(i, j, false);
   }
 
   bool complain(Index face)
@@ -363,7 +346,7 @@ private:
   std::vector<std::size_t> m_first; // part, per halfedge
   mutable std::vector<std::size_t> m_parent; // per part, as are the others
   mutable std::vector<char> m_differs;
-  std::vector<char> m_flips_behind, m_is_carried, m_component;
+  std::vector<char> m_flips_behind, m_is_carried, m_component, m_has_curve;
   std::vector<char> m_on_curve; // per vertex
   std::vector<std::pair<Index, std::size_t>> m_pieces_of_face;
   Index m_conflict = no_index;

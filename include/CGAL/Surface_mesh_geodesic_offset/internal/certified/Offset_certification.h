@@ -111,7 +111,7 @@ public:
       return m_result;
     }
     m_result.bounds_region = true;
-    find_sides();
+    find_sides(pinches);
     find_reversed();
     // points first: they show how much is needed at least
     for (const Curve_piece& p : m_pieces) bound_point({p.face, p.geometry.hull[0], p.curve}, p.moved);
@@ -143,8 +143,10 @@ private:
   // The tolerance is the smallest one up to this part of the distance and the size of a face, twice the errors of the bounds of
   // a point.
   static constexpr double resolution = 0x1p-45;
-  // The package cuts a level below itself by 2^-42 of it. Binding test: test_certified_offsets, rounding of levels.
+  // The package cuts a level below itself by 2^-42 of it, and leaves out curves that are smaller. Binding tests: test_certified_offsets,
+  // rounding of levels, pinched vertices.
   static constexpr double level_rounding = 0x1p-41;
+  static constexpr double longest_edge = 2; // bound, in units
   // The parts of a piece are never smaller than its 2^-60, and the triangles of a face are no more than 2^16.
   static constexpr int most_halvings = 60;
   static constexpr std::size_t most_triangles = 1u << 16;
@@ -220,19 +222,19 @@ private:
     m_bounds.drop_candidates(end);
   }
 
-  // Vertices with several fans at the level, up to its rounding. An offset that touches such a vertex is a point there, which curves need
-  // not have: it is added to C, as it may separate the fans.
+  // Vertices with several fans that may be at the level, by their bounds. An offset that touches such a vertex is a point there, which curves
+  // need not have: it is added to C, as it may separate the fans. The nearest come first.
   std::vector<Index> pinches_at_level() const
   {
     std::vector<Index> result;
     const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
+    const double rounding = level_rounding * (m_distance + longest_edge);
     for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
     {
-      const Index corner = unfolded.corner(v);
-      if (corner == no_index || !unfolded.has_several_fans(v)) continue;
-      const double rounding = level_rounding * m_distance + smallest_step(corner / 3);
-      if (m_distance - m_field.bounds.lower(v) <= rounding && upper(v) - m_distance <= rounding) result.push_back(v);
+      if (unfolded.corner(v) == no_index || !unfolded.has_several_fans(v)) continue;
+      if (m_field.bounds.lower(v) - m_distance <= rounding && m_distance - upper(v) <= rounding) result.push_back(v);
     }
+    std::stable_sort(result.begin(), result.end(), [&](Index v, Index w) { return upper(v) < upper(w); });
     return result;
   }
 
@@ -288,11 +290,17 @@ private:
   }
 
   // The first source of a component is inside; so must the others be. Those with start values near the level, up to its rounding,
-  // may be on either side, and decide none; outside, the tolerance is at least their depth below the level.
-  void find_sides()
+  // may be on either side, and decide none; outside, the tolerance is at least their depth below the level. A component without sources
+  // is outside; if it has curves, these are around the pinches through which it is reached.
+  void find_sides(const std::vector<Index>& pinches)
   {
     const double level = (1 - level_rounding) * m_distance;
     put_sources(0, level);
+    for (const Index v : pinches)
+      m_mesh.unfolded().for_each_fan(v, [&](Index corner) {
+        const std::size_t part = m_region.part(corner, 0);
+        if (!m_region.has_side(part) && m_region.has_curve(part)) m_region.set_side(part, true);
+      });
     for (std::size_t i = 0; i < m_region.number_of_parts(); ++i)
       if (!m_region.has_side(i)) m_region.set_side(i, false);
     put_sources(level, m_distance);
