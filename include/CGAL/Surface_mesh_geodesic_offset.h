@@ -218,7 +218,7 @@ public:
   }
 
   /// adds a point anywhere on the surface. The coordinates are divided by their sum. If one of them is zero up to round-off
-  /// (1e-13), the point is on the edge; if two are, it is at the vertex.
+  /// (1e-13), the point is the nearest one of the edge; if two are, it is at the vertex.
   /// \param location the point
   /// \param np as for a vertex
   /// \throws std::invalid_argument if the coordinates are not finite, if they are outside the face, if their sum is not
