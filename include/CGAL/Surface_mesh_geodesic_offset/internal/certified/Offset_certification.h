@@ -4,7 +4,8 @@
 // The smallest eps for which curves are proven to be an offset: they bound a region R with {D < d - eps} inside R, and R inside
 // {D <= d + eps}.
 //
-// Let C be the union of the curves and of the vertices at the level where fans meet, and R be C and the points that are separated from the sources by an even number of curves.
+// Let C be the union of the curves, and of the vertices at the level where fans meet; and R be C and the points that are separated
+// from the sources by an even number of curves. A component that only such vertices connect to sources may be on either side.
 //
 // {D < d - eps} is inside R: the shortest path to a point outside of R starts at a source, in R, and so meets C. D grows along
 // the path, so D is at least the minimum of D on C there. Thus it is enough that D >= d - eps on C, and that all sources are in
