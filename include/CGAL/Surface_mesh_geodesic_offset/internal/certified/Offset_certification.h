@@ -223,8 +223,8 @@ private:
     m_bounds.drop_candidates(end);
   }
 
-  // Vertices with several fans that may be at the level, by their bounds. An offset that touches such a vertex is a point there, which curves
-  // need not have: it is added to C, as it may separate the fans. The nearest come first.
+  // Vertices with several fans that may be at the level, by their bounds; the nearest come first. An offset that touches such a vertex is a
+  // point there, which curves need not have: it is added to C, as it may separate the fans.
   std::vector<Index> pinches_at_level() const
   {
     std::vector<Index> result;
