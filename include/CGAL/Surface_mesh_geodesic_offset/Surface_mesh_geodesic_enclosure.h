@@ -35,9 +35,9 @@ methods.
 
 The bounds are those of the mesh whose vertices have exactly the given coordinates, rounded to `double` if they are of another
 type. The location of a source or of a query is classified first: barycentric coordinates that are zero up to round-off
-(1e-13) put it at the nearest point of the edge, or at the vertex. \ref SurfaceMeshGeodesicOffsetErrorAnalysis says how the bounds are computed
-and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for paths that cross
-fewer than 2^16 faces without a bend; if there may be others, the build ends with an exception.
+(1e-13) put it at the nearest point of the edge, or at the vertex. \ref SurfaceMeshGeodesicOffsetErrorAnalysis says how
+the bounds are computed and why they are certain. On most meshes they differ by a few 1e-14 of the distance. They are proven for
+paths that cross fewer than 2^16 faces without a bend; if there may be others, the build ends with an exception.
 
 The computation takes about twice the time of `Surface_mesh_geodesic_offset` for the same sources. It relies on IEEE 754
 arithmetic with round to nearest, where every operation rounds to `double`: the header does not compile with `-ffast-math`,
