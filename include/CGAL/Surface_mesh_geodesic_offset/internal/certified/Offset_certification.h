@@ -147,7 +147,6 @@ private:
   // The package cuts a level below itself by 2^-42 of it, and leaves out curves that are smaller. Binding tests: test_certified_offsets,
   // rounding of levels, pinched vertices.
   static constexpr double level_rounding = 0x1p-41;
-  static constexpr double longest_edge = 2; // bound, in units
   // The parts of a piece are never smaller than its 2^-60, and the triangles of a face are no more than 2^16.
   static constexpr int most_halvings = 60;
   static constexpr std::size_t most_triangles = 1u << 16;
@@ -229,7 +228,7 @@ private:
   {
     std::vector<Index> result;
     const Unfolded_mesh<double>& unfolded = m_mesh.unfolded();
-    const double rounding = level_rounding * (m_distance + longest_edge);
+    const double rounding = level_rounding * (m_distance + m_mesh.to_unit(unfolded.longest_edge()));
     for (Index v = 0; v < unfolded.number_of_vertices(); ++v)
     {
       if (unfolded.corner(v) == no_index || !unfolded.has_several_fans(v)) continue;

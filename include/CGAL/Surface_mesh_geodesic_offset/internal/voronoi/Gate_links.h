@@ -227,13 +227,7 @@ private:
     const Point to = sample(nearest);
     if (nearest == 0 && dot(from - to, sample(1) - to) < 0) return false;
     if (nearest == samples && dot(from - to, sample(samples - 1) - to) < 0) return false;
-    for (int i = 0; i <= samples; ++i)
-    {
-      const Point p = from + (NT(i) / samples) * (to - from);
-      if (!is_nearest(a.left.label, p, m_tolerances.of_link()) || !is_nearest(a.right.label, p, m_tolerances.of_link()))
-        return false;
-    }
-    return true;
+    return is_bisector(Bisector_arc<NT>::link(from, to, a.left.label, a.right.label), m_tolerances.of_link());
   }
 
   bool is_of_one_source(const Voronoi_cell<NT>& cell) const
