@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Child_window_writer.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Inline_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Simd_edge_exit.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
@@ -74,7 +75,7 @@ public:
 
   // Result: updates for the apex, and windows on the twins of the two other halfedges.
   Index apex() const { return m_apex; }
-  const std::vector<Update>& updates() const { return m_updates; }
+  const Inline_sequence<Update>& updates() const { return m_updates; }
   const Output& left() const { return m_left; }
   const Output& right() const { return m_right; }
   std::size_t number_of_windows() const { return m_number; }
@@ -296,7 +297,7 @@ private:
   const Unfolded_mesh<FT>& m_mesh;
   const Traits& m_traits;
   Output m_left, m_right;
-  std::vector<Update> m_updates;
+  Inline_sequence<Update> m_updates;
   std::size_t m_number = 0;
   std::size_t m_left_end, m_right_begin; // end of the windows that leave to the left, begin of those to the right
   Index m_apex;

@@ -144,7 +144,7 @@ private:
 
   Bucket& at(std::size_t bucket)
   {
-    const std::size_t i = bucket > m_current ? bucket - m_current : 0;
+    const std::size_t i = (std::max)(bucket, m_current) - m_current;
     if (BOOST_UNLIKELY(i > m_mask)) grow(i);
     return m_ring[(m_begin + i) & m_mask];
   }

@@ -79,8 +79,7 @@ private:
       return;
     }
     if (!pruning.is_wide(b0, b1)) return;
-    const FT x = p.image.first();
-    const FT nearest = !is_parallel && b0 < x && x < b1 ? FT(p.sigma - p.image.second()) : lesser(d1, d0);
+    const FT nearest = minimum(is_parallel, b0, b1, FT(p.image.first()), FT(p.sigma - p.image.second()), d0, d1);
     if (certainly_less(maximum, nearest)) return;
     p.put(child);
     take_origin(w, child);

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Batch_propagation.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Wavefront_state.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/front/Window_merging.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Inline_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Lower_envelope.h>
 
 #include <CGAL/assertions.h>
@@ -44,7 +45,7 @@ public:
 
   // Propagates the new windows of a halfedge. Of the list, only flags and the split change. Returns the lower envelope that
   // replaces the windows, valid until the next call; null if the windows stay.
-  const Window_sequence<FT>* operator()(Index h, Window_list<FT>& list)
+  const Inline_sequence<Window>* operator()(Index h, Window_list<FT>& list)
   {
     m_nearest_gap = Number_policy<FT>::infinity();
     const bool may_stay = !m_needs_envelopes && list.processed == 0 && !list.waiting.data;
@@ -61,7 +62,7 @@ public:
     // The first windows of the list are the processed ones; a flag marks them for the envelope, which has another order.
     for (Window* w = list.data; w != list.data + list.processed; ++w) w->set_propagated();
     // With merging, gaps are closed at once: this gives fewer windows, and its errors are far below those of merging.
-    const Window_sequence<FT>& envelope =
+    const Inline_sequence<Window>& envelope =
       m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(), end_at(m_mesh.source(h)),
                  end_at(m_mesh.target(h)), m_merging.is_on() ? Number_policy<FT>::infinity() : m_state.passed());
     m_nearest_gap = m_envelope.nearest_gap();
@@ -80,9 +81,9 @@ public:
 private:
   static constexpr bool is_inexact = Number_policy<FT>::is_inexact;
 
-  const Window_sequence<FT>& propagate_merged(Index h, Window_list<FT>& list, const Window* first, const Window* last)
+  const Inline_sequence<Window>& propagate_merged(Index h, Window_list<FT>& list, const Window* first, const Window* last)
   {
-    const Window_sequence<FT>& merged = m_merging(first, last);
+    const Inline_sequence<Window>& merged = m_merging(first, last);
     m_propagate(h, merged.data(), merged.size(), list.split_distance, list.split_entry);
     return merged;
   }

@@ -9,10 +9,10 @@
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
 #include <CGAL/Surface_mesh_geodesic_offset/internal/field/Geodesic_field.h>
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Inline_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merge_error_code.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Merging_tolerance.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_sequence.h>
 
 #include <boost/config.hpp>
 
@@ -101,7 +101,7 @@ public:
 
   // Merges neighbours among the windows of a halfedge, in one pass. They are sorted by both ends, and may overlap. Propagated
   // windows stay unchanged. The result is valid until the next call.
-  const Window_sequence<FT>& operator()(const Window* first, const Window* last)
+  const Inline_sequence<Window>& operator()(const Window* first, const Window* last)
   {
     m_windows.clear();
     Window longer;
@@ -368,7 +368,7 @@ private:
     const FT y = (w.is_parallel() ? FT(0) : m.y) - (m.is_parallel() ? FT(0) : w.y);
     if (CGAL::is_zero(y) || (w.is_parallel() && m.is_parallel())) return FT(0);
     const FT b = (w.x * m.y - m.x * w.y) / y;
-    return w.b0 < b && b < w.b1 ? FT(w.distance_at(b) - m.distance_at(b)) : FT(0);
+    return int(w.b0 < b) & int(b < w.b1) ? FT(w.distance_at(b) - m.distance_at(b)) : FT(0);
   }
 
   const Geodesic_field<FT>& m_field;
@@ -379,7 +379,7 @@ private:
   std::size_t m_least_size = (std::numeric_limits<std::size_t>::max)(); // of lists that are merged
   std::size_t m_longest_always_merged = (std::numeric_limits<std::size_t>::max)();
   Merging_counts m_counts;
-  Window_sequence<FT> m_windows;
+  Inline_sequence<Window> m_windows;
 };
 
 } // namespace internal

@@ -127,9 +127,9 @@ public:
     prefetch(&first[2].origin); // possibly in a further cache line
   }
 
-  // Without branches, which would be unpredictable; a comparison of the remainder takes a multiplication only.
-  static Index next(Index h) { return h + 1 - 3 * Index(h % 3 == 2); }
-  static Index previous(Index h) { return h - 1 + 3 * Index(h % 3 == 0); }
+  // Without comparisons: compilers make branches of them, which are unpredictable.
+  static Index next(Index h) { return h + 1 - 3 * ((h % 3) >> 1); }
+  static Index previous(Index h) { return h - 1 + 3 * ((2 - h % 3) >> 1); }
   static Index face(Index h) { return h / 3; }
 
   Index twin(Index h) const { return m_halfedges[h].twin; }

@@ -91,14 +91,22 @@ inline const FT& lesser(const FT& a, const FT& b)
   return certainly_less(b, a) ? b : a;
 }
 
-// Smallest distance on the interval of a window; a lower bound if undecided.
+// Smallest distance on the interval [b0, b1] of a window: that at the foot of its image at (x, y) if it is inside; a lower bound if
+// undecided. The choice is a load for floating-point numbers, as a branch would be unpredictable.
+template <class FT>
+inline FT minimum(bool is_parallel, const FT& b0, const FT& b1, const FT& x, const FT& at_foot, const FT& d0, const FT& d1)
+{
+  const bool is_inside =
+    int(!is_parallel) & int(CGAL::possibly(estimate(b0) < estimate(x))) & int(CGAL::possibly(estimate(x) < estimate(b1)));
+  if constexpr (!Number_policy<FT>::is_inexact) return is_inside ? at_foot : lesser(d1, d0);
+  const FT candidates[2] = {lesser(d1, d0), at_foot};
+  return candidates[is_inside];
+}
+
 template <class FT>
 inline FT minimum(const Window<FT>& w)
 {
-  if (!w.is_parallel() && CGAL::possibly(estimate(w.b0) < estimate(w.x)) &&
-      CGAL::possibly(estimate(w.x) < estimate(w.b1)))
-    return w.sigma - w.y;
-  return lesser(w.d1, w.d0);
+  return minimum(w.is_parallel(), w.b0, w.b1, w.x, FT(w.sigma - w.y), w.d0, w.d1);
 }
 
 // Estimated distance function of a window along its halfedge.

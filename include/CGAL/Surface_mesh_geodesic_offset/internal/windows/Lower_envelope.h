@@ -10,12 +10,12 @@
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
 
+#include <CGAL/Surface_mesh_geodesic_offset/internal/memory/Inline_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Interval_filter.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Start_values.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_checks.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_order.h>
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_sequence.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Certain_overlap_split.h>
 #include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window_bisector.h>
 
@@ -56,10 +56,9 @@ public:
   //
   // Rounding may leave narrow gaps between windows. A gap is closed if the distances beside it agree and are less than
   // `passed`, the distance that the front has passed. Otherwise, a window that fills the gap may still arrive.
-  const Window_sequence<FT>& operator()(const Window* first, const Window* last, const FT& length,
-                                        const Window* more = nullptr, const Window* more_last = nullptr,
-                                        const End& source = End(), const End& target = End(),
-                                        const FT& passed = Number_policy<FT>::infinity())
+  const Inline_sequence<Window>& operator()(
+    const Window* first, const Window* last, const FT& length, const Window* more = nullptr, const Window* more_last = nullptr,
+    const End& source = End(), const End& target = End(), const FT& passed = Number_policy<FT>::infinity())
   {
     m_envelope.clear();
     m_occupants.clear();
@@ -674,7 +673,7 @@ private:
   const std::vector<Index>* m_source_of;
   const Start_values<FT>* m_start_values;
   const Traits& m_traits;
-  Window_sequence<FT> m_envelope;
+  Inline_sequence<Window> m_envelope;
   Window_order<FT, Window> m_order;
   std::vector<std::size_t> m_occupants; // places in the envelope, in order, of windows that may occupy a gap
   FT m_length, m_min_width, m_max_gap, m_least_overlap, m_widest_gap, m_wide, m_rounding, m_gap_rounding, m_margin, m_passed, m_nearest_gap;

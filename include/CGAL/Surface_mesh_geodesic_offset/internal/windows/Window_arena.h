@@ -64,6 +64,10 @@ public:
   static std::size_t capacity(Index size_class) { return std::size_t(4) << size_class; }
   static Index size_class(std::size_t n, Index least = 0)
   {
+    // The smallest classes by the quarter of n; the table saves a loop with an unpredictable number of turns.
+    static constexpr unsigned char of_quarter[] = {0, 0, 1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4};
+    if (const std::size_t quarter = (n + 3) / 4; quarter < sizeof(of_quarter))
+      return (std::max)(least, Index(of_quarter[quarter]));
     while (capacity(least) < n) ++least;
     return least;
   }

@@ -191,7 +191,7 @@ private:
         disc = qb * qb - qa * qc;
       }
     }
-    const auto is_between = [&](const FT& x) { return u < x && x < v; };
+    const auto is_between = [&](const FT& x) { return bool(int(u < x) & int(x < v)); };
     if (CGAL::is_zero(qa))
     {
       if (CGAL::is_zero(qb)) return false;
@@ -199,14 +199,14 @@ private:
       return is_between(t);
     }
     if (CGAL::is_negative(disc)) return false;
-    const FT q = CGAL::is_negative(qb) ? FT(-qb + square_root<FT>(disc)) : FT(-qb - square_root<FT>(disc));
+    const FT q = -(qb + FT(1 - 2 * int(CGAL::is_negative(qb))) * square_root<FT>(disc));
     if (CGAL::is_zero(q)) return false;
     const FT t1 = origin + q / qa, t2 = origin + qc / q;
     const bool in1 = is_between(t1), in2 = is_between(t2);
-    if (in1 && in2)
+    const FT roots[2] = {t2, t1}; // a choice by a load, as a branch would be unpredictable
+    t = roots[in1];
+    if (BOOST_UNLIKELY(int(in1) & int(in2)))
       t = CGAL::abs(FT(at(m_a, t1) - at(m_b, t1))) <= CGAL::abs(FT(at(m_a, t2) - at(m_b, t2))) ? t1 : t2;
-    else
-      t = in1 ? t1 : t2;
     return in1 || in2;
   }
 

@@ -139,9 +139,9 @@ public:
   {
     for (Index f : faces)
     {
-      const Part& part = m_part[m_parts.of_face(f)];
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (m_place[h] != no_index) internal::prefetch(&part.lists[m_place[h]]);
+      const List* const lists = m_part[m_parts.of_face(f)].lists.data();
+      for (Index k = 0; k < 3; ++k) // without a branch, which would be unpredictable
+        internal::prefetch(lists + m_place[3 * f + k] * std::size_t(m_place[3 * f + k] != no_index));
     }
     for (Index f : faces) release_face(f, m_part[m_parts.of_face(f)], arena);
   }
@@ -236,22 +236,24 @@ private:
   // `part`: that of the face.
   void release_face(Index f, Part& part, Arena& arena)
   {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      if (m_place[h] == no_index) continue;
-      List& list = part.lists[m_place[h]];
-      part.live -= list.size + list.waiting.size;
-      CGAL_assertion(part.live >= 0);
-      drop_waiting(list, arena);
-      if (list.data) arena.release(list.data, list.size_class);
-      part.free.push_back(m_place[h]);
-      m_place[h] = no_index;
-    }
+    for (Index k = 0; k < 3; ++k) release_list(3 * f + k, part, arena);
     CGAL_assertion(part.free.size() <= part.lists.size());
     if (part.free.size() < part.lists.size()) return;
     CGAL_assertion(part.live == 0);
     part.lists = std::vector<List>(); // no lists are left in the part
     part.free = std::vector<Index>();
+  }
+
+  BOOST_FORCEINLINE void release_list(Index h, Part& part, Arena& arena)
+  {
+    if (m_place[h] == no_index) return;
+    List& list = part.lists[m_place[h]];
+    part.live -= list.size + list.waiting.size;
+    CGAL_assertion(part.live >= 0);
+    drop_waiting(list, arena);
+    if (list.data) arena.release(list.data, list.size_class);
+    part.free.push_back(m_place[h]);
+    m_place[h] = no_index;
   }
 
   // Changes the number of windows in the part of a halfedge.

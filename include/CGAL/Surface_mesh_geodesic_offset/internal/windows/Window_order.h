@@ -83,6 +83,12 @@ private:
     for (; first != last; ++runs)
     {
       if (runs == most_runs) return false;
+      if (end == m_order.data() || !(first->b0 < end[-1]->b0))
+      {
+        do *end++ = first++;
+        while (first != last && !(first->b0 < first[-1].b0));
+        continue;
+      }
       const Window* const run = run_end(first, last);
       end = merge(end, first, run);
       first = run;
@@ -90,15 +96,10 @@ private:
     return true;
   }
 
-  // Merges a run into the sorted ones: appends it if it begins behind them, else merges from the back.
+  // Merges a run into the sorted ones, from the back.
   const Window** merge(const Window** end, const Window* first, const Window* last) const
   {
     const Window* const* const begin = m_order.data();
-    if (end == begin || !(first->b0 < end[-1]->b0))
-    {
-      while (first != last) *end++ = first++;
-      return end;
-    }
     const Window** const new_end = end + (last - first);
     const Window** out = new_end;
     while (first != last)

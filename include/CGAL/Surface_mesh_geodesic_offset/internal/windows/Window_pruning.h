@@ -91,8 +91,8 @@ public:
   BOOST_FORCEINLINE bool is_filtered(const FT& t, const FT& d) const
   {
     const Estimate r = estimate(d) - m_by_far;
-    if (!CGAL::certainly(r > 0)) return false;
-    return CGAL::certainly(CGAL::square(estimate(t) - m_far_x) + m_far_yy <= r * r);
+    return bool(int(CGAL::certainly(r > 0)) &
+                int(CGAL::certainly(CGAL::square(estimate(t) - m_far_x) + m_far_yy <= r * r))); // one branch for the caller
   }
 
 private:

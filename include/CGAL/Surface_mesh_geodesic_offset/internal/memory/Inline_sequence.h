@@ -1,14 +1,12 @@
 // Copyright (c) 2026 The Surface_mesh_geodesic_offset developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The windows of one halfedge as the sweep writes them.
+// A growing sequence for the inner loops of the front.
 
-#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_SEQUENCE_H
-#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_WINDOWS_WINDOW_SEQUENCE_H
+#ifndef CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MEMORY_INLINE_SEQUENCE_H
+#define CGAL_SURFACE_MESH_GEODESIC_OFFSET_INTERNAL_MEMORY_INLINE_SEQUENCE_H
 
 #include <CGAL/license/Surface_mesh_geodesic_offset.h>
-
-#include <CGAL/Surface_mesh_geodesic_offset/internal/windows/Window.h>
 
 #include <CGAL/assertions.h>
 
@@ -22,35 +20,34 @@ namespace CGAL {
 namespace Geodesic_offset {
 namespace internal {
 
-// A vector whose push_back() is inlined: compilers call that of std::vector, which costs as much as the copy of a window.
-template <class FT>
-class Window_sequence
+// A vector whose push_back() is inlined: compilers call that of std::vector, which costs as much as the copy of a window. clear()
+// has no branch, unlike that of std::vector, and does not destroy elements.
+template <class T>
+class Inline_sequence
 {
 public:
-  typedef CGAL::Geodesic_offset::internal::Window<FT> Window;
-
-  Window_sequence() { grow(); }
-  Window_sequence(const Window_sequence&) = delete;
-  Window_sequence& operator=(const Window_sequence&) = delete;
+  Inline_sequence() { grow(); }
+  Inline_sequence(const Inline_sequence&) = delete;
+  Inline_sequence& operator=(const Inline_sequence&) = delete;
 
   bool empty() const { return m_end == data(); }
   std::size_t size() const { return std::size_t(m_end - data()); }
-  const Window* data() const { return m_storage.data(); }
-  const Window* begin() const { return data(); }
-  const Window* end() const { return m_end; }
+  const T* data() const { return m_storage.data(); }
+  const T* begin() const { return data(); }
+  const T* end() const { return m_end; }
 
-  Window& operator[](std::size_t i)
+  T& operator[](std::size_t i)
   {
     CGAL_precondition(i < size());
     return m_storage[i];
   }
-  const Window& operator[](std::size_t i) const
+  const T& operator[](std::size_t i) const
   {
     CGAL_precondition(i < size());
     return m_storage[i];
   }
-  Window& front() { return (*this)[0]; }
-  Window& back()
+  T& front() { return (*this)[0]; }
+  T& back()
   {
     CGAL_precondition(!empty());
     return m_end[-1];
@@ -59,7 +56,7 @@ public:
   void clear() { m_end = m_storage.data(); }
 
   // `w` is not of this sequence.
-  BOOST_FORCEINLINE void push_back(const Window& w)
+  BOOST_FORCEINLINE void push_back(const T& w)
   {
     if (BOOST_UNLIKELY(m_end == m_last)) grow();
     *m_end++ = w;
@@ -71,7 +68,7 @@ public:
     --m_end;
   }
 
-  void push_front(const Window& w)
+  void push_front(const T& w)
   {
     push_back(w);
     std::rotate(m_storage.data(), m_end - 1, m_end);
@@ -94,8 +91,8 @@ private:
     m_last = m_storage.data() + m_storage.size();
   }
 
-  std::vector<Window> m_storage;
-  Window *m_end, *m_last; // end of the sequence and of the storage
+  std::vector<T> m_storage;
+  T *m_end, *m_last; // end of the sequence and of the storage
 };
 
 } // namespace internal
