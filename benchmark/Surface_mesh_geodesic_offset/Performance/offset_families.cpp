@@ -6,10 +6,12 @@
 //
 //   offset_families MESH [number of distances ...] [--validate]        default: 1 20 200
 //
+// Without a file of the name MESH, `torus` is the wavy torus of 131,072 vertices. With TBB, there is a second table for all threads.
 // With --validate, the oracle of the tests checks all curves of the last family; the exit code is 1 if it finds a fault.
 
 #include "measured_run.h"
 #include "plane_section.h"
+#include "wavy_torus.h"
 #include "validation/Offset_validation.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -45,6 +47,7 @@ std::vector<Section<Mesh>> section(const Mesh& mesh, const CGAL::Bbox_3& box)
                        Kernel::Vector_3(normal[0], normal[1], normal[2]));
 }
 
+template <class Concurrency_tag>
 void run(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double farthest, std::size_t number)
 {
   std::size_t pieces = 0, curves = 0;
@@ -57,7 +60,8 @@ void run(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double fa
       double count = 0;
       geodesic.build_with_offset_curves_by_distance(
         CGAL::Offset_levels<double>::equally_spaced(farthest / static_cast<double>(number + 1), number),
-        [&](double, std::vector<Geodesic::Offset_curve>&& some) { count += static_cast<double>(some.size()); });
+        [&](double, std::vector<Geodesic::Offset_curve>&& some) { count += static_cast<double>(some.size()); },
+        CGAL::parameters::concurrency_tag(Concurrency_tag()));
       const auto& s = geodesic.statistics();
       figures = {s.propagation_seconds, s.offset_seconds, static_cast<double>(s.pieces), count};
       windows = s.windows_propagated;
@@ -104,12 +108,29 @@ double farthest_vertex(const Mesh& mesh, const std::vector<Section<Mesh>>& secti
   return farthest;
 }
 
+template <class Concurrency_tag>
+void print_table(const Mesh& mesh, const std::vector<Section<Mesh>>& sections, double farthest,
+                 const std::vector<std::size_t>& numbers)
+{
+  std::cout << "\n| distances | curves | pieces | propagation s | offsets s | us per piece | MB |\n"
+               "|---|---|---|---|---|---|---|\n";
+  for (std::size_t number : numbers) run<Concurrency_tag>(mesh, sections, farthest, number);
+}
+
+bool get_mesh(const std::string& name, Mesh& mesh)
+{
+  if (CGAL::IO::read_polygon_mesh(name, mesh)) return CGAL::is_triangle_mesh(mesh);
+  if (name != "torus") return false;
+  mesh = benchmark::Wavy_torus<Mesh>(1 << 17).mesh;
+  return true;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if (argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh))
+  if (argc < 2 || !get_mesh(argv[1], mesh))
   {
     std::cerr << "offset_families: " << (argc < 2 ? "no mesh" : argv[1])
               << (argc < 2 ? " is given" : " is not a manifold triangle mesh") << std::endl;
@@ -118,9 +139,7 @@ int main(int argc, char* argv[])
   const std::vector<Section<Mesh>> sections =
     section(mesh, CGAL::Polygon_mesh_processing::bbox(mesh));
   const double farthest = farthest_vertex(mesh, sections);
-  std::cout << argv[1] << ": " << num_vertices(mesh) << " vertices, " << sections.size()
-            << " polylines\n\n| distances | curves | pieces | propagation s | offsets s | us per piece | MB |\n"
-               "|---|---|---|---|---|---|---|\n";
+  std::cout << argv[1] << ": " << num_vertices(mesh) << " vertices, " << sections.size() << " polylines" << std::endl;
   std::vector<std::size_t> numbers;
   bool wants_validation = false;
   for (int i = 2; i < argc; ++i)
@@ -129,6 +148,9 @@ int main(int argc, char* argv[])
     else
       numbers.push_back(std::stoul(argv[i]));
   if (numbers.empty()) numbers = {1, 20, 200};
-  for (std::size_t number : numbers) run(mesh, sections, farthest, number);
+  print_table<CGAL::Sequential_tag>(mesh, sections, farthest, numbers);
+#ifdef CGAL_LINKED_WITH_TBB
+  print_table<CGAL::Parallel_tag>(mesh, sections, farthest, numbers);
+#endif
   return !wants_validation || validate(mesh, sections, farthest, numbers.back()) ? 0 : 1;
 }
