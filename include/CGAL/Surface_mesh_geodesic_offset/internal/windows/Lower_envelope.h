@@ -126,7 +126,7 @@ public:
       const Window &a = first[0], &b = first[1];
       if (int(b.b0 < a.b0) | int(b.b1 < a.b1)) return false;
       const int is_rare = int(CGAL::abs(FT(a.x - b.x)) <= larger_allowance) | int(b.b0 - a.b1 > largest_rounding) |
-                          int(b.b1 - b.b0 < widest);
+                          (int(b.b1 - b.b0 < widest) & int(is_farther_at_begin(a, b, length)));
       if (BOOST_UNLIKELY(is_rare) && may_change(a, b, rounding, allowance, length, widest)) return false;
     }
     return true;
@@ -255,18 +255,17 @@ private:
   BOOST_FORCEINLINE bool check_width(const Window& m, const FT& t)
   {
     const FT width = t - m.b0;
-    return BOOST_LIKELY(width > m_wide) || check_small_width(width);
+    if (BOOST_LIKELY(width > m_wide)) return true;
+    const std::size_t n = m_envelope.size();
+    if (BOOST_UNLIKELY(n > 1 && is_farther_at_begin(m_envelope[n - 2], m, m_length))) add_occupant();
+    return width > m_min_width;
   }
 
-  BOOST_NOINLINE bool check_small_width(const FT& width)
+  BOOST_NOINLINE void add_occupant()
   {
     const std::size_t last = m_envelope.size() - 1;
-    if (last > 0 && is_farther_at_begin(m_envelope[last - 1], m_envelope[last], m_length))
-    {
-      while (!m_occupants.empty() && m_occupants.back() >= last) m_occupants.pop_back(); // windows that were removed since
-      m_occupants.push_back(last);
-    }
-    return width > m_min_width;
+    while (!m_occupants.empty() && m_occupants.back() >= last) m_occupants.pop_back(); // windows that were removed since
+    m_occupants.push_back(last);
   }
 
   BOOST_NOINLINE void close_gap(const Window& a, const Window& w)
