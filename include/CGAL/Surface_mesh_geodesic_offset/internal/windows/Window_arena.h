@@ -67,7 +67,11 @@ public:
     // The smallest classes by the quarter of n; the table saves a loop with an unpredictable number of turns.
     static constexpr unsigned char of_quarter[] = {0, 0, 1, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4};
     if (const std::size_t quarter = (n + 3) / 4; quarter < sizeof(of_quarter))
-      return (std::max)(least, Index(of_quarter[quarter]));
+    {
+      const Index smallest = of_quarter[quarter];
+      CGAL_assertion(n <= capacity(smallest) && (smallest == 0 || n > capacity(smallest - 1)));
+      return (std::max)(least, smallest);
+    }
     while (capacity(least) < n) ++least;
     return least;
   }

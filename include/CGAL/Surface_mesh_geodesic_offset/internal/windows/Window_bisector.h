@@ -199,6 +199,7 @@ private:
       return is_between(t);
     }
     if (CGAL::is_negative(disc)) return false;
+    // The sign of qb as a factor, without a branch.
     const FT q = -(qb + FT(1 - 2 * int(CGAL::is_negative(qb))) * square_root<FT>(disc));
     if (CGAL::is_zero(q)) return false;
     const FT t1 = origin + q / qa, t2 = origin + qc / q;
