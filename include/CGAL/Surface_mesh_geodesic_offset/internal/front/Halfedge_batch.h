@@ -66,7 +66,9 @@ public:
       m_envelope(list.begin(), list.end(), m_mesh[h].length, list.waiting.begin(), list.waiting.end(), end_at(m_mesh.source(h)),
                  end_at(m_mesh.target(h)), m_merging.is_on() ? Number_policy<FT>::infinity() : m_state.passed());
     m_nearest_gap = m_envelope.nearest_gap();
-    if (m_merging.pays_for(h, envelope.size())) return &propagate_merged(h, list, envelope.begin(), envelope.end());
+    // Propagated windows cannot be merged, and they are most of the lists of second batches.
+    if (list.processed == 0 && m_merging.pays_for(h, envelope.size()))
+      return &propagate_merged(h, list, envelope.begin(), envelope.end());
     m_propagate(h, envelope.data(), envelope.size(), list.split_distance, list.split_entry);
     return may_stay && !m_envelope.has_closed_gaps() ? nullptr : &envelope;
   }
